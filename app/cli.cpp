@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_report.h"
+#include "app/examples.h"
+#include "core/project/project_file.h"
+#include "core/project/safe_file.h"
+#include "core/simulation/simulate.h"
+#include "core/version.h"
+
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace sparkout::cli {
+
+namespace {
+
+enum Exit { done = 0, refused = 1, usage = 2, cannotReachSize = 3, requirementFails = 4 };
+
+constexpr const char* helpText =
+    R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
+
+  sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
+  sparkout-cli validate FILE
+  sparkout-cli examples DIR
+  sparkout-cli --version | --help
+
+simulate   runs the cycle of a project file
+  --json     prints one JSON object
+  --check    exit status 4 when a requirement of the drawing fails
+  --trace    writes a row for every visit of a radius
+validate   checks a project file: one line a fault
+examples   writes the example projects into a folder
+
+Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
+4 a requirement fails (--check).
+)";
+
+struct Options {
+    std::string command, operand, trace;
+    bool json = false, check = false;
+};
+
+void print(std::FILE* stream, const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+int usageError(const std::string& message) {
+    print(stderr, "sparkout-cli: " + message + "; see sparkout-cli --help\n");
+    return usage;
+}
+
+std::string describe(const FileError& error) {
+    std::string text = error.path + ": " + fileStepText(error.step);
+    if (error.systemError != 0) {
+        text += ": " + std::string(std::strerror(error.systemError));
+    }
+    if (error.freeBytes) {
+        text += " (" + std::to_string(*error.freeBytes) + " bytes free)";
+    }
+    return text + '\n';
+}
+
+/// Reads and checks a project; prints every fault, one a line.
+std::optional<Project> load(const std::string& file) {
+    const auto content = readFile(file, limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&content)) {
+        print(stderr, describe(*error));
+        return std::nullopt;
+    }
+    ReadResult read = readProject(std::get<std::string>(content));
+    for (const Issue& issue : read.issues) {
+        print(stderr, issueLine(file, issue) + '\n');
+    }
+    return std::move(read.project);
+}
+
+int save(const std::string& file, const std::string& content) {
+    if (const auto error = writeFileSafely(file, content)) {
+        print(stderr, describe(*error));
+        return refused;
+    }
+    return done;
+}
+
+int runSimulate(const Options& options) {
+    const auto project = load(options.operand);
+    if (!project) {
+        return refused;
+    }
+    Trajectory trajectory;
+    const SimulationResult result =
+        simulate(*project, options.trace.empty() ? nullptr : &trajectory);
+    const auto constraints = evaluateConstraints(result);
+    print(stdout, options.json ? resultJson(result, constraints)
+                               : resultText(result, constraints));
+    if (!options.trace.empty()) {
+        if (const int failed = save(options.trace, traceCsv(result, trajectory))) {
+            return failed;
+        }
+    }
+    if (result.status != RunStatus::completed) {
+        print(stderr, options.operand + ": " + statusSentence(result) + '\n');
+        return cannotReachSize;
+    }
+    bool holds = true;
+    for (const ConstraintResult& constraint : constraints) {
+        holds = holds && constraint.holds;
+    }
+    return options.check && !holds ? requirementFails : done;
+}
+
+int runExamples(const std::string& folder) {
+    for (const Example& example : examples()) {
+        const std::string file = folder + "/" + example.name;
+        if (const int failed = save(file, example.content)) {
+            return failed;
+        }
+        print(stdout, file + '\n');
+    }
+    return done;
+}
+
+int parse(const std::vector<std::string>& arguments, Options& options) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        const bool simulates = options.command == "simulate";
+        if (options.command.empty()) {
+            options.command = argument;
+        } else if (simulates && argument == "--json") {
+            options.json = true;
+        } else if (simulates && argument == "--check") {
+            options.check = true;
+        } else if (simulates && argument == "--trace") {
+            if (++i == arguments.size()) {
+                return usageError("--trace needs a file name");
+            }
+            options.trace = arguments[i];
+        } else if (argument.size() > 1 && argument[0] == '-') {
+            return usageError("unknown option " + argument);
+        } else if (options.operand.empty()) {
+            options.operand = argument;
+        } else {
+            return usageError("one file or folder too many: " + argument);
+        }
+    }
+    return done;
+}
+
+int run(const std::vector<std::string>& arguments) {
+    if (arguments.size() == 1 && arguments[0] == "--help") {
+        print(stdout, helpText);
+        return done;
+    }
+    if (arguments.size() == 1 && arguments[0] == "--version") {
+        print(stdout, "sparkout-cli " + std::string(version) + '\n');
+        return done;
+    }
+    Options options;
+    if (const int failed = parse(arguments, options)) {
+        return failed;
+    }
+    const std::string& command = options.command;
+    if (command != "simulate" && command != "validate" && command != "examples") {
+        return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
+    }
+    if (options.operand.empty()) {
+        return usageError(command + (command == "examples" ? " needs a folder" : " needs a file"));
+    }
+    if (command == "simulate") {
+        return runSimulate(options);
+    }
+    if (command == "validate") {
+        return load(options.operand) ? done : refused;
+    }
+    return runExamples(options.operand);
+}
+
+} // namespace
+
+} // namespace sparkout::cli
+
+int main(int argc, char** argv) {
+    return sparkout::cli::run({argv + 1, argv + argc});
+}

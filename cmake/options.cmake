@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Options every target of the tree shares.
+add_library(sparkout_options INTERFACE)
+# No contraction: results must not differ between processors with and without FMA.
+target_compile_options(sparkout_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -ffp-contract=off
+    -fstack-protector-strong -fcf-protection)
+target_compile_definitions(sparkout_options INTERFACE _GLIBCXX_ASSERTIONS)
+target_include_directories(sparkout_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_options(sparkout_options INTERFACE -Wl,-z,relro,-z,now)
+if(SPARKOUT_WERROR)
+    target_compile_options(sparkout_options INTERFACE -Werror)
+endif()
+if(SPARKOUT_SANITIZE)
+    target_compile_options(sparkout_options INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(sparkout_options INTERFACE -fsanitize=address,undefined)
+endif()
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

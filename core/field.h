@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// The description of one input, next to its struct, read by everything that handles inputs:
+/// file reader and writer, validation, forms, hints, help page, JSON Schema and tests.
+namespace sparkout {
+
+struct Project;
+struct StructInfo;
+
+/// Allowed or usual values in the field's unit. An open end excludes the bound itself.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool lowOpen = false;
+
+    [[nodiscard]] bool contains(double value) const {
+        return (lowOpen ? value > low : value >= low) && value <= high;
+    }
+    [[nodiscard]] bool unbounded() const {
+        return low == -std::numeric_limits<double>::infinity() &&
+               high == std::numeric_limits<double>::infinity();
+    }
+};
+
+/// One value of an enumeration: its name in the file and its label (translated as "Choice").
+struct Choice {
+    const char* key;
+    const char* label;
+};
+
+/// A condition on a field: the whole project, and the struct that holds the field.
+using Condition = bool (*)(const Project& project, const void* owner);
+
+/// The page of the input form that shows a struct's field.
+enum class Page { part, material, wheel, machine, gauge, cycle, none };
+
+// --- value types a member may have beside double, int, bool, string, enum, lists and structs ----
+
+/// The last stage's spark-out: none, a number of strokes or revolutions, or until size.
+struct SparkOut {
+    enum class Mode { none, count, untilSize };
+    Mode mode = Mode::none;
+    int count = 0; ///< double strokes (traverse) or revolutions (plunge), with Mode::count
+    friend bool operator==(const SparkOut&, const SparkOut&) = default;
+};
+
+/// Compliance as given: one value a zone (traverse) or one a section (plunge) [mm/N].
+struct ZoneCompliance {
+    double rz1 = 0, nz = 0, rz2 = 0;
+    friend bool operator==(const ZoneCompliance&, const ZoneCompliance&) = default;
+};
+using GivenCompliance = std::variant<std::monostate, ZoneCompliance, std::vector<double>>;
+
+/// Levels of a grid: listed, or from, to and step.
+struct SteppedLevels {
+    double from = 0, to = 0, step = 0;
+    friend bool operator==(const SteppedLevels&, const SteppedLevels&) = default;
+};
+using Levels = std::variant<std::monostate, std::vector<double>, SteppedLevels>;
+
+/// Rows of numbers: a matrix, or points of a curve.
+using NumberRows = std::optional<std::vector<std::vector<double>>>;
+
+/// A JSON value kept as it was read (compact text): what a kept run stores.
+struct JsonText {
+    std::string text = "{}";
+    friend bool operator==(const JsonText&, const JsonText&) = default;
+};
+
+// --- the row ------------------------------------------------------------------------------------
+
+enum class Kind {
+    number,
+    optionalNumber,
+    integer,
+    optionalInteger,
+    boolean,
+    text,
+    choice,
+    numberList,
+    optionalNumberList,
+    object,
+    optionalObject,
+    objectList,
+    sparkOut,
+    compliance,
+    levels,
+    numberRows,
+    jsonText,
+};
+
+/// What a row says of a member; all of it optional but the label.
+struct Row {
+    const char* label = "";
+    const char* symbol = "";
+    const char* unit = "";
+    Range hard = {};              ///< refused outside
+    Range soft = {};              ///< warned outside
+    const char* nullMeaning = ""; ///< what null (not given) means, for members that may be null
+    Condition required = nullptr; ///< must stand in the file when it holds; null: never
+    Condition relevant = nullptr; ///< is read by the model when it holds; null: always
+    std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
+    bool slider = false;          ///< one of the numbers one plays with
+    Page page = Page::none;       ///< the form page that shows it
+    const char* hint = "";
+    const char* source = ""; ///< key of core/SOURCES.md
+};
+
+/// A row bound to its member. `member` gives the member's address inside its struct.
+struct Field : Row {
+    const char* key = "";
+    Kind kind = Kind::number;
+    void* (*member)(void* owner) = nullptr;
+    int (*getChoice)(const void* owner) = nullptr;
+    void (*setChoice)(void* owner, int value) = nullptr;
+    std::span<const Choice> choices;
+    const StructInfo* nested = nullptr;                     ///< object kinds
+    void* (*object)(void* owner, bool create) = nullptr;    ///< object kinds; null if not given
+    void (*reset)(void* owner) = nullptr;                   ///< optional object: not given
+    std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
+    void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
+    void (*resize)(void* owner, std::size_t size) = nullptr;
+
+    template <class T> [[nodiscard]] T& as(void* owner) const {
+        return *static_cast<T*>(member(owner));
+    }
+    template <class T> [[nodiscard]] const T& as(const void* owner) const {
+        return *static_cast<const T*>(member(const_cast<void*>(owner)));
+    }
+    [[nodiscard]] const void* objectIn(const void* owner) const {
+        return object(const_cast<void*>(owner), false);
+    }
+    [[nodiscard]] const void* itemIn(const void* owner, std::size_t index) const {
+        return at(const_cast<void*>(owner), index);
+    }
+};
+
+/// The table of one struct.
+struct StructInfo {
+    const char* name;             ///< translated in the context "Struct"
+    std::span<const Field> fields;
+    const void* defaults;         ///< a value of the struct as its initialisers make it
+    [[nodiscard]] const Field* find(std::string_view key) const;
+};
+
+/// The table of T; each struct's .cpp specialises it.
+template <class T> const StructInfo& tableOf();
+
+/// The choices of an enumeration; each enum's .cpp specialises it.
+template <class E> std::span<const Choice> choicesOf();
+
+// --- making rows --------------------------------------------------------------------------------
+
+namespace detail {
+
+template <class T> struct IsOptional : std::false_type {};
+template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T> struct IsVector : std::false_type {};
+template <class T> struct IsVector<std::vector<T>> : std::true_type {};
+
+template <auto Member> struct MemberOf;
+template <class S, class T, T S::*Member> struct MemberOf<Member> {
+    using Struct = S;
+    using Type = T;
+};
+
+// Probes that count the members of an aggregate: Any stands for every type but an optional,
+// AnyOptional for an optional (for which Any would be ambiguous).
+struct Any {
+    template <class T>
+        requires(!IsOptional<T>::value)
+    operator T() const; // NOLINT: implicit by purpose, never defined
+};
+struct AnyOptional {
+    template <class T>
+        requires(IsOptional<T>::value)
+    operator T() const; // NOLINT: implicit by purpose, never defined
+};
+
+template <class S, class... Probes> consteval std::size_t countMembers() {
+    if constexpr (requires { S{Probes{}..., Any{}}; }) {
+        return countMembers<S, Probes..., Any>();
+    } else if constexpr (requires { S{Probes{}..., AnyOptional{}}; }) {
+        return countMembers<S, Probes..., AnyOptional>();
+    } else {
+        return sizeof...(Probes);
+    }
+}
+
+template <auto Member, class S, class Item> void fillList(Field& f) {
+    f.kind = Kind::objectList;
+    f.nested = &tableOf<Item>();
+    f.size = [](const void* owner) { return (static_cast<const S*>(owner)->*Member).size(); };
+    f.at = [](void* owner, std::size_t i) -> void* {
+        return &(static_cast<S*>(owner)->*Member)[i];
+    };
+    f.resize = [](void* owner, std::size_t n) { (static_cast<S*>(owner)->*Member).resize(n); };
+}
+
+template <auto Member, class S, class T> void fillOptionalObject(Field& f) {
+    f.kind = Kind::optionalObject;
+    f.nested = &tableOf<T>();
+    f.object = [](void* owner, bool create) -> void* {
+        auto& member = static_cast<S*>(owner)->*Member;
+        if (!member && create) {
+            member.emplace();
+        }
+        return member ? &*member : nullptr;
+    };
+    f.reset = [](void* owner) { (static_cast<S*>(owner)->*Member).reset(); };
+}
+
+template <auto Member, class S, class T> void fillObject(Field& f) {
+    f.kind = Kind::object;
+    f.nested = &tableOf<T>();
+    f.object = [](void* owner, bool) -> void* { return &(static_cast<S*>(owner)->*Member); };
+}
+
+template <auto Member, class S, class E> void fillChoice(Field& f) {
+    f.kind = Kind::choice;
+    f.choices = choicesOf<E>();
+    f.getChoice = [](const void* owner) {
+        return static_cast<int>(static_cast<const S*>(owner)->*Member);
+    };
+    f.setChoice = [](void* owner, int v) { static_cast<S*>(owner)->*Member = static_cast<E>(v); };
+}
+
+} // namespace detail
+
+/// Binds a row to a member; the kind follows from the member's type. Use SPARKOUT_FIELD.
+template <auto Member> Field makeField(const char* key, const Row& row) {
+    using S = typename detail::MemberOf<Member>::Struct;
+    using T = typename detail::MemberOf<Member>::Type;
+    Field f;
+    static_cast<Row&>(f) = row;
+    f.key = key;
+    f.member = [](void* owner) -> void* { return &(static_cast<S*>(owner)->*Member); };
+    if constexpr (std::is_same_v<T, double>) {
+        f.kind = Kind::number;
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+        f.kind = Kind::optionalNumber;
+    } else if constexpr (std::is_same_v<T, int>) {
+        f.kind = Kind::integer;
+    } else if constexpr (std::is_same_v<T, std::optional<int>>) {
+        f.kind = Kind::optionalInteger;
+    } else if constexpr (std::is_same_v<T, bool>) {
+        f.kind = Kind::boolean;
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        f.kind = Kind::text;
+    } else if constexpr (std::is_enum_v<T>) {
+        detail::fillChoice<Member, S, T>(f);
+    } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+        f.kind = Kind::numberList;
+    } else if constexpr (std::is_same_v<T, std::optional<std::vector<double>>>) {
+        f.kind = Kind::optionalNumberList;
+    } else if constexpr (std::is_same_v<T, SparkOut>) {
+        f.kind = Kind::sparkOut;
+    } else if constexpr (std::is_same_v<T, GivenCompliance>) {
+        f.kind = Kind::compliance;
+    } else if constexpr (std::is_same_v<T, Levels>) {
+        f.kind = Kind::levels;
+    } else if constexpr (std::is_same_v<T, NumberRows>) {
+        f.kind = Kind::numberRows;
+    } else if constexpr (std::is_same_v<T, JsonText>) {
+        f.kind = Kind::jsonText;
+    } else if constexpr (detail::IsVector<T>::value) {
+        detail::fillList<Member, S, typename T::value_type>(f);
+    } else if constexpr (detail::IsOptional<T>::value) {
+        detail::fillOptionalObject<Member, S, typename T::value_type>(f);
+    } else {
+        detail::fillObject<Member, S, T>(f);
+    }
+    return f;
+}
+
+/// A row whose JSON key is the member's own name.
+#define SPARKOUT_FIELD(Struct, member, ...)                                                        \
+    ::sparkout::makeField<&Struct::member>(#member, ::sparkout::Row{__VA_ARGS__})
+
+/// Makes the table of T. A member without a row does not compile.
+template <class T, std::size_t Rows>
+StructInfo makeTable(const char* name, const std::array<Field, Rows>& fields) {
+    static_assert(detail::countMembers<T>() == Rows, "every member of the struct needs its row");
+    static const T defaults{};
+    return {name, fields, &defaults};
+}
+
+} // namespace sparkout

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/force.h"
+
+#include "core/units.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace sparkout {
+
+double equivalentDiameter(double d, double D, Surface surface) {
+    return d * D / (surface == Surface::external ? D + d : d - D);
+}
+
+ForceLaw forceLaw(const Project& project) {
+    const Material& material = project.material;
+    const double d = project.part.diameter_mm;
+    const double De =
+        equivalentDiameter(d, project.wheel.diameter_mm, project.part.surface);
+    const double Vd = std::numbers::pi * d * project.machine.work_speed_rpm;      // mm/min
+    const double Vk = project.machine.wheel_speed_m_s * units::mmPerM
+                      * units::secondsPerMinute;                                  // mm/min
+    const double sigma = material.flow_stress_mpa;
+    return {.ks = material.shear_factor * sigma * Vd / Vk,
+            .kr = project.wheel.dullness * sigma * std::sqrt(De) / 3,
+            .kt = material.shear_strain * sigma * Vd / Vk,
+            .mu = material.friction};
+}
+
+} // namespace sparkout

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/pass_kernel.h"
+
+#include <cmath>
+
+namespace sparkout {
+
+void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bkr) {
+    const double A = 1 + gamma * bks;
+    const double c = gamma * bkr;
+    C[lane] = c;
+    C2[lane] = c * c;
+    A4[lane] = 4 * A;
+    inverse2A[lane] = 1 / (2 * A);
+}
+
+namespace {
+
+// The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
+// IEEE one, contraction is off, so the units differ in speed alone.
+[[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
+                                              const PassFeed& feed, const PassRange& range) {
+    double* __restrict depth = lanes.depth_mm.data() + range.first;
+    double* __restrict root = lanes.root.data() + range.first;
+    double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
+    const double* __restrict share = lanes.share.data() + range.first;
+    const double* __restrict C = coefficients.C.data() + range.first;
+    const double* __restrict C2 = coefficients.C2.data() + range.first;
+    const double* __restrict A4 = coefficients.A4.data() + range.first;
+    const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
+    const double base = feed.base, offset = feed.offset, rate = feed.rate, cap = feed.cap;
+    const double bks = range.bks, bkr = range.bkr;
+    const std::size_t count = range.count;
+    double largest = 0;
+#pragma omp simd reduction(max : largest)
+    for (std::size_t i = 0; i < count; ++i) {
+        const double ramp = offset + rate * share[i];
+        const double fed = base + (ramp < cap ? ramp : cap);
+        const double lag = fed - depth[i];
+        const double h = lag > 0 ? lag : 0;
+        const double u = (std::sqrt(C2[i] + A4[i] * h) - C[i]) * inverse2A[i];
+        const double a = u * u;
+        const double force = bks * a + bkr * u;
+        depth[i] += a;
+        root[i] = u;
+        peakForce[i] = force > peakForce[i] ? force : peakForce[i];
+        largest = u > largest ? u : largest;
+    }
+    return largest;
+}
+
+double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
+                   const PassRange& range) {
+    return cutLanes(lanes, coefficients, feed, range);
+}
+
+[[gnu::target("avx2")]] double cutAvx2(Lanes& lanes, const LaneCoefficients& coefficients,
+                                       const PassFeed& feed, const PassRange& range) {
+    return cutLanes(lanes, coefficients, feed, range);
+}
+
+[[gnu::target("avx512f,avx512vl,avx512dq,prefer-vector-width=512")]] double
+cutAvx512(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
+          const PassRange& range) {
+    return cutLanes(lanes, coefficients, feed, range);
+}
+
+} // namespace
+
+bool isSupported(VectorUnit unit) {
+    switch (unit) {
+    case VectorUnit::baseline: return true;
+    case VectorUnit::avx2: return __builtin_cpu_supports("avx2");
+    case VectorUnit::avx512:
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")
+               && __builtin_cpu_supports("avx512dq");
+    }
+    return false;
+}
+
+PassFunction passFunction(VectorUnit unit) {
+    switch (unit) {
+    case VectorUnit::avx512: return cutAvx512;
+    case VectorUnit::avx2: return cutAvx2;
+    case VectorUnit::baseline: break;
+    }
+    return cutBaseline;
+}
+
+PassFunction widestPassFunction() {
+    for (const VectorUnit unit : {VectorUnit::avx512, VectorUnit::avx2}) {
+        if (isSupported(unit)) {
+            return passFunction(unit);
+        }
+    }
+    return passFunction(VectorUnit::baseline);
+}
+
+} // namespace sparkout

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// One pass under the wheel for many independent lanes (a lane is one radius of one zone, section
+/// or scenario): the elastic balance [MODEL-3]
+///
+///     a + γ·P_y(a) = h,    h = t_П − depth,    a = 0 if h ≤ 0
+///     A = 1 + γ·b·k_s,  C = γ·b·k_r
+///     √a = ( √(C² + 4·A·h) − C ) / (2·A)
+///     depth ← depth + a
+///
+/// The multiplied form of the root loses at most ε·C/A ≤ ε·k_r/k_s in √a, hence ε·√a·k_r/k_s in a:
+/// below the last bit the depth itself can hold, so one form serves all. √(C·C) is C exactly in
+/// binary floating point, so h = 0 gives a = 0 exactly.
+namespace sparkout {
+
+/// The lanes' state.
+struct Lanes {
+    explicit Lanes(std::size_t count) : depth_mm(count), root(count), peakForce_n(count), share(count) {}
+    std::vector<double> depth_mm;    ///< how far the radius stands below first touch
+    std::vector<double> root;        ///< u = √a of the last pass [√mm]
+    std::vector<double> peakForce_n; ///< largest P_y so far
+    std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
+};
+
+/// The balance's coefficients for each lane at one width of cut.
+struct LaneCoefficients {
+    explicit LaneCoefficients(std::size_t count)
+        : C(count), C2(count), A4(count), inverse2A(count) {}
+    /// Sets one lane: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
+    void set(std::size_t lane, double gamma, double bks, double bkr);
+
+    std::vector<double> C, C2, A4, inverse2A;
+};
+
+/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm].
+struct PassFeed {
+    double base = 0, offset = 0, rate = 0, cap = 0;
+};
+
+/// A range of lanes in one pass.
+struct PassRange {
+    std::size_t first = 0, count = 0;
+    double bks = 0, bkr = 0; ///< for the peak force P_y = bks·a + bkr·√a
+};
+
+/// Cuts the lanes of the range once; returns the largest √a [√mm].
+using PassFunction = double (*)(Lanes& lanes, const LaneCoefficients& coefficients,
+                                const PassFeed& feed, const PassRange& range);
+
+enum class VectorUnit { baseline, avx2, avx512 };
+
+[[nodiscard]] bool isSupported(VectorUnit unit);
+[[nodiscard]] PassFunction passFunction(VectorUnit unit);
+
+/// The function for the widest unit of this processor. All give bit-identical results.
+[[nodiscard]] PassFunction widestPassFunction();
+
+} // namespace sparkout

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/part.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// The blank's geometry [MODEL-4]. Radii are followed as depths below first touch: external
+/// R_k = R_first − depth_k, internal R_k = R_first + depth_k, with R_first the largest radius
+/// (external) or the smallest (internal).
+struct Blank {
+    double targetRadius_mm = 0;     ///< R_t, middle of the field unless set
+    double firstTouchRadius_mm = 0; ///< R_max0 external, R_min0 internal
+    double totalInfeed_mm = 0;      ///< |R_first − R_t| = Π + ΔR
+    std::vector<double> depth_mm;   ///< of the K radii, ≥ 0, K values
+};
+
+/// R_t [mm]: half the target diameter, else the middle of the tolerance field.
+[[nodiscard]] double targetRadius(const Part& part);
+
+/// ΔR [mm]: given, or max − min of a measured profile.
+[[nodiscard]] double initialRunout(const Part& part);
+
+/// The K radii R_k [mm] of a blank with the given largest radius, at φ_k = 2πk/K.
+/// Ellipse: p = R_max, q = R_max − ΔR, R = pq/√((q·cos φ)² + (p·sin φ)²).
+/// Eccentric circle: radius r = R_max − ΔR/2 about e = ΔR/2, R = e·cos φ + √(r² − (e·sin φ)²).
+/// Lobes: R = R_max − ΔR/2·(1 − cos nφ). Measured: R = R_max + deviation from the largest.
+[[nodiscard]] std::vector<double> profileRadii(const Part& part, double largestRadius_mm);
+
+[[nodiscard]] Blank makeBlank(const Part& part);
+
+} // namespace sparkout

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/system_compliance.h"
+
+#include "core/process/compliance.h"
+#include "core/units.h"
+
+#include <array>
+#include <cassert>
+
+namespace sparkout {
+
+namespace {
+
+Compliance shaftCompliance(const Project& project) {
+    const Shaft& shaft = project.part.shaft;
+    const Stiffness& stiffness = *project.machine.stiffness_n_um;
+    ShaftModel model;
+    for (const ShaftSegment& segment : shaft.segments) {
+        model.segments.push_back({segment.length_mm, segment.diameter_mm});
+    }
+    for (const SteadyRest& rest : shaft.steady_rests) {
+        model.rests.push_back({rest.position_mm, rest.stiffness_n_um * units::umPerMm});
+    }
+    model.youngsModulus_n_mm2 = shaft.youngs_modulus_gpa * units::mpaPerGpa;
+    model.mounting = shaft.mounting;
+    model.headstock_n_mm = stiffness.headstock * units::umPerMm;
+    model.tailstock_n_mm = stiffness.tailstock * units::umPerMm;
+    model.wheelHead_n_mm = stiffness.wheel_head * units::umPerMm;
+    return Compliance(std::move(model));
+}
+
+double quillGamma(const Project& project) {
+    const Shaft& shaft = project.part.shaft;
+    const Stiffness& stiffness = *project.machine.stiffness_n_um;
+    return quillCompliance(shaft.quill->length_mm, shaft.quill->diameter_mm,
+                           shaft.youngs_modulus_gpa * units::mpaPerGpa,
+                           stiffness.wheel_head * units::umPerMm,
+                           stiffness.headstock * units::umPerMm);
+}
+
+bool isComputed(const Project& project) {
+    return std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+}
+
+std::vector<double> positions(const Project& project) {
+    std::vector<double> middles;
+    const double length = project.part.length_mm;
+    if (project.operation == Operation::plunge) {
+        for (int j = 0; j < project.sections; ++j) {
+            middles.push_back(length * (j + 0.5) / project.sections);
+        }
+        return middles;
+    }
+    const ZoneLengths zones = zoneLengths(project);
+    middles = {zones.rz1 / 2, zones.rz1 + zones.nz / 2, length - zones.rz2 / 2};
+    if (project.machine.entry_side == EntrySide::tailstock) {
+        for (double& middle : middles) {
+            middle = length - middle;
+        }
+    }
+    return middles;
+}
+
+/// γ at positions along the ground length, from stiffness and shaft.
+std::vector<double> computedGammas(const Project& project, const std::vector<double>& at) {
+    std::vector<double> gammas;
+    if (project.part.surface == Surface::internal) {
+        gammas.assign(at.size(), quillGamma(project));
+        return gammas;
+    }
+    const Compliance system = shaftCompliance(project);
+    const double from = project.part.shaft.ground_from_mm;
+    for (const double position : at) {
+        gammas.push_back(project.operation == Operation::traverse
+                             ? system.at(from + position)
+                             : system.mean(from + position, from, from + project.part.length_mm));
+    }
+    return gammas;
+}
+
+std::vector<double> givenGammas(const GivenCompliance& given) {
+    if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
+        return {zones->rz1, zones->nz, zones->rz2};
+    }
+    return std::get<std::vector<double>>(given);
+}
+
+} // namespace
+
+ZoneLengths zoneLengths(const Project& project) {
+    const double rz1 = project.wheel.width_mm - project.machine.overrun_entry_mm;
+    const double rz2 = project.wheel.width_mm - project.machine.overrun_exit_mm;
+    return {rz1, project.part.length_mm - rz1 - rz2, rz2};
+}
+
+std::vector<CompliantPoint> compliantPoints(const Project& project) {
+    const std::vector<double> at = positions(project);
+    const std::vector<double> gammas = isComputed(project)
+                                           ? computedGammas(project, at)
+                                           : givenGammas(project.machine.compliance_mm_per_n);
+    assert(gammas.size() == at.size());
+    std::vector<CompliantPoint> points;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        points.push_back({at[i], gammas[i]});
+    }
+    return points;
+}
+
+int gaugeSection(const Project& project) {
+    if (project.operation == Operation::traverse) {
+        return 1; // the middle of НЗ
+    }
+    return project.gauge.section.value_or(project.sections / 2);
+}
+
+CompliantPoint freeGaugePoint(const Project& project,
+                              const std::vector<CompliantPoint>& sections) {
+    const double x = *project.gauge.position_mm;
+    if (project.gauge.compliance_mm_per_n) {
+        return {x, *project.gauge.compliance_mm_per_n};
+    }
+    if (isComputed(project)) {
+        return {x, computedGammas(project, {x}).front()};
+    }
+    if (x <= sections.front().position_mm) {
+        return {x, sections.front().gamma_mm_n};
+    }
+    for (std::size_t i = 1; i < sections.size(); ++i) {
+        const CompliantPoint& a = sections[i - 1];
+        const CompliantPoint& b = sections[i];
+        if (x <= b.position_mm) {
+            const double share = (x - a.position_mm) / (b.position_mm - a.position_mm);
+            return {x, a.gamma_mm_n + share * (b.gamma_mm_n - a.gamma_mm_n)};
+        }
+    }
+    return {x, sections.back().gamma_mm_n};
+}
+
+} // namespace sparkout

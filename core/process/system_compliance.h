@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// Lengths of the zones of traverse grinding [mm] [MODEL-5]:
+/// РЗ1 = B − o1, РЗ2 = B − o2, НЗ = L_p − РЗ1 − РЗ2.
+struct ZoneLengths {
+    double rz1 = 0, nz = 0, rz2 = 0;
+};
+[[nodiscard]] ZoneLengths zoneLengths(const Project& project);
+
+/// A place along the ground length and the compliance there.
+struct CompliantPoint {
+    double position_mm = 0;  ///< from the headstock end of the ground length [mm]
+    double gamma_mm_n = 0;   ///< γ [mm/N]
+};
+
+/// The zones РЗ1, НЗ, РЗ2 (at their middles) or the J sections (at the middles of equal slices),
+/// with γ as given or computed from stiffness and shaft: traverse G(x,x), plunge the mean of
+/// G(x,s) over the contact, internal the quill's [MODEL-6].
+[[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project);
+
+/// Index into compliantPoints() of the zone or section that carries the gauge.
+[[nodiscard]] int gaugeSection(const Project& project);
+
+/// The gauge's free position in plunge with its γ: given, computed from the shaft, or interpolated
+/// between the sections' middles (constant beyond the outermost). Only with gauge.position_mm.
+[[nodiscard]] CompliantPoint freeGaugePoint(const Project& project,
+                                            const std::vector<CompliantPoint>& sections);
+
+} // namespace sparkout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+enum class Scenarios { corners, latin_hypercube, sobol, random };
+
+/// How a quantity scatters over the batch; exactly one of the forms is given.
+struct Factor {
+    std::optional<std::vector<double>> uniform; ///< [lowest, highest]
+    std::optional<std::vector<double>> normal;  ///< [mean, standard deviation]
+    std::optional<std::vector<double>> within;  ///< truncation of the normal, [lowest, highest]
+    std::optional<std::vector<double>> grows;   ///< from the first to the last part of a dressing
+    std::optional<int> parts_between_dressings; ///< with `grows`
+};
+
+struct Factors {
+    std::optional<Factor> stock_mm;
+    std::optional<Factor> initial_runout_mm;
+    std::optional<Factor> dullness;
+    std::optional<Factor> wheel_diameter_mm;
+    std::optional<Factor> flow_stress_mpa;
+    std::optional<Factor> compliance;
+};
+
+/// The batch a cycle must hold for.
+struct Batch {
+    int parts = 50;
+    int seed = 1;
+    Scenarios scenarios = Scenarios::latin_hypercube;
+    Factors factors;
+    NumberRows correlation; ///< matrix over the factors, in the order of the table
+};
+
+} // namespace sparkout

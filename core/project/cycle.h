@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// One stage of the cycle: its feeds and the radial stock it removes.
+struct Stage {
+    std::optional<double> radial_feed_mm;     ///< S_t, per double stroke (traverse) [mm]
+    std::optional<double> axial_feed_mm_min;  ///< S_ax (traverse) [mm/min]
+    std::optional<double> radial_feed_mm_min; ///< S_p (plunge) [mm/min]
+    double stock_mm = 0;                      ///< Π_z, per side [mm]
+    SparkOut spark_out;                       ///< last stage only: feed nothing
+};
+
+struct Cycle {
+    std::vector<Stage> stages;
+};
+
+} // namespace sparkout

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+
+namespace sparkout {
+
+enum class Control { gauge, position };
+enum class GaugeRule { min, mean, max };
+
+/// What ends a stage: the in-process gauge, or the wheel head's position.
+struct Gauge {
+    Control control = Control::gauge;
+    GaugeRule rule = GaugeRule::min;
+    std::optional<int> section;               ///< 0-based plunge section; not given: the middle one
+    std::optional<double> position_mm;        ///< free position along the ground length [mm]
+    std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
+    int commands = 5;                         ///< stages the gauge can switch
+};
+
+} // namespace sparkout

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+enum class EntrySide { headstock, tailstock };
+
+/// Stiffness of the machine's units [N/µm].
+struct Stiffness {
+    double headstock = 60;
+    double tailstock = 40;
+    double wheel_head = 50;
+};
+
+/// Wheel contact stiffness in series, rising with load (an option beyond the sources).
+struct WheelContact {
+    NumberRows n_um_at_n; ///< rows of [force N, stiffness N/µm]
+};
+
+/// What the machine can be set to: [lowest, highest, step] each; not given: not limited.
+struct MachineLimits {
+    std::optional<std::vector<double>> radial_feed_mm;
+    std::optional<std::vector<double>> axial_feed_mm_min;
+    std::optional<std::vector<double>> plunge_feed_mm_min;
+    std::optional<std::vector<double>> work_speed_rpm;
+};
+
+/// The grinder: speeds, table travel, dwells, compliance, drives.
+struct Machine {
+    std::string name;
+    double wheel_speed_m_s = 30;       ///< V_k [m/s]
+    double work_speed_rpm = 180;       ///< n [rev/min]
+    double plunge_feed_mm_min = 0.5;   ///< S_rad, plunge-in at the reversal [mm/min]
+    double overrun_entry_mm = 12;      ///< o1 [mm]
+    double overrun_exit_mm = 12;       ///< o2 [mm]
+    double dwell_entry_s = 0;          ///< spark-out at the entry reversal [s]
+    double dwell_exit_s = 0;           ///< spark-out at the exit reversal [s]
+    GivenCompliance compliance_mm_per_n; ///< γ; not given: from stiffness and shaft [mm/N]
+    std::optional<Stiffness> stiffness_n_um;
+    double geometric_runout_um = 0;         ///< of centres and spindle, adds to runout [µm]
+    std::optional<double> wheel_drive_kw;   ///< [kW]; not given: not limited
+    std::optional<double> work_drive_kw;    ///< [kW]; not given: not limited
+    EntrySide entry_side = EntrySide::headstock;
+    std::optional<WheelContact> wheel_contact;
+    MachineLimits limits;
+};
+
+} // namespace sparkout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/project/mounting.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+enum class Surface { external, internal };
+enum class ProfileForm { ellipse, eccentric, lobes, measured };
+
+/// The drawing's tolerances of form and surface; not given: not required.
+struct Tolerance {
+    std::optional<double> roundness_um;     ///< roundness [µm]
+    std::optional<double> radial_runout_um; ///< R_max − R_min about the centre axis [µm]
+    std::optional<double> cylindricity_um;  ///< [µm]
+    std::optional<double> total_runout_um;  ///< [µm]
+    std::optional<double> roughness_ra_um;  ///< Ra [µm]
+};
+
+struct ShaftSegment {
+    double length_mm = 100;  ///< [mm]
+    double diameter_mm = 30; ///< [mm]
+};
+
+struct SteadyRest {
+    double position_mm = 0;     ///< from the headstock end of the shaft [mm]
+    double stiffness_n_um = 50; ///< [N/µm]
+};
+
+/// The wheel's spindle extension in internal grinding, a cantilever.
+struct Quill {
+    double length_mm = 60;   ///< [mm]
+    double diameter_mm = 20; ///< [mm]
+};
+
+struct Shaft {
+    std::vector<ShaftSegment> segments; ///< from the headstock on
+    double ground_from_mm = 0;          ///< where the ground length begins [mm]
+    double youngs_modulus_gpa = 210;    ///< E [GPa]
+    Mounting mounting = Mounting::centres;
+    std::vector<SteadyRest> steady_rests;
+    std::optional<Quill> quill;
+};
+
+/// The workpiece: drawing, blank, and the body that bends.
+struct Part {
+    std::string name;
+    Surface surface = Surface::external;
+    double diameter_mm = 30;           ///< d, nominal [mm]
+    double upper_deviation_um = 0;     ///< of the diameter, from nominal [µm]
+    double lower_deviation_um = -16;   ///< of the diameter, from nominal [µm]
+    double length_mm = 92;             ///< L_p, ground length [mm]
+    double stock_mm = 0.15;            ///< Π, minimum radial stock, per side [mm]
+    double initial_runout_mm = 0.02;   ///< ΔR = R_max − R_min of the blank [mm]
+    int radii_per_section = 36;        ///< K
+    ProfileForm profile = ProfileForm::ellipse;
+    int lobes = 3;                               ///< n of an n-lobe form
+    std::optional<std::vector<double>> radii_um; ///< measured profile, from the largest radius [µm]
+    std::optional<double> target_diameter_mm;    ///< 2·R_t [mm]; not given: middle of the field
+    Tolerance tolerance;
+    Shaft shaft;
+};
+
+} // namespace sparkout

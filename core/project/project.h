@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/batch.h"
+#include "core/project/cycle.h"
+#include "core/project/gauge.h"
+#include "core/project/machine.h"
+#include "core/project/material.h"
+#include "core/project/optimisation.h"
+#include "core/project/part.h"
+#include "core/project/wheel.h"
+
+namespace sparkout {
+
+enum class Operation { traverse, plunge };
+
+/// A kept run: what was run, when, by which engine, and its summary. Never changed again.
+struct KeptRun {
+    std::string name;
+    std::string when;           ///< ISO 8601, UTC
+    std::string engine_version;
+    JsonText inputs;  ///< the project as run, without its runs
+    JsonText summary; ///< counts, final radii, deviations, constraint values
+};
+
+/// All inputs of one grinding cycle: what a project file holds. Members are named by their keys in
+/// the file and carry the file's units.
+struct Project {
+    std::string title;
+    std::string author;
+    std::string notes;
+    Operation operation = Operation::traverse;
+    Part part;
+    Material material;
+    Wheel wheel;
+    Machine machine;
+    Gauge gauge;
+    Cycle cycle;
+    int sections = 4; ///< J, plunge
+    bool sections_coupled = false;
+    std::optional<Batch> batch;
+    std::optional<Optimisation> optimisation;
+    std::vector<KeptRun> runs;
+};
+
+} // namespace sparkout

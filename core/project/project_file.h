@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// The project file: one UTF-8 JSON text, read and written by the tables alone.
+namespace sparkout {
+
+inline constexpr int projectVersion = 1;
+
+/// Limits of the reader; each is refused one beyond.
+namespace limits {
+inline constexpr std::size_t fileBytes = 32u << 20;
+inline constexpr std::size_t depth = 64;
+inline constexpr std::size_t values = 2'000'000;
+inline constexpr std::size_t stringBytes = 64u << 10;
+inline constexpr std::size_t issues = 200; ///< faults listed at most
+} // namespace limits
+
+struct ReadResult {
+    std::optional<Project> project; ///< given when there is no error
+    Issues issues;                  ///< errors, or warnings beside a project
+};
+
+/// Reads and validates a project text. All faults at once.
+[[nodiscard]] ReadResult readProject(std::string_view text);
+
+/// The text of a project: same project, same bytes. Numbers in the shortest digits that read
+/// back to the same double.
+[[nodiscard]] std::string writeProject(const Project& project);
+
+/// Whether two projects hold the same values.
+[[nodiscard]] bool sameProject(const Project& a, const Project& b);
+
+} // namespace sparkout

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/range_check.h"
+
+#include "core/project/validate.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+class RangeCheck {
+public:
+    explicit RangeCheck(const Project& project) : m_project(project) {}
+
+    void checkObject(const StructInfo& table, const void* owner, const std::string& path) {
+        for (const Field& field : table.fields) {
+            const bool relevant = !field.relevant || field.relevant(m_project, owner);
+            checkField(field, owner, path + "/" + field.key, relevant);
+        }
+    }
+
+    Issues issues;
+
+private:
+    void checkNumber(const Field& field, double value, const std::string& path, bool relevant) {
+        const std::string unit = *field.unit ? " " + std::string(field.unit) : std::string();
+        if (!std::isfinite(value) || !field.hard.contains(value)) {
+            issues.push_back({IssueCode::outOfRange, Severity::error, path,
+                              numberText(value) + unit, rangeText(field.hard, field.unit)});
+        } else if (relevant && !field.soft.contains(value)) {
+            issues.push_back({IssueCode::unusual, Severity::warning, path,
+                              numberText(value) + unit, rangeText(field.soft, field.unit)});
+        }
+    }
+
+    void checkNumbers(const Field& field, const std::vector<double>& values,
+                      const std::string& path, bool relevant) {
+        checkCount(field, values.size(), path);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            checkNumber(field, values[i], path + "/" + std::to_string(i), relevant);
+        }
+    }
+
+    void checkCount(const Field& field, std::size_t count, const std::string& path) {
+        if (field.count != 0 && count != field.count) {
+            issues.push_back({IssueCode::wrongCount, Severity::error, path, std::to_string(count),
+                              std::to_string(field.count)});
+        }
+    }
+
+    void checkCompliance(const Field& field, const void* owner, const std::string& path,
+                         bool relevant) {
+        const auto& given = field.as<GivenCompliance>(owner);
+        if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
+            checkNumber(field, zones->rz1, path + "/rz1", relevant);
+            checkNumber(field, zones->nz, path + "/nz", relevant);
+            checkNumber(field, zones->rz2, path + "/rz2", relevant);
+        } else if (const auto* sections = std::get_if<std::vector<double>>(&given)) {
+            checkNumbers(field, *sections, path, relevant);
+        }
+    }
+
+    void checkLevels(const Field& field, const void* owner, const std::string& path) {
+        const auto& levels = field.as<Levels>(owner);
+        if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
+            checkNumber(field, stepped->from, path + "/from", false);
+            checkNumber(field, stepped->to, path + "/to", false);
+            checkNumber(field, stepped->step, path + "/step", false);
+        } else if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
+            checkNumbers(field, *list, path, false);
+        }
+    }
+
+    void checkRows(const Field& field, const void* owner, const std::string& path) {
+        const auto& rows = field.as<NumberRows>(owner);
+        for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+            checkNumbers(field, (*rows)[i], path + "/" + std::to_string(i), false);
+        }
+    }
+
+    void checkItems(const Field& field, const void* owner, const std::string& path) {
+        const std::size_t size = field.size(owner);
+        if (!field.hard.unbounded() && !field.hard.contains(static_cast<double>(size))) {
+            issues.push_back({IssueCode::wrongCount, Severity::error, path, std::to_string(size),
+                              rangeText(field.hard, "")});
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            checkObject(*field.nested, field.itemIn(owner, i), path + "/" + std::to_string(i));
+        }
+    }
+
+    void checkField(const Field& field, const void* owner, const std::string& path,
+                    bool relevant) {
+        switch (field.kind) {
+        case Kind::number: checkNumber(field, field.as<double>(owner), path, relevant); break;
+        case Kind::optionalNumber:
+            if (const auto& value = field.as<std::optional<double>>(owner)) {
+                checkNumber(field, *value, path, relevant);
+            }
+            break;
+        case Kind::integer: checkNumber(field, field.as<int>(owner), path, false); break;
+        case Kind::optionalInteger:
+            if (const auto& value = field.as<std::optional<int>>(owner)) {
+                checkNumber(field, *value, path, relevant);
+            }
+            break;
+        case Kind::numberList:
+            checkNumbers(field, field.as<std::vector<double>>(owner), path, relevant);
+            break;
+        case Kind::optionalNumberList:
+            if (const auto& list = field.as<std::optional<std::vector<double>>>(owner)) {
+                checkNumbers(field, *list, path, relevant);
+            }
+            break;
+        case Kind::object:
+        case Kind::optionalObject:
+            if (const void* object = field.objectIn(owner)) {
+                checkObject(*field.nested, object, path);
+            }
+            break;
+        case Kind::objectList: checkItems(field, owner, path); break;
+        case Kind::sparkOut:
+            if (const auto& sparkOut = field.as<SparkOut>(owner);
+                sparkOut.mode == SparkOut::Mode::count) {
+                checkNumber(field, sparkOut.count, path, relevant);
+            }
+            break;
+        case Kind::compliance: checkCompliance(field, owner, path, relevant); break;
+        case Kind::levels: checkLevels(field, owner, path); break;
+        case Kind::numberRows: checkRows(field, owner, path); break;
+        case Kind::boolean:
+        case Kind::text:
+        case Kind::choice:
+        case Kind::jsonText: break;
+        }
+    }
+
+    const Project& m_project;
+};
+
+} // namespace
+
+Issues checkRanges(const Project& project) {
+    RangeCheck check(project);
+    check.checkObject(tableOf<Project>(), &project, {});
+    return std::move(check.issues);
+}
+
+std::string numberText(double value) {
+    char buffer[64];
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return {buffer, end};
+}
+
+std::string rangeText(const Range& range, const char* unit) {
+    const std::string suffix = *unit ? " " + std::string(unit) : std::string();
+    const bool below = std::isfinite(range.low);
+    const bool above = std::isfinite(range.high);
+    if (below && above) {
+        return (range.lowOpen ? "> " : "") + numberText(range.low) + "…" + numberText(range.high)
+               + suffix;
+    }
+    if (below) {
+        return (range.lowOpen ? "> " : "≥ ") + numberText(range.low) + suffix;
+    }
+    return above ? "≤ " + numberText(range.high) + suffix : std::string();
+}
+
+std::string allowedText(const Field& field) {
+    switch (field.kind) {
+    case Kind::number:
+    case Kind::optionalNumber:
+    case Kind::integer:
+    case Kind::optionalInteger: return rangeText(field.hard, field.unit);
+    case Kind::boolean: return "true, false";
+    case Kind::text: return "text";
+    case Kind::choice: {
+        std::string text;
+        for (const Choice& choice : field.choices) {
+            text += (text.empty() ? "\"" : ", \"") + std::string(choice.key) + '"';
+        }
+        return text;
+    }
+    case Kind::objectList: return "list of objects";
+    default: return rangeText(field.hard, field.unit);
+    }
+}
+
+} // namespace sparkout

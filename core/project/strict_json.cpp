@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/strict_json.h"
+
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+
+#include <cmath>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::json;
+
+/// Builds the value and refuses what the limits do not allow, before it is built.
+class Builder : public nlohmann::json_sax<json> {
+public:
+    explicit Builder(Issues& issues) : m_issues(issues) {}
+
+    json root;
+    bool syntaxError = false;
+    std::size_t errorPosition = 0;
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool value) override { return add(value); }
+    bool number_integer(number_integer_t value) override { return add(value); }
+    bool number_unsigned(number_unsigned_t value) override { return add(value); }
+    bool number_float(number_float_t value, const string_t&) override { return add(value); }
+    bool binary(binary_t&) override { return false; }
+    bool string(string_t& value) override { return checkLength(value) && add(std::move(value)); }
+
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& value) override {
+        if (!checkLength(value)) {
+            return false;
+        }
+        if (m_open.back().value->contains(value)) {
+            m_issues.push_back({IssueCode::duplicateKey, Severity::error, path(value), {}, {}});
+        }
+        m_open.back().key = std::move(value);
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::detail::exception&) override {
+        syntaxError = true;
+        errorPosition = position;
+        return false;
+    }
+
+private:
+    struct Open {
+        json* value;
+        std::string key;
+    };
+
+    std::string path(const std::string& key) const {
+        std::string text;
+        for (std::size_t i = 0; i + 1 < m_open.size(); ++i) {
+            const Open& open = m_open[i];
+            text += '/';
+            text += open.value->is_array() ? std::to_string(open.value->size() - 1) : open.key;
+        }
+        return text + '/' + key;
+    }
+
+    bool checkLength(const std::string& value) {
+        if (value.size() <= limits::stringBytes) {
+            return true;
+        }
+        m_issues.push_back({IssueCode::stringTooLong, Severity::error,
+                            m_open.empty() ? std::string() : path(m_open.back().key),
+                            std::to_string(value.size()) + " bytes",
+                            std::to_string(limits::stringBytes) + " bytes"});
+        return false;
+    }
+
+    json* place(json value) {
+        if (m_open.empty()) {
+            root = std::move(value);
+            return &root;
+        }
+        json& parent = *m_open.back().value;
+        if (parent.is_array()) {
+            parent.push_back(std::move(value));
+            return &parent.back();
+        }
+        json& member = parent[m_open.back().key];
+        member = std::move(value);
+        return &member;
+    }
+
+    bool add(json value) {
+        if (++m_values > limits::values) {
+            m_issues.push_back({IssueCode::tooManyValues, Severity::error, {}, {},
+                                std::to_string(limits::values)});
+            return false;
+        }
+        place(std::move(value));
+        return true;
+    }
+
+    bool open(json value) {
+        if (m_open.size() >= limits::depth) {
+            m_issues.push_back(
+                {IssueCode::tooDeep, Severity::error, {}, {}, std::to_string(limits::depth)});
+            return false;
+        }
+        ++m_values;
+        m_open.push_back({place(std::move(value)), {}});
+        return true;
+    }
+
+    bool close() {
+        m_open.pop_back();
+        return true;
+    }
+
+    Issues& m_issues;
+    std::vector<Open> m_open;
+    std::size_t m_values = 0;
+};
+
+std::string lineAndColumn(std::string_view text, std::size_t position) {
+    std::size_t line = 1;
+    std::size_t column = 1;
+    for (std::size_t i = 0; i + 1 < position && i < text.size(); ++i) {
+        column = text[i] == '\n' ? 1 : column + 1;
+        line += text[i] == '\n' ? 1 : 0;
+    }
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+void print(const nlohmann::ordered_json& value, std::size_t indent, std::string& out);
+
+std::string printFlat(const nlohmann::ordered_json& value) {
+    std::string out;
+    if (value.is_object() || value.is_array()) {
+        const char* separator = value.is_object() ? "{ " : "[";
+        for (const auto& [key, item] : value.items()) {
+            out += separator;
+            if (value.is_object()) {
+                out += nlohmann::ordered_json(key).dump() + ": ";
+            }
+            out += printFlat(item);
+            separator = ", ";
+        }
+        if (value.empty()) {
+            return value.is_object() ? "{}" : "[]";
+        }
+        return out + (value.is_object() ? " }" : "]");
+    }
+    return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
+}
+
+void print(const nlohmann::ordered_json& value, std::size_t indent, std::string& out) {
+    constexpr std::size_t lineLength = 100;
+    const bool structured = value.is_object() || value.is_array();
+    // Numbers always share a line; anything else only when it is not the file itself and fits.
+    const bool numbers = value.is_array() && !value.empty() && value.front().is_number();
+    std::string flat = structured && indent == 0 ? std::string() : printFlat(value);
+    if (!structured || numbers || (indent > 0 && indent + flat.size() <= lineLength)) {
+        out += flat;
+        return;
+    }
+    const std::string padding(indent + 2, ' ');
+    const char* separator = value.is_object() ? "{\n" : "[\n";
+    for (const auto& [key, item] : value.items()) {
+        out += separator + padding;
+        if (value.is_object()) {
+            out += nlohmann::ordered_json(key).dump() + ": ";
+        }
+        print(item, indent + 2, out);
+        separator = ",\n";
+    }
+    out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
+}
+
+} // namespace
+
+std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        issues.push_back({IssueCode::empty, Severity::error, {}, {}, {}});
+        return std::nullopt;
+    }
+    if (text.size() > limits::fileBytes) {
+        issues.push_back({IssueCode::tooLarge, Severity::error, {},
+                          std::to_string(text.size()) + " bytes",
+                          std::to_string(limits::fileBytes) + " bytes"});
+        return std::nullopt;
+    }
+    Builder builder(issues);
+    const bool parsed = json::sax_parse(text.begin(), text.end(), &builder);
+    if (builder.syntaxError) {
+        issues.push_back({IssueCode::notJson, Severity::error, {},
+                          lineAndColumn(text, builder.errorPosition), {}});
+    }
+    if (!parsed) {
+        return std::nullopt;
+    }
+    return std::move(builder.root);
+}
+
+std::string printJson(const nlohmann::ordered_json& value) {
+    std::string out;
+    print(value, 0, out);
+    out += '\n';
+    return out;
+}
+
+std::string quoted(const json& value) {
+    if (value.is_number_float()) {
+        return numberText(value.get<double>());
+    }
+    if (value.is_structured()) {
+        return value.is_object() ? (value.empty() ? "{}" : "{…}") : (value.empty() ? "[]" : "[…]");
+    }
+    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+    constexpr std::size_t longest = 60;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
+            --end; // not inside a character
+        }
+        text = text.substr(0, end) + "…";
+    }
+    return text;
+}
+
+} // namespace sparkout

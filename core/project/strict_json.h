@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sparkout {
+
+/// Parses JSON within the limits of project_file.h: UTF-8, no duplicate keys, bounded depth,
+/// count and strings. Nothing when an issue makes the text unreadable.
+[[nodiscard]] std::optional<nlohmann::json> parseStrictly(std::string_view text, Issues& issues);
+
+/// Prints JSON for people: shortest numbers, an array or object that fits stands on one line.
+[[nodiscard]] std::string printJson(const nlohmann::ordered_json& value);
+
+/// A value as it may be quoted in a message: one line, short, valid UTF-8.
+[[nodiscard]] std::string quoted(const nlohmann::json& value);
+
+} // namespace sparkout

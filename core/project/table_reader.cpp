@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/table_reader.h"
+
+#include "core/project/strict_json.h"
+#include "core/project/validate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::json;
+
+class Reader {
+public:
+    Reader(Issues& issues, std::vector<MissingKey>& missing)
+        : m_issues(issues), m_missing(missing) {}
+
+    void readObject(const json& object, const StructInfo& table, void* owner,
+                    const std::string& path, const std::vector<std::string>& skip) {
+        if (!object.is_object()) {
+            refuse(path, object, "object");
+            return;
+        }
+        for (const auto& [key, value] : object.items()) {
+            if (!table.find(key) && std::find(skip.begin(), skip.end(), key) == skip.end()) {
+                m_issues.push_back({IssueCode::unknownKey, Severity::error, path + "/" + key,
+                                    quoted(json(key)), allKeys(table)});
+            }
+        }
+        for (const Field& field : table.fields) {
+            const std::string fieldPath = path + "/" + field.key;
+            const auto found = object.find(field.key);
+            if (found != object.end()) {
+                readField(*found, field, owner, fieldPath);
+                continue;
+            }
+            m_missing.push_back({&field, owner, fieldPath});
+            if (field.kind == Kind::object) { // its required members are missing too
+                readObject(json::object(), *field.nested, field.object(owner, true), fieldPath, {});
+            }
+        }
+    }
+
+private:
+    void refuse(const std::string& path, const json& value, const char* expected) {
+        m_issues.push_back(
+            {IssueCode::wrongType, Severity::error, path, quoted(value), expected});
+    }
+
+    static std::string allKeys(const StructInfo& table) {
+        std::string text;
+        for (const Field& field : table.fields) {
+            text += (text.empty() ? "" : ", ") + std::string(field.key);
+        }
+        return text;
+    }
+
+    std::optional<double> number(const json& value, const std::string& path) {
+        if (!value.is_number()) {
+            refuse(path, value, "number");
+            return std::nullopt;
+        }
+        return value.get<double>() + 0.0; // −0 becomes 0
+    }
+
+    std::optional<int> wholeNumber(const json& value, const std::string& path) {
+        const double number = value.is_number() ? value.get<double>() : 0.5;
+        if (number != std::floor(number) || std::abs(number) > 2147483647.0) {
+            refuse(path, value, "whole number");
+            return std::nullopt;
+        }
+        return static_cast<int>(number);
+    }
+
+    std::optional<std::vector<double>> numbers(const json& value, const std::string& path) {
+        if (!value.is_array()) {
+            refuse(path, value, "list of numbers");
+            return std::nullopt;
+        }
+        std::vector<double> list;
+        for (const json& item : value) {
+            const auto entry = number(item, path + "/" + std::to_string(list.size()));
+            list.push_back(entry.value_or(0));
+        }
+        return list;
+    }
+
+    void readChoice(const json& value, const Field& field, void* owner, const std::string& path) {
+        if (!value.is_string()) {
+            refuse(path, value, "text");
+            return;
+        }
+        for (std::size_t i = 0; i < field.choices.size(); ++i) {
+            if (value.get_ref<const std::string&>() == field.choices[i].key) {
+                field.setChoice(owner, static_cast<int>(i));
+                return;
+            }
+        }
+        m_issues.push_back(
+            {IssueCode::notOneOf, Severity::error, path, quoted(value), allowedText(field)});
+    }
+
+    void readList(const json& value, const Field& field, void* owner, const std::string& path) {
+        if (!value.is_array()) {
+            refuse(path, value, "list of objects");
+            return;
+        }
+        constexpr std::size_t mostItems = 1000;
+        if (value.size() > mostItems) {
+            m_issues.push_back({IssueCode::wrongCount, Severity::error, path,
+                                std::to_string(value.size()),
+                                "at most " + std::to_string(mostItems)});
+            return;
+        }
+        field.resize(owner, value.size());
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            readObject(value[i], *field.nested, field.at(owner, i),
+                       path + "/" + std::to_string(i), {});
+        }
+    }
+
+    void readSparkOut(const json& value, const Field& field, void* owner, const std::string& path) {
+        auto& sparkOut = field.as<SparkOut>(owner);
+        if (value.is_null()) {
+            sparkOut = {};
+        } else if (value == "until_size") {
+            sparkOut = {SparkOut::Mode::untilSize, 0};
+        } else if (value.is_number()) {
+            if (const auto count = wholeNumber(value, path)) {
+                sparkOut = {SparkOut::Mode::count, *count};
+            }
+        } else {
+            refuse(path, value, "whole number or \"until_size\"");
+        }
+    }
+
+    void readCompliance(const json& value, const Field& field, void* owner,
+                        const std::string& path) {
+        auto& compliance = field.as<GivenCompliance>(owner);
+        if (value.is_null()) {
+            compliance = std::monostate{};
+        } else if (value.is_array()) {
+            compliance = numbers(value, path).value_or(std::vector<double>{});
+        } else if (value.is_object()) {
+            compliance = readZones(value, path);
+        } else {
+            refuse(path, value, "object with rz1, nz, rz2, or list of numbers, or null");
+        }
+    }
+
+    ZoneCompliance readZones(const json& value, const std::string& path) {
+        ZoneCompliance zones;
+        const std::pair<const char*, double*> members[] = {
+            {"rz1", &zones.rz1}, {"nz", &zones.nz}, {"rz2", &zones.rz2}};
+        for (const auto& [key, target] : members) {
+            if (value.contains(key)) {
+                *target = number(value.at(key), path + "/" + key).value_or(0);
+            } else {
+                m_issues.push_back({IssueCode::missingKey, Severity::error,
+                                    path + "/" + key, {}, "number, mm/N"});
+            }
+        }
+        for (const auto& [key, item] : value.items()) {
+            if (key != "rz1" && key != "nz" && key != "rz2") {
+                m_issues.push_back({IssueCode::unknownKey, Severity::error, path + "/" + key,
+                                    quoted(json(key)), "rz1, nz, rz2"});
+            }
+        }
+        return zones;
+    }
+
+    void readLevels(const json& value, const Field& field, void* owner, const std::string& path) {
+        auto& levels = field.as<Levels>(owner);
+        if (value.is_null()) {
+            levels = std::monostate{};
+        } else if (value.is_array()) {
+            levels = numbers(value, path).value_or(std::vector<double>{});
+        } else if (value.is_object() && value.size() == 3 && value.contains("from")
+                   && value.contains("to") && value.contains("step")) {
+            levels = SteppedLevels{number(value.at("from"), path + "/from").value_or(0),
+                                   number(value.at("to"), path + "/to").value_or(0),
+                                   number(value.at("step"), path + "/step").value_or(0)};
+        } else {
+            refuse(path, value, "list of numbers, or object with from, to, step");
+        }
+    }
+
+    void readRows(const json& value, const Field& field, void* owner, const std::string& path) {
+        auto& rows = field.as<NumberRows>(owner);
+        rows.reset();
+        if (value.is_null()) {
+            return;
+        }
+        if (!value.is_array()) {
+            refuse(path, value, "list of rows of numbers, or null");
+            return;
+        }
+        rows.emplace();
+        for (const json& row : value) {
+            const std::string rowPath = path + "/" + std::to_string(rows->size());
+            rows->push_back(numbers(row, rowPath).value_or(std::vector<double>{}));
+        }
+    }
+
+    /// Kinds that may be null: clears the member and says so.
+    static bool clearIfNull(const json& value, const Field& field, void* owner) {
+        if (!value.is_null()) {
+            return false;
+        }
+        switch (field.kind) {
+        case Kind::optionalNumber: field.as<std::optional<double>>(owner).reset(); return true;
+        case Kind::optionalInteger: field.as<std::optional<int>>(owner).reset(); return true;
+        case Kind::optionalNumberList:
+            field.as<std::optional<std::vector<double>>>(owner).reset();
+            return true;
+        case Kind::optionalObject: field.reset(owner); return true;
+        default: return false;
+        }
+    }
+
+    void readField(const json& value, const Field& field, void* owner, const std::string& path) {
+        if (clearIfNull(value, field, owner)) {
+            return;
+        }
+        switch (field.kind) {
+        case Kind::number:
+            field.as<double>(owner) = number(value, path).value_or(field.as<double>(owner));
+            break;
+        case Kind::optionalNumber:
+            field.as<std::optional<double>>(owner) = number(value, path);
+            break;
+        case Kind::integer:
+            field.as<int>(owner) = wholeNumber(value, path).value_or(field.as<int>(owner));
+            break;
+        case Kind::optionalInteger:
+            field.as<std::optional<int>>(owner) = wholeNumber(value, path);
+            break;
+        case Kind::boolean:
+            value.is_boolean() ? void(field.as<bool>(owner) = value.get<bool>())
+                               : refuse(path, value, "true or false");
+            break;
+        case Kind::text:
+            value.is_string() ? void(field.as<std::string>(owner) = value.get<std::string>())
+                              : refuse(path, value, "text");
+            break;
+        case Kind::choice: readChoice(value, field, owner, path); break;
+        case Kind::numberList:
+            field.as<std::vector<double>>(owner) =
+                numbers(value, path).value_or(std::vector<double>{});
+            break;
+        case Kind::optionalNumberList:
+            field.as<std::optional<std::vector<double>>>(owner) = numbers(value, path);
+            break;
+        case Kind::object:
+        case Kind::optionalObject:
+            readObject(value, *field.nested, field.object(owner, true), path, {});
+            break;
+        case Kind::objectList: readList(value, field, owner, path); break;
+        case Kind::sparkOut: readSparkOut(value, field, owner, path); break;
+        case Kind::compliance: readCompliance(value, field, owner, path); break;
+        case Kind::levels: readLevels(value, field, owner, path); break;
+        case Kind::numberRows: readRows(value, field, owner, path); break;
+        case Kind::jsonText:
+            value.is_object() ? void(field.as<JsonText>(owner).text = value.dump())
+                              : refuse(path, value, "object");
+            break;
+        }
+    }
+
+    Issues& m_issues;
+    std::vector<MissingKey>& m_missing;
+};
+
+} // namespace
+
+void readByTable(const json& object, const StructInfo& table, void* owner, const std::string& path,
+                 Issues& issues, std::vector<MissingKey>& missing,
+                 const std::vector<std::string>& skip) {
+    Reader(issues, missing).readObject(object, table, owner, path, skip);
+}
+
+} // namespace sparkout

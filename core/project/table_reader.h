@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/issue.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+/// A key that was not given; whether it had to be is known once the whole project is read.
+struct MissingKey {
+    const Field* field;
+    const void* owner;
+    std::string path;
+};
+
+/// Fills a struct from a JSON object by its table: types and keys are checked here, ranges by
+/// validate(). Keys named in `skip` are somebody else's.
+void readByTable(const nlohmann::json& object, const StructInfo& table, void* owner,
+                 const std::string& path, Issues& issues, std::vector<MissingKey>& missing,
+                 const std::vector<std::string>& skip = {});
+
+/// The JSON object of a struct by its table; keys that are null by default and null are left out.
+[[nodiscard]] nlohmann::ordered_json writeByTable(const StructInfo& table, const void* owner);
+
+} // namespace sparkout

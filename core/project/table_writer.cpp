@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/table_reader.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class T> ordered_json orNull(const std::optional<T>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json complianceJson(const GivenCompliance& compliance) {
+    if (const auto* zones = std::get_if<ZoneCompliance>(&compliance)) {
+        return {{"rz1", zones->rz1}, {"nz", zones->nz}, {"rz2", zones->rz2}};
+    }
+    const auto* sections = std::get_if<std::vector<double>>(&compliance);
+    return sections ? ordered_json(*sections) : ordered_json(nullptr);
+}
+
+ordered_json levelsJson(const Levels& levels) {
+    if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
+        return {{"from", stepped->from}, {"to", stepped->to}, {"step", stepped->step}};
+    }
+    const auto* list = std::get_if<std::vector<double>>(&levels);
+    return list ? ordered_json(*list) : ordered_json(nullptr);
+}
+
+ordered_json sparkOutJson(const SparkOut& sparkOut) {
+    switch (sparkOut.mode) {
+    case SparkOut::Mode::count: return sparkOut.count;
+    case SparkOut::Mode::untilSize: return "until_size";
+    case SparkOut::Mode::none: break;
+    }
+    return nullptr;
+}
+
+ordered_json listJson(const Field& field, const void* owner) {
+    ordered_json list = ordered_json::array();
+    for (std::size_t i = 0; i < field.size(owner); ++i) {
+        list.push_back(writeByTable(*field.nested, field.itemIn(owner, i)));
+    }
+    return list;
+}
+
+ordered_json fieldJson(const Field& field, const void* owner) {
+    switch (field.kind) {
+    case Kind::number: return field.as<double>(owner);
+    case Kind::optionalNumber: return orNull(field.as<std::optional<double>>(owner));
+    case Kind::integer: return field.as<int>(owner);
+    case Kind::optionalInteger: return orNull(field.as<std::optional<int>>(owner));
+    case Kind::boolean: return field.as<bool>(owner);
+    case Kind::text: return field.as<std::string>(owner);
+    case Kind::choice:
+        return field.choices[static_cast<std::size_t>(field.getChoice(owner))].key;
+    case Kind::numberList: return field.as<std::vector<double>>(owner);
+    case Kind::optionalNumberList:
+        return orNull(field.as<std::optional<std::vector<double>>>(owner));
+    case Kind::object: return writeByTable(*field.nested, field.objectIn(owner));
+    case Kind::optionalObject: {
+        const void* object = field.objectIn(owner);
+        return object ? writeByTable(*field.nested, object) : ordered_json(nullptr);
+    }
+    case Kind::objectList: return listJson(field, owner);
+    case Kind::sparkOut: return sparkOutJson(field.as<SparkOut>(owner));
+    case Kind::compliance: return complianceJson(field.as<GivenCompliance>(owner));
+    case Kind::levels: return levelsJson(field.as<Levels>(owner));
+    case Kind::numberRows: return orNull(field.as<NumberRows>(owner));
+    case Kind::jsonText: return ordered_json::parse(field.as<JsonText>(owner).text);
+    }
+    return nullptr;
+}
+
+} // namespace
+
+ordered_json writeByTable(const StructInfo& table, const void* owner) {
+    ordered_json object = ordered_json::object();
+    for (const Field& field : table.fields) {
+        ordered_json value = fieldJson(field, owner);
+        if (!value.is_null() || !fieldJson(field, table.defaults).is_null()) {
+            object[field.key] = std::move(value);
+        }
+    }
+    return object;
+}
+
+} // namespace sparkout

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/validate.h"
+
+#include "core/project/range_check.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+/// The rules between fields; each looks at what the ranges allowed.
+class Rules {
+public:
+    Rules(const Project& project, Issues& issues) : m_project(project), m_issues(issues) {}
+
+    void check() {
+        checkPart();
+        checkProfile();
+        project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
+        checkCompliance();
+        checkStages();
+        checkNotComputed();
+    }
+
+private:
+    const Project& project() const { return m_project; }
+
+    void add(IssueCode code, const char* path, std::string value, std::string limit,
+             Severity severity = Severity::error) {
+        m_issues.push_back({code, severity, path, std::move(value), std::move(limit)});
+    }
+    void warn(IssueCode code, const char* path, std::string value, std::string limit) {
+        add(code, path, std::move(value), std::move(limit), Severity::warning);
+    }
+    static std::string mm(double value) { return numberText(value) + " mm"; }
+    static std::string um(double value) { return numberText(value) + " µm"; }
+
+    void checkPart() {
+        const Part& part = project().part;
+        if (part.lower_deviation_um >= part.upper_deviation_um) {
+            add(IssueCode::deviationsReversed, "/part/lower_deviation_um",
+                um(part.lower_deviation_um), um(part.upper_deviation_um));
+        }
+        if (part.target_diameter_mm) {
+            const double low = part.diameter_mm + part.lower_deviation_um / units::umPerMm;
+            const double high = part.diameter_mm + part.upper_deviation_um / units::umPerMm;
+            if (*part.target_diameter_mm < low || *part.target_diameter_mm > high) {
+                warn(IssueCode::targetOutsideField, "/part/target_diameter_mm",
+                     mm(*part.target_diameter_mm), numberText(low) + "…" + mm(high));
+            }
+        }
+        if (part.surface == Surface::internal) {
+            if (project().operation == Operation::traverse) {
+                add(IssueCode::internalTraverse, "/part/surface", "internal", "external");
+            }
+            if (project().wheel.diameter_mm >= part.diameter_mm) {
+                add(IssueCode::wheelTooLarge, "/wheel/diameter_mm",
+                    mm(project().wheel.diameter_mm), "below " + mm(part.diameter_mm));
+            }
+        }
+    }
+
+    void checkProfile() {
+        const Part& part = project().part;
+        if (part.radii_per_section % 2 != 0) {
+            add(IssueCode::notEven, "/part/radii_per_section",
+                std::to_string(part.radii_per_section), "4…360");
+        } else if (part.radii_per_section < 12) {
+            warn(IssueCode::fewRadii, "/part/radii_per_section",
+                 std::to_string(part.radii_per_section), "12…360");
+        }
+        if (part.profile == ProfileForm::measured) {
+            const std::size_t given = part.radii_um ? part.radii_um->size() : 0;
+            if (given != static_cast<std::size_t>(part.radii_per_section)) {
+                add(IssueCode::wrongCount, "/part/radii_um", std::to_string(given),
+                    std::to_string(part.radii_per_section) + " (radii_per_section)");
+            }
+        }
+        // The blank's smallest radius must stay a radius.
+        const double greatest = part.diameter_mm / 4;
+        if (part.initial_runout_mm > greatest) {
+            add(IssueCode::outOfRange, "/part/initial_runout_mm", mm(part.initial_runout_mm),
+                "0…" + mm(greatest));
+        }
+        if (part.surface == Surface::internal && part.stock_mm > greatest) {
+            add(IssueCode::outOfRange, "/part/stock_mm", mm(part.stock_mm), "0…" + mm(greatest));
+        }
+    }
+
+    void checkTraverse() {
+        const Wheel& wheel = project().wheel;
+        const Machine& machine = project().machine;
+        const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
+        const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
+        const std::string below = "0… below " + mm(wheel.width_mm) + " (wheel width)";
+        if (rz1 <= 0) {
+            add(IssueCode::outOfRange, "/machine/overrun_entry_mm", mm(machine.overrun_entry_mm),
+                below);
+        }
+        if (rz2 <= 0) {
+            add(IssueCode::outOfRange, "/machine/overrun_exit_mm", mm(machine.overrun_exit_mm),
+                below);
+        }
+        if (rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
+            add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
+                "above " + mm(rz1 + rz2) + " (2·B − o1 − o2)");
+        }
+        if (project().gauge.position_mm) {
+            warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge.position_mm),
+                 "plunge");
+        }
+        if (project().gauge.section) {
+            warn(IssueCode::notUsedHere, "/gauge/section",
+                 std::to_string(*project().gauge.section), "plunge");
+        }
+    }
+
+    void checkPlunge() {
+        const Part& part = project().part;
+        const Gauge& gauge = project().gauge;
+        if (project().wheel.width_mm < part.length_mm) {
+            add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
+                "at least " + mm(part.length_mm) + " (ground length)");
+        }
+        if (gauge.section && *gauge.section >= project().sections) {
+            add(IssueCode::outOfRange, "/gauge/section", std::to_string(*gauge.section),
+                "0…" + std::to_string(project().sections - 1));
+        }
+        if (gauge.position_mm && *gauge.position_mm > part.length_mm) {
+            add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
+                "0…" + mm(part.length_mm) + " (ground length)");
+        }
+    }
+
+    void checkCompliance() {
+        const GivenCompliance& given = project().machine.compliance_mm_per_n;
+        const char* path = "/machine/compliance_mm_per_n";
+        const auto* sections = std::get_if<std::vector<double>>(&given);
+        if (std::holds_alternative<std::monostate>(given)) {
+            checkStiffness();
+        } else if (project().operation == Operation::traverse) {
+            if (sections) {
+                add(IssueCode::wrongType, path, "a list", "object with rz1, nz, rz2 (traverse)");
+            }
+        } else if (!sections) {
+            add(IssueCode::wrongType, path, "an object",
+                "list of " + std::to_string(project().sections) + " numbers (plunge)");
+        } else if (sections->size() != static_cast<std::size_t>(project().sections)) {
+            add(IssueCode::wrongCount, path, std::to_string(sections->size()),
+                std::to_string(project().sections) + " (sections)");
+        }
+    }
+
+    void checkStiffness() {
+        const Shaft& shaft = project().part.shaft;
+        const bool internal = project().part.surface == Surface::internal;
+        if (!project().machine.stiffness_n_um) {
+            add(IssueCode::complianceMissing, "/machine/compliance_mm_per_n", {},
+                "compliance_mm_per_n, or stiffness_n_um with part.shaft");
+            return;
+        }
+        if (internal) {
+            if (!shaft.quill) {
+                add(IssueCode::complianceMissing, "/part/shaft/quill", {},
+                    "length_mm and diameter_mm of the quill");
+            }
+            return;
+        }
+        const double length = std::accumulate(
+            shaft.segments.begin(), shaft.segments.end(), 0.0,
+            [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
+        const double needed = shaft.ground_from_mm + project().part.length_mm;
+        if (shaft.segments.empty()) {
+            add(IssueCode::complianceMissing, "/part/shaft/segments", {},
+                "length_mm and diameter_mm of each step of the shaft");
+        } else if (length < needed - 1e-9) {
+            add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length),
+                "at least " + mm(needed));
+        }
+        for (std::size_t i = 0; i < shaft.steady_rests.size(); ++i) {
+            if (shaft.steady_rests[i].position_mm > length) {
+                const std::string path =
+                    "/part/shaft/steady_rests/" + std::to_string(i) + "/position_mm";
+                add(IssueCode::outOfRange, path.c_str(), mm(shaft.steady_rests[i].position_mm),
+                    "0…" + mm(length));
+            }
+        }
+    }
+
+    void checkStages() {
+        const auto& stages = project().cycle.stages;
+        double sum = 0;
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            checkStage(stages[i], i);
+            sum += stages[i].stock_mm;
+        }
+        if (std::abs(sum - project().part.stock_mm) > 1e-9) {
+            warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
+                 mm(project().part.stock_mm));
+        }
+        const auto commands = static_cast<std::size_t>(project().gauge.commands);
+        if (project().gauge.control == Control::gauge && stages.size() > commands) {
+            warn(IssueCode::tooManyStages, "/cycle/stages", std::to_string(stages.size()),
+                 std::to_string(commands));
+        }
+    }
+
+    void checkStage(const Stage& stage, std::size_t index) {
+        const bool traverse = project().operation == Operation::traverse;
+        const std::size_t count = project().cycle.stages.size();
+        const std::string path = "/cycle/stages/" + std::to_string(index);
+        const std::string feedPath =
+            path + (traverse ? "/radial_feed_mm" : "/radial_feed_mm_min");
+        const auto& feed = traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min;
+        const std::string unit = traverse ? " mm" : " mm/min";
+        const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
+        if (sparks && index + 1 < count) {
+            add(IssueCode::sparkOutNotLast, (path + "/spark_out").c_str(),
+                std::to_string(index + 1), std::to_string(count));
+        }
+        if (sparks && feed && *feed > 0) {
+            warn(IssueCode::feedUnused, feedPath.c_str(), numberText(*feed) + unit, {});
+        }
+        if (!sparks && !feed) {
+            add(IssueCode::missingKey, feedPath.c_str(), {}, "above 0" + unit);
+        } else if (!sparks && *feed < 1e-6) {
+            add(IssueCode::feedMissing, feedPath.c_str(), numberText(*feed) + unit,
+                "at least 0.000001" + unit);
+        }
+        if (traverse && !stage.axial_feed_mm_min) {
+            add(IssueCode::missingKey, (path + "/axial_feed_mm_min").c_str(), {},
+                "above 0 mm/min");
+        }
+    }
+
+    void checkNotComputed() {
+        if (project().sections_coupled && project().operation == Operation::plunge) {
+            warn(IssueCode::notComputed, "/sections_coupled", "true", {});
+        }
+        if (project().machine.wheel_contact) {
+            warn(IssueCode::notComputed, "/machine/wheel_contact", "wheel_contact", {});
+        }
+    }
+
+    const Project& m_project;
+    Issues& m_issues;
+};
+
+} // namespace
+
+Issues validate(const Project& project) {
+    Issues issues = checkRanges(project);
+    Rules(project, issues).check();
+    return issues;
+}
+
+} // namespace sparkout

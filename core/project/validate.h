@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+
+#include <string>
+
+namespace sparkout {
+
+/// All faults of a project: ranges from the tables, and the rules between fields. Errors refuse a
+/// run, warnings do not.
+[[nodiscard]] Issues validate(const Project& project);
+
+/// A range as text, "0.5…1000 mm"; an open end is marked, "above 0 up to 5 mm".
+[[nodiscard]] std::string rangeText(const Range& range, const char* unit);
+
+/// What a field may hold, as text for a message: its range, its choices, its type.
+[[nodiscard]] std::string allowedText(const Field& field);
+
+/// The shortest digits that read back to the same double.
+[[nodiscard]] std::string numberText(double value);
+
+} // namespace sparkout

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <optional>
+#include <string>
+
+namespace sparkout {
+
+/// The grinding wheel: size, sharpness, structure.
+struct Wheel {
+    std::string marking;
+    double diameter_mm = 500;         ///< D [mm]
+    double width_mm = 50;             ///< B [mm]
+    double dullness = 0.02;           ///< η, share of wear flats, 0…1
+    double grain_mm = 0.25;           ///< d_g [mm]
+    double grain_share = 0.5;         ///< W_g, by volume
+    double bond_share = 0.12;         ///< W_b, by volume
+    double grain_tip_angle_deg = 45;  ///< φ [°]
+    double dressing_chipping_mm = 0.1; ///< Δ, chipping level of dressing [mm]
+    double roughness_factor = 1;       ///< calibration of Ra
+    std::optional<double> grain_surface_energy_j_m2; ///< γ_g [J/m²]
+    std::optional<double> grain_modulus_gpa;         ///< E_g [GPa]
+    std::optional<double> bond_surface_energy_j_m2;  ///< γ_b [J/m²]
+    std::optional<double> bond_modulus_gpa;          ///< E_b [GPa]
+    std::optional<double> bond_bridge_mm;            ///< D_b; not given: from the lattice [mm]
+    std::optional<double> grains_per_mm2;            ///< n_g; not given: from the lattice [1/mm²]
+};
+
+} // namespace sparkout

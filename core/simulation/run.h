@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/force.h"
+#include "core/process/pass_kernel.h"
+#include "core/process/profile.h"
+#include "core/process/system_compliance.h"
+#include "core/simulation/result.h"
+#include "core/simulation/stage_control.h"
+#include "core/simulation/trajectory.h"
+
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// One group of zones or sections cut at one width: its coefficients and force factors.
+struct CutWidth {
+    CutWidth(std::size_t lanes) : coefficients(lanes) {}
+    LaneCoefficients coefficients;
+    double width_mm = 0; ///< b
+    double bks = 0, bkr = 0;
+};
+
+/// State and bookkeeping that traverse and plunge cycles share: lanes, time, peaks, trajectory.
+/// Lanes are ordered zone by zone (section by section), K lanes each.
+class Run {
+public:
+    Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory);
+
+    /// Coefficients for a width of cut b [mm], for all lanes.
+    [[nodiscard]] CutWidth makeCut(double width_mm) const;
+    void setWidth(CutWidth& cut, double width_mm) const;
+
+    /// What the trajectory records of a pass beside its numbers.
+    struct PassInfo {
+        double duration_s = 0;
+        double axialFeed_mm_min = 0; ///< > 0: a stroke, whose visits carry the stroke's end as time
+        double radialFeed_mm = 0;
+    };
+
+    /// Cuts `count` neighbouring zones or sections from `first` on in one pass. `places[i]` says
+    /// where the i-th of them is; without places the pass counts for no peak and no trajectory.
+    void cut(std::size_t first, std::size_t count, const CutWidth& width, const PassFeed& feed,
+             const Place* places, const PassInfo& info);
+
+    [[nodiscard]] double remaining(std::size_t point) const;
+    [[nodiscard]] const Blank& blank() const { return m_blank; }
+    [[nodiscard]] int radii() const { return m_radii; }
+
+    /// Largest √a since the last call [√mm]: whether the cycle still makes progress.
+    double takeLargestRoot();
+    /// True when the run must end now: too long, or stopped. Sets the status.
+    bool mustEnd(const std::stop_token& stop);
+    /// Time that passes in a stage of the cycle, counted from 0.
+    void advance(double seconds, std::size_t stage) {
+        m_result.time_s += seconds;
+        m_result.timeByStage_s[stage] += seconds;
+    }
+    void setStatus(RunStatus status) { m_result.status = status; }
+
+    /// Closes the books; the first `reported` points become the result's sections.
+    SimulationResult finish(const StageControl& control, std::size_t gaugePoint,
+                            std::size_t reported, const std::vector<Zone>& zones);
+
+    double fed_mm = 0; ///< t_П
+
+private:
+    void keepPeak(double root, std::size_t first, std::size_t count, const CutWidth& width,
+                  const Place* places);
+    void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
+                const PassInfo& info);
+    [[nodiscard]] double radiusAt(double depth_mm) const;
+    [[nodiscard]] SectionResult sectionResult(std::size_t point, Zone zone) const;
+
+    const Project& m_project;
+    Blank m_blank;
+    int m_radii;
+    std::vector<CompliantPoint> m_points;
+    ForceLaw m_law;
+    Lanes m_lanes;
+    PassFunction m_cutPass;
+    Trajectory* m_trajectory;
+    SimulationResult m_result;
+    double m_largestRoot = 0;
+    double m_wheelSpeed_m_s;
+};
+
+/// Deepest removal that still counts as none [mm].
+inline constexpr double noProgress_mm = 1e-9;
+
+[[nodiscard]] SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
+                                                const std::stop_token& stop);
+[[nodiscard]] SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
+                                              const std::stop_token& stop);
+
+} // namespace sparkout

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/stage_control.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr double slack_mm = 1e-9; ///< added to every threshold, so that a last bit costs no step
+}
+
+StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
+                           double totalInfeed_mm)
+    : m_feeds(std::move(feeds_mm)), m_laterStock(m_feeds.size()), m_steps(m_feeds.size()),
+      m_control(project.gauge.control), m_totalInfeed(totalInfeed_mm) {
+    for (const Stage& stage : project.cycle.stages) {
+        m_sparkOut.push_back(stage.spark_out);
+    }
+    double later = 0;
+    for (std::size_t z = m_feeds.size(); z-- > 0;) {
+        m_laterStock[z] = later;
+        later += project.cycle.stages[z].stock_mm;
+    }
+}
+
+double StageControl::stageEndInfeed() const { return m_totalInfeed - m_laterStock[m_stage]; }
+
+double StageControl::nextInfeed(double fed_mm) const {
+    if (m_sparkOut[m_stage].mode != SparkOut::Mode::none) {
+        return 0;
+    }
+    if (m_control == Control::position) {
+        return std::clamp(stageEndInfeed() - fed_mm, 0.0, m_feeds[m_stage]);
+    }
+    return m_feeds[m_stage];
+}
+
+bool StageControl::waitsForSize() const {
+    return m_sparkOut[m_stage].mode == SparkOut::Mode::untilSize;
+}
+
+bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
+    const SparkOut& sparkOut = m_sparkOut[m_stage];
+    if (sparkOut.mode == SparkOut::Mode::count) {
+        return m_steps[m_stage] >= sparkOut.count;
+    }
+    if (m_control == Control::position && sparkOut.mode == SparkOut::Mode::none) {
+        return fed_mm >= stageEndInfeed() - slack_mm;
+    }
+    return remainingStock_mm <= m_laterStock[m_stage] + slack_mm;
+}
+
+void StageControl::stepDone(double remainingStock_mm, double fed_mm) {
+    ++m_steps[m_stage];
+    while (!finished() && stageEnded(remainingStock_mm, fed_mm)) {
+        ++m_stage;
+    }
+}
+
+double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double totalInfeed_mm) {
+    // D_k/2 stands (depth_k + depth_{k+K/2})/2 beyond first touch, in a shaft as in a bore; the
+    // smallest diameter of a shaft and the largest of a bore are the deepest.
+    const int half = radii / 2;
+    double deepest = depth_mm[0] + depth_mm[half];
+    double shallowest = deepest;
+    double sum = 0;
+    for (int k = 0; k < half; ++k) {
+        const double depth = depth_mm[k] + depth_mm[k + half];
+        deepest = std::max(deepest, depth);
+        shallowest = std::min(shallowest, depth);
+        sum += depth;
+    }
+    switch (rule) {
+    case GaugeRule::min: return totalInfeed_mm - deepest / 2;
+    case GaugeRule::max: return totalInfeed_mm - shallowest / 2;
+    case GaugeRule::mean: break;
+    }
+    return totalInfeed_mm - sum / half / 2;
+}
+
+} // namespace sparkout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// Decides what is fed next and when a stage of the cycle ends [MODEL-7]. One step is a double
+/// stroke (traverse) or a revolution (plunge).
+class StageControl {
+public:
+    /// `feeds_mm` is each stage's infeed per step; `totalInfeed_mm` = |R_first − R_t|.
+    StageControl(const Project& project, std::vector<double> feeds_mm, double totalInfeed_mm);
+
+    [[nodiscard]] bool finished() const { return m_stage == m_feeds.size(); }
+    /// The running stage, counted from 0.
+    [[nodiscard]] std::size_t stage() const { return m_stage; }
+    /// Infeed of the next step [mm] when `fed_mm` has been fed: none in a spark-out stage, cut short
+    /// at the stage's end under position control.
+    [[nodiscard]] double nextInfeed(double fed_mm) const;
+    /// Whether the running stage waits for size without feeding, so that it may wait for ever.
+    [[nodiscard]] bool waitsForSize() const;
+    /// One step is done; ends the stages that are through. Several may end at one reading.
+    void stepDone(double remainingStock_mm, double fed_mm);
+
+    [[nodiscard]] const std::vector<int>& stepsByStage() const { return m_steps; }
+
+private:
+    [[nodiscard]] bool stageEnded(double remainingStock_mm, double fed_mm) const;
+    [[nodiscard]] double stageEndInfeed() const;
+
+    std::vector<double> m_feeds;
+    std::vector<double> m_laterStock; ///< Σ_{j>z} Π_j
+    std::vector<SparkOut> m_sparkOut;
+    std::vector<int> m_steps;
+    Control m_control;
+    double m_totalInfeed;
+    std::size_t m_stage = 0;
+};
+
+/// What the gauge reads of one section: remaining stock per side Π_rem [mm] from the depths of its
+/// radii, D_k = R_k + R_{k+K/2}, by the gauge's rule; mirrored in a bore.
+[[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
+                                    double totalInfeed_mm);
+
+} // namespace sparkout

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// Border conversions: files, command line and window use mm, µm, mm/min, rev/min, kW; inside the
+/// core everything is mm, N, s (hence MPa and N·mm/s).
+namespace sparkout::units {
+
+inline constexpr double umPerMm = 1000.0;
+inline constexpr double secondsPerMinute = 60.0;
+inline constexpr double mmPerM = 1000.0;
+inline constexpr double mpaPerGpa = 1000.0;
+
+} // namespace sparkout::units

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The safe writer in ordinary life and on odd targets. Injected faults, kills and full disks are
+// in safe_file_faults.py. Root may do everything, so as root the tests run as the user nobody.
+#include "core/project/safe_file.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <grp.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace sparkout;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path rootsFolder; ///< prepared by root for what nobody cannot make; empty without root
+
+fs::path makeFolder() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "sparkout-files-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) { // TMPDIR may not be ours
+        name = "/tmp/sparkout-files-XXXXXX";
+        if (::mkdtemp(name.data()) == nullptr)
+            return {};
+    }
+    return name;
+}
+
+void put(const fs::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string get(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+mode_t modeOf(const fs::path& path) {
+    struct stat found {};
+    return ::lstat(path.c_str(), &found) == 0 ? found.st_mode & 07777 : 0;
+}
+
+std::vector<std::string> namesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+} // namespace
+
+class TestSafeFile : public QObject {
+    Q_OBJECT
+
+    fs::path m_folder;
+    fs::path file(const std::string& name = "part.sparkout") const { return m_folder / name; }
+
+private slots:
+    void init() {
+        m_folder = makeFolder();
+        QVERIFY(!m_folder.empty());
+    }
+    void cleanup() {
+        std::error_code ignored;
+        ::chmod(m_folder.c_str(), 0700);
+        fs::remove_all(m_folder, ignored);
+    }
+
+    // Ordinary life
+
+    void aNewFileHoldsTheBytes_data() {
+        QTest::addColumn<qsizetype>("size");
+        for (const qsizetype size : {0, 1, 65535, 65536, 65537, 3'000'000})
+            QTest::addRow("%lld bytes", static_cast<long long>(size)) << size;
+    }
+    void aNewFileHoldsTheBytes() {
+        QFETCH(qsizetype, size);
+        std::string bytes(static_cast<std::size_t>(size), '\0');
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+            bytes[i] = static_cast<char>(i * 7 + i / 256);
+        QVERIFY(!writeFileSafely(file(), bytes));
+        QVERIFY(get(file()) == bytes);
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void aNewFileGetsItsModeFromTheUmask() {
+        const mode_t before = ::umask(027);
+        const auto error = writeFileSafely(file(), "new");
+        ::umask(before);
+        QVERIFY(!error);
+        QCOMPARE(modeOf(file()), mode_t{0640});
+    }
+
+    void aShorterTextLeavesNothingOfTheLongerOne() {
+        put(file(), std::string(5000, 'x'));
+        QVERIFY(!writeFileSafely(file(), "short"));
+        QCOMPARE(get(file()), std::string("short"));
+    }
+
+    void aNameRelativeToTheWorkingFolderIsWrittenThere() {
+        const fs::path before = fs::current_path();
+        fs::current_path(m_folder);
+        const auto error = writeFileSafely("вал 30h6.sparkout", "new");
+        fs::current_path(before);
+        QVERIFY(!error);
+        QCOMPARE(get(file("вал 30h6.sparkout")), std::string("new"));
+    }
+
+    void theBackupIsThePreviousVersion() {
+        const WriteOptions keep{.keepBackup = true};
+        QVERIFY(!writeFileSafely(file(), "1", keep));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"}); // there was none to keep
+        QVERIFY(!writeFileSafely(file(), "2", keep));
+        QCOMPARE(get(file("part.sparkout.bak")), std::string("1"));
+        QVERIFY(!writeFileSafely(file(), "3", keep));
+        QCOMPARE(get(file()), std::string("3"));
+        QCOMPARE(get(file("part.sparkout.bak")), std::string("2"));
+        QCOMPARE(namesIn(m_folder), (Names{"part.sparkout", "part.sparkout.bak"}));
+    }
+
+    void aBackupThatCannotBeMadeStopsTheSave() {
+        put(file(), "old");
+        fs::create_directory(file("part.sparkout.bak"));
+        const auto error = writeFileSafely(file(), "new", {.keepBackup = true});
+        QVERIFY(error && error->step == FileStep::backup && !error->replaced);
+        QCOMPARE(get(file()), std::string("old"));
+        QCOMPARE(namesIn(m_folder), (Names{"part.sparkout", "part.sparkout.bak"}));
+    }
+
+    void anErrorNamesThePathAndTheFreeSpace() {
+        fs::create_directory(file());
+        ::chmod(m_folder.c_str(), 0500);
+        const auto error = writeFileSafely(file("new.sparkout"), "new");
+        QVERIFY(error.has_value());
+        QCOMPARE(error->path, file("new.sparkout").string());
+        QCOMPARE(error->systemError, EACCES);
+        QVERIFY(error->freeBytes.has_value());
+    }
+
+    void leftoversOfAKilledSaveAreRemovedAndNothingElse() {
+        // A save that is "killed" while it waits: the name it used is learned from the folder.
+        const pid_t killed = ::fork();
+        if (killed == 0) {
+            for (;;)
+                (void)writeFileSafely(file(), std::string(1'000'000, 'a'));
+        }
+        std::string leftover;
+        for (int i = 0; i < 20000 && leftover.empty(); ++i)
+            for (const auto& name : namesIn(m_folder))
+                if (name.starts_with(".sparkout-"))
+                    leftover = name;
+        ::kill(killed, SIGKILL);
+        ::waitpid(killed, nullptr, 0);
+        QVERIFY(!leftover.empty());
+        put(file(leftover), "half");
+        const std::string otherFile = ".sparkout-0123456789abcdef" + leftover.substr(26);
+        const std::string notOurs = leftover.substr(0, leftover.size() - 5) + "g.tmp";
+        put(file(otherFile), "of another file");
+        put(file(notOurs), "not hexadecimal");
+
+        const int inUse = ::open(file(leftover).c_str(), O_RDONLY);
+        QCOMPARE(::flock(inUse, LOCK_EX), 0);
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QVERIFY(fs::exists(file(leftover))); // a running save holds it
+        ::close(inUse);
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QVERIFY(!fs::exists(file(leftover)));
+        QVERIFY(fs::exists(file(otherFile)));
+        QVERIFY(fs::exists(file(notOurs)));
+    }
+
+    void savesAtTheSameTimeLeaveOneWholeFile() {
+        std::vector<std::thread> threads;
+        std::vector<int> failures(4);
+        for (std::size_t t = 0; t < 4; ++t)
+            threads.emplace_back([&, t] {
+                const std::string bytes(200'000, static_cast<char>('a' + t));
+                for (int i = 0; i < 50; ++i)
+                    failures[t] += writeFileSafely(file(), bytes).has_value();
+            });
+        for (auto& thread : threads)
+            thread.join();
+        QCOMPARE(failures, std::vector<int>(4));
+        const std::string bytes = get(file());
+        QCOMPARE(bytes.size(), std::size_t{200'000});
+        QVERIFY(bytes.find_first_not_of(bytes[0]) == std::string::npos);
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    // Targets of twelve kinds, numbered as in reliability.md, check 3
+
+    void kind01_aLinkStaysAndItsTargetIsWritten() {
+        fs::create_directory(file("folder"));
+        put(file("folder/real"), "old");
+        fs::create_symlink("folder/real", file());
+        fs::create_symlink(file(), file("second link"));
+        QVERIFY(!writeFileSafely(file("second link"), "new", {.keepBackup = true}));
+        QVERIFY(fs::is_symlink(file()) && fs::is_symlink(file("second link")));
+        QCOMPARE(get(file("folder/real")), std::string("new"));
+        QCOMPARE(get(file("folder/real.bak")), std::string("old"));
+    }
+
+    void kind02_aDanglingLinkStaysAndItsTargetIsMade() {
+        fs::create_symlink("not yet", file());
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QVERIFY(fs::is_symlink(file()));
+        QCOMPARE(get(file("not yet")), std::string("new"));
+    }
+
+    void kind02_linksInACircleAreRefused() {
+        fs::create_symlink("b", file("a"));
+        fs::create_symlink("a", file("b"));
+        const auto error = writeFileSafely(file("a"), "new");
+        QVERIFY(error && error->systemError == ELOOP);
+    }
+
+    void kind03_anotherHardLinkKeepsTheOldText() {
+        put(file(), "old");
+        fs::create_hard_link(file(), file("other"));
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QCOMPARE(get(file()), std::string("new"));
+        QCOMPARE(get(file("other")), std::string("old"));
+    }
+
+    void kind04_aFifoIsRefusedAndStays() {
+        QCOMPARE(::mkfifo(file().c_str(), 0600), 0);
+        const auto error = writeFileSafely(file(), "new");
+        QVERIFY(error && error->step == FileStep::notRegular);
+        QVERIFY(fs::is_fifo(file()));
+        const auto read = readFile(file(), 100); // and reading it does not wait for a writer
+        QVERIFY(std::get<FileError>(read).step == FileStep::notRegular);
+    }
+
+    void kind05_aFolderIsRefusedAndStays_data() {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"folder", "folder/", "folder/.", "new/", ""})
+            QTest::addRow("'%s'", name) << name;
+    }
+    void kind05_aFolderIsRefusedAndStays() {
+        QFETCH(QString, name);
+        fs::create_directory(file("folder"));
+        const auto error =
+            writeFileSafely(name.isEmpty() ? fs::path() : file(name.toStdString()), "new");
+        QVERIFY(error && error->step == FileStep::notRegular);
+        QCOMPARE(namesIn(m_folder), Names{"folder"});
+    }
+
+    void kind06_theModeIsKept_data() {
+        QTest::addColumn<int>("mode");
+        for (const int mode : {0640, 0600, 0664, 0755})
+            QTest::addRow("%o", static_cast<unsigned>(mode)) << mode;
+    }
+    void kind06_theModeIsKept() {
+        QFETCH(int, mode);
+        put(file(), "old");
+        ::chmod(file().c_str(), static_cast<mode_t>(mode));
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QCOMPARE(static_cast<int>(modeOf(file())), mode);
+    }
+
+    void kind07_aReadOnlyFileIsRefused() {
+        put(file(), "old");
+        ::chmod(file().c_str(), 0444);
+        const auto error = writeFileSafely(file(), "new");
+        QVERIFY(error && error->step == FileStep::readOnly && error->systemError == EACCES);
+        QCOMPARE(get(file()), std::string("old"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void kind08_inAReadOnlyFolderTheOldFileStays() {
+        put(file(), "old");
+        ::chmod(m_folder.c_str(), 0500);
+        const auto error = writeFileSafely(file(), "new");
+        QVERIFY(error && error->step == FileStep::create && error->systemError == EACCES);
+        QCOMPARE(get(file()), std::string("old"));
+    }
+
+    void kind09_inAStickyFolderOnlyOnesOwnFileIsReplaced() {
+        ::chmod(m_folder.c_str(), 01777);
+        put(file(), "old");
+        QVERIFY(!writeFileSafely(file(), "new"));
+        QCOMPARE(get(file()), std::string("new"));
+        if (rootsFolder.empty())
+            QSKIP("a file of another user can only be made by root");
+        const fs::path foreign = rootsFolder / "foreign";
+        for (const bool backup : {false, true}) {
+            const auto error = writeFileSafely(foreign, "new", {.keepBackup = backup});
+            QVERIFY(error.has_value());
+            QVERIFY(error->systemError == EPERM || error->systemError == EACCES);
+            QCOMPARE(get(foreign), std::string("old"));
+            for (const auto& name : namesIn(rootsFolder))
+                QVERIFY(!name.starts_with(".sparkout-"));
+        }
+    }
+
+    void kind10_aMissingFolderIsNotMade() {
+        const auto error = writeFileSafely(file("no folder/part.sparkout"), "new");
+        QVERIFY(error && error->step == FileStep::open && error->systemError == ENOENT);
+        QCOMPARE(namesIn(m_folder), Names{});
+    }
+
+    void kind11_aNameOf255BytesIsWrittenAndALongerOneRefused() {
+        const std::string longest(255, 'n');
+        QVERIFY(!writeFileSafely(file(longest), "old"));
+        QVERIFY(!writeFileSafely(file(longest), "new"));
+        QCOMPARE(get(file(longest)), std::string("new"));
+        const auto noBackup = writeFileSafely(file(longest), "newer", {.keepBackup = true});
+        QVERIFY(noBackup && noBackup->step == FileStep::backup);
+        QCOMPARE(get(file(longest)), std::string("new"));
+        const auto error = writeFileSafely(file(longest + "n"), "new");
+        QVERIFY(error && error->systemError == ENAMETOOLONG);
+        QCOMPARE(namesIn(m_folder), Names{longest});
+    }
+
+    void kind11_aNulInTheNameIsRefused() {
+        using namespace std::string_literals;
+        const auto error = writeFileSafely(file("part\0.sparkout"s), "new");
+        QVERIFY(error && error->systemError == EINVAL);
+        QCOMPARE(namesIn(m_folder), Names{});
+    }
+
+    void kind12_aDeviceIsRefusedAndStays() {
+        const fs::path device =
+            fs::exists(rootsFolder / "device") ? rootsFolder / "device" : fs::path("/dev/null");
+        fs::create_symlink(device, file("link"));
+        for (const fs::path& path : {device, file("link")}) {
+            const auto error = writeFileSafely(path, "new");
+            QVERIFY(error && error->step == FileStep::notRegular);
+            QVERIFY(fs::is_character_file(device));
+            const auto read = readFile(path, 100);
+            QVERIFY(std::get<FileError>(read).step == FileStep::notRegular);
+        }
+        QVERIFY(fs::is_symlink(file("link")));
+    }
+
+    // Reading
+
+    void aFileIsReadBackWholly() {
+        using namespace std::string_literals;
+        const std::string bytes = "\xEF\xBB\xBF вал\0\r\n"s + std::string(200'000, 'z');
+        put(file(), bytes);
+        QVERIFY(std::get<std::string>(readFile(file(), bytes.size())) == bytes);
+    }
+
+    void aFileAtTheLimitIsReadAndOneByteMoreIsNot() {
+        put(file(), std::string(1000, 'x'));
+        QCOMPARE(std::get<std::string>(readFile(file(), 1000)).size(), std::size_t{1000});
+        const auto read = readFile(file(), 999);
+        QVERIFY(std::get<FileError>(read).step == FileStep::tooLarge);
+    }
+
+    void aMissingOrForbiddenFileIsAnErrorWithItsCause() {
+        const auto missing = readFile(file(), 100);
+        QCOMPARE(std::get<FileError>(missing).systemError, ENOENT);
+        QCOMPARE(std::get<FileError>(missing).path, file().string());
+        put(file(), "secret");
+        ::chmod(file().c_str(), 0);
+        const auto forbidden = readFile(file(), 100);
+        QVERIFY(std::get<FileError>(forbidden).step == FileStep::open);
+        QCOMPARE(std::get<FileError>(forbidden).systemError, EACCES);
+    }
+};
+
+namespace {
+
+constexpr uid_t nobody = 65534;
+
+/// A sticky folder with a file and a device that nobody could not make.
+void prepareAsRoot() {
+    rootsFolder = makeFolder();
+    put(rootsFolder / "foreign", "old");
+    ::chmod((rootsFolder / "foreign").c_str(), 0666);
+    (void)::mknod((rootsFolder / "device").c_str(), S_IFCHR | 0666, makedev(1, 3));
+    ::chmod(rootsFolder.c_str(), 01777);
+}
+
+int runTests(int argc, char** argv) {
+    TestSafeFile test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (::geteuid() != 0)
+        return runTests(argc, argv);
+    prepareAsRoot();
+    const pid_t child = ::fork();
+    if (child == 0) {
+        if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0
+            || ::setresuid(nobody, nobody, nobody) != 0)
+            return 2;
+        return runTests(argc, argv);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    std::error_code ignored;
+    fs::remove_all(rootsFolder, ignored);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+#include "test_safe_file.moc"

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/result.h"
+#include "core/simulation/trajectory.h"
+
+#include <memory>
+#include <vector>
+
+namespace sparkout {
+
+/// All that one run gives the window: an immutable value that reaches every view by one road.
+/// With errors among the issues nothing was run and the rest is empty.
+struct Outcome {
+    Issues issues; ///< errors and warnings of the inputs
+    SimulationResult result;
+    Trajectory trajectory;
+    std::vector<ConstraintResult> constraints;
+
+    [[nodiscard]] bool ran() const { return !hasErrors(issues); }
+};
+
+using OutcomePtr = std::shared_ptr<const Outcome>;
+
+} // namespace sparkout
