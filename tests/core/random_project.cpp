@@ -60,18 +60,18 @@ struct Plan {
     bool traverse = false;
     bool internal = false;
     bool positionControl = false;
-    bool noFriction = false;  // η = 0
-    bool soft = false;  // spark-out until size from a large deflection, which is reached
+    bool noFriction = false; // η = 0
+    bool soft = false;       // spark-out until size from a large deflection, which is reached
     LastStage last = LastStage::Feed;
     int feedStages = 1;
     int K = 36;
     int J = 4;
-    int passes = 0;  // about so many double strokes or revolutions of feed
-    std::vector<double> stocks;  // of the feed stages, as they are removed [mm]
+    int passes = 0;             // about so many double strokes or revolutions of feed
+    std::vector<double> stocks; // of the feed stages, as they are removed [mm]
     std::vector<double> feeds;  // of the feed stages [mm per double stroke or revolution]
-    double runout = 0;  // ΔR [mm]
-    double widest = 0;  // largest width of cut seen by the gauge [mm]
-    double lastWidth = 0;  // and that of the last feed stage [mm]
+    double runout = 0;          // ΔR [mm]
+    double widest = 0;          // largest width of cut seen by the gauge [mm]
+    double lastWidth = 0;       // and that of the last feed stage [mm]
 };
 
 Plan choosePlan(Random& random) {
@@ -89,13 +89,13 @@ Plan choosePlan(Random& random) {
     plan.K = random.oneOf({4, 6, 8, 10, 12, 12, 18, 24, 36, 36, 36, 60, 90});
     plan.J = plan.traverse ? 1 : random.integer(1, 12);
     const bool untilSize = plan.last == LastStage::UntilSize;
-    if (untilSize) {  // it may go on for long
+    if (untilSize) { // it may go on for long
         plan.K = random.oneOf({4, 6, 8, 12});
         plan.J = std::min(plan.J, 4);
         plan.soft = !plan.positionControl && random.chance(0.6);
         plan.noFriction = random.chance(plan.positionControl ? 0.5 : 0.15);
     }
-    const int budget = random.integer(1'500, 10'000);  // visits of a radius
+    const int budget = random.integer(1'500, 10'000); // visits of a radius
     plan.passes = plan.traverse ? std::clamp(budget / (12 * plan.K), 6, 100)
                                 : std::clamp(budget / (plan.J * plan.K), 20, untilSize ? 250 : 600);
     return plan;
@@ -164,12 +164,8 @@ std::vector<double> measuredProfile(Random& random, const Plan& plan) {
 
 void addProfile(Random& random, const Plan& plan, json& part) {
     switch (random.integer(0, 5)) {
-    case 0:
-        part["profile"] = "ellipse";
-        break;
-    case 1:
-        part["profile"] = "eccentric";
-        break;
+    case 0: part["profile"] = "ellipse"; break;
+    case 1: part["profile"] = "eccentric"; break;
     case 2:
         part["profile"] = "lobes";
         if (random.chance(0.7)) {
@@ -179,11 +175,11 @@ void addProfile(Random& random, const Plan& plan, json& part) {
     case 3:
         part["profile"] = "measured";
         part["radii_um"] = measuredProfile(random, plan);
-        if (random.chance(0.5)) {  // the measured runout replaces this one
+        if (random.chance(0.5)) { // the measured runout replaces this one
             part["initial_runout_mm"] = random.uniform(0, 0.05, 3);
         }
         break;
-    default:  // the file's default: ellipse
+    default: // the file's default: ellipse
         break;
     }
 }
@@ -204,19 +200,17 @@ json materialOf(Random& random) {
 
 json wheelOf(Random& random, const Plan& plan, double d) {
     const double width = random.uniform(plan.internal ? 10 : 15, plan.internal ? 50 : 70, 1);
-    const double D = plan.internal ? random.uniform(0.35 * d, 0.9 * d, 1) : random.integer(250, 750);
+    const double D =
+        plan.internal ? random.uniform(0.35 * d, 0.9 * d, 1) : random.integer(250, 750);
     const double eta = plan.noFriction ? 0 : random.uniform(0.005, 0.15, 4);
     return {{"diameter_mm", D}, {"width_mm", width}, {"dullness", eta}};
 }
 
 double dwell(Random& random) {
     switch (random.integer(0, 3)) {
-    case 0:
-        return 0;
-    case 1:
-        return random.uniform(0.01, 0.1, 2);  // often less than half a revolution
-    default:
-        return random.uniform(0.1, 1, 2);
+    case 0: return 0;
+    case 1: return random.uniform(0.01, 0.1, 2); // often less than half a revolution
+    default: return random.uniform(0.1, 1, 2);
     }
 }
 
@@ -257,8 +251,8 @@ json stagesOf(Random& random, Plan& plan, double n, double B, double L_p) {
     for (int z = 0; z < count; ++z) {
         json stage = json::object();
         if (plan.traverse) {
-            const double share = random.chance(0.04) ? random.uniform(1, 1.2)
-                                                     : random.uniform(0.05, 0.6);
+            const double share =
+                random.chance(0.04) ? random.uniform(1, 1.2) : random.uniform(0.05, 0.6);
             const double axial = std::max(10.0, rounded(share * B * n, 0));
             stage["axial_feed_mm_min"] = axial;
             const double width = std::min(axial / n, B);
@@ -288,12 +282,8 @@ void disturbStocks(Random& random, const Plan& plan, json& part, json& stages, d
     }
     const double whole = part["stock_mm"];
     switch (random.integer(0, 2)) {
-    case 0:
-        stages[0]["stock_mm"] = random.uniform(0.001, 0.3, 4);
-        break;
-    case 1:
-        part["stock_mm"] = rounded(whole * random.uniform(0.6, 1.4), 4);
-        break;
+    case 0: stages[0]["stock_mm"] = random.uniform(0.001, 0.3, 4); break;
+    case 1: part["stock_mm"] = rounded(whole * random.uniform(0.6, 1.4), 4); break;
     default:
         if (plan.feedStages > 1) {
             const int z = random.integer(1, plan.feedStages - 1);
@@ -308,8 +298,8 @@ void disturbStocks(Random& random, const Plan& plan, json& part, json& stages, d
 
 // The two terms of γ·P_y for the gauge's place: deflection = linear·a + root·√a.
 struct Deflection {
-    double linear = 0;  // γ·b·k_s [–]
-    double root = 0;  // γ·b·k_r [√mm]
+    double linear = 0; // γ·b·k_s [–]
+    double root = 0;   // γ·b·k_r [√mm]
 
     double at(double a) const { return linear * a + root * std::sqrt(a); }
 };
@@ -337,7 +327,8 @@ double chooseCompliance(Random& random, const Plan& plan, const json& project) {
     const double largest = 0.8 * (plan.stocks[0] + plan.runout);
     double scale = std::min(1.0, largest / deflection.at(fastest));
     if (plan.last == LastStage::UntilSize) {
-        // Without friction removal falls as ((A − 1)/A)^m; with it, root²/m² is to come down to 1e-9 mm.
+        // Without friction removal falls as ((A − 1)/A)^m; with it, root²/m² is to come down to
+        // 1e-9 mm.
         const double root = plan.soft ? 0.2 : plan.traverse ? 0.008 : 0.02;
         scale = std::min(scale, 3 / deflection.linear);
         if (deflection.root > 0) {
@@ -376,7 +367,7 @@ void completeSparkOut(Random& random, const Plan& plan, const json& project, dou
     } else if (random.chance(0.3)) {
         stage["stock_mm"] = 0;
     }
-    if (random.chance(0.3)) {  // it is ignored
+    if (random.chance(0.3)) { // it is ignored
         stage[plan.traverse ? "radial_feed_mm" : "radial_feed_mm_min"] = 0.001;
     }
 }
@@ -405,7 +396,7 @@ json gaugeOf(Random& random, const Plan& plan, double L_p, double gamma) {
     return gauge;
 }
 
-}  // namespace
+} // namespace
 
 json randomProject(std::uint64_t seed) {
     Random random(seed);

@@ -13,9 +13,10 @@ using nlohmann::json;
 using Real = long double;
 
 constexpr Real pi = std::numbers::pi_v<Real>;
-constexpr Real sizeTolerance = 1e-9L;  // [mm] a threshold counts as reached this much early
-constexpr Real noRemoval = 1e-9L;  // [mm] a pass that removes no more than this removes nothing
-constexpr int idleRevolutionsAllowed = 100;  // plunge: so many in a row without removal end the cycle
+constexpr Real sizeTolerance = 1e-9L; // [mm] a threshold counts as reached this much early
+constexpr Real noRemoval = 1e-9L;     // [mm] a pass that removes no more than this removes nothing
+constexpr int idleRevolutionsAllowed =
+    100; // plunge: so many in a row without removal end the cycle
 constexpr long long visitLimit = 50'000'000;
 
 // ---------------------------------------------------------------- reading the project
@@ -46,53 +47,53 @@ json part(const json& project, const char* key) {
 
 // ---------------------------------------------------------------- what the cycle works on
 
-enum class StageEnd { Threshold, Count, Size };  // Count and Size are spark-out stages
+enum class StageEnd { Threshold, Count, Size }; // Count and Size are spark-out stages
 
 struct Stage {
-    Real radial_feed = 0;  // traverse: mm per double stroke; plunge: mm/min; spark-out: 0
+    Real radial_feed = 0; // traverse: mm per double stroke; plunge: mm/min; spark-out: 0
     Real axial_feed = 0;  // mm/min, traverse only
-    Real stock = 0;  // Π_z [mm]
+    Real stock = 0;       // Π_z [mm]
     StageEnd end = StageEnd::Threshold;
-    int count = 0;  // length of a spark-out by count
+    int count = 0; // length of a spark-out by count
 };
 
 // A zone or a section: all it carries from pass to pass is its radii.
 struct Body {
-    Real gamma = 0;  // γ [mm/N]
-    std::vector<Real> radius;  // R_k [mm]
-    bool reported = true;  // false: the extra section of a gauge in a free position
+    Real gamma = 0;           // γ [mm/N]
+    std::vector<Real> radius; // R_k [mm]
+    bool reported = true;     // false: the extra section of a gauge in a free position
 };
 
 struct Cycle {
     // the inputs
     bool traverse = false;
     bool internal = false;
-    Real d = 0, R_t = 0;  // nominal diameter, target radius [mm]
-    Real R_max0 = 0, R_min0 = 0;  // largest and smallest radius of the blank [mm]
-    int K = 0;  // radii per section
-    Real length = 0, B = 0, o1 = 0, o2 = 0;  // [mm]
-    Real n = 0;  // [rev/min]
-    Real S_rad = 0;  // plunge-in feed [mm/min]
-    Real V_k = 0;  // [m/s]
-    Real k_s = 0, k_r = 0;  // normal force [N/mm², N/mm^1.5]
-    Real z_s = 0, z_r = 0;  // tangential force, the same way
-    long long N1 = 0, N2 = 0;  // dwells [rev]
+    Real d = 0, R_t = 0;                    // nominal diameter, target radius [mm]
+    Real R_max0 = 0, R_min0 = 0;            // largest and smallest radius of the blank [mm]
+    int K = 0;                              // radii per section
+    Real length = 0, B = 0, o1 = 0, o2 = 0; // [mm]
+    Real n = 0;                             // [rev/min]
+    Real S_rad = 0;                         // plunge-in feed [mm/min]
+    Real V_k = 0;                           // [m/s]
+    Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
+    Real z_s = 0, z_r = 0;                  // tangential force, the same way
+    long long N1 = 0, N2 = 0;               // dwells [rev]
     bool position_control = false;
     std::string rule;
     Real geometric_runout_um = 0;
     std::vector<Stage> stages;
-    std::size_t gauge = 0;  // the body that carries the gauge
+    std::size_t gauge = 0; // the body that carries the gauge
 
     // the state
     std::vector<Body> bodies;
-    Real t_P = 0;  // accumulated programmed infeed [mm]
-    std::size_t z = 0;  // the stage
+    Real t_P = 0;      // accumulated programmed infeed [mm]
+    std::size_t z = 0; // the stage
     int passes_in_stage = 0;
-    Real largest_removal = 0;  // since the pass (double stroke or revolution) began [mm]
+    Real largest_removal = 0; // since the pass (double stroke or revolution) began [mm]
     int idle_revolutions = 0;
     long long visits = 0;
-    Real peak_P_y = 0, peak_P_z = 0;  // [N]
-    Real time = 0;  // [min]
+    Real peak_P_y = 0, peak_P_z = 0; // [N]
+    Real time = 0;                   // [min]
 };
 
 void readForceLaw(Cycle& c, const json& project) {
@@ -103,8 +104,8 @@ void readForceLaw(Cycle& c, const json& project) {
     const Real sigma = number(material, "flow_stress_mpa");
     const Real friction = number(material, "friction", 0.3);
     const Real D_e = c.internal ? c.d * D / (c.d - D) : c.d * D / (c.d + D);
-    const Real V_d = pi * c.d * c.n;  // [mm/min]
-    const Real ratio = V_d / (c.V_k * 60'000);  // V_k from m/s to mm/min
+    const Real V_d = pi * c.d * c.n;           // [mm/min]
+    const Real ratio = V_d / (c.V_k * 60'000); // V_k from m/s to mm/min
     c.k_s = number(material, "shear_factor", 1.9) * sigma * ratio;
     c.k_r = eta * sigma * std::sqrt(D_e) / 3;
     c.z_s = number(material, "shear_strain", 2.8) * sigma * ratio;
@@ -301,7 +302,8 @@ Real targetInfeed(const Cycle& c) {
     return whole - laterStocks(c);
 }
 
-// The feed of this double stroke or revolution; position control cuts the last one of a stage short.
+// The feed of this double stroke or revolution; position control cuts the last one of a stage
+// short.
 Real infeedOfThisPass(const Cycle& c) {
     const Stage& stage = c.stages[c.z];
     Real step = c.traverse ? stage.radial_feed : stage.radial_feed / c.n;
@@ -319,9 +321,9 @@ void doubleStroke(Cycle& c) {
     const Stage& stage = c.stages[c.z];
     const Real S_t = infeedOfThisPass(c);
     const long long N_E1 = plungeInRevolutions(c, S_t);
-    const Real b1 = c.B - c.o1;  // plunge passes in РЗ1
-    const Real b2 = c.B - c.o2;  // plunge passes in РЗ2
-    const Real b = std::min(stage.axial_feed / c.n, c.B);  // traverse passes
+    const Real b1 = c.B - c.o1;                           // plunge passes in РЗ1
+    const Real b2 = c.B - c.o2;                           // plunge passes in РЗ2
+    const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
     Body& rz1 = c.bodies[0];
     Body& nz = c.bodies[1];
     Body& rz2 = c.bodies[2];
@@ -465,7 +467,7 @@ Place measured(const Cycle& c, const Body& body) {
     return place;
 }
 
-}  // namespace
+} // namespace
 
 long double depthOfCut(long double h, long double gamma, long double b, long double k_s,
                        long double k_r) {
@@ -478,7 +480,7 @@ long double depthOfCut(long double h, long double gamma, long double b, long dou
     for (;;) {
         const long double a = low + (high - low) / 2;
         if (a <= low || a >= high) {
-            return high;  // no number lies between the two any more
+            return high; // no number lies between the two any more
         }
         const long double P_y = b * (k_s * a + k_r * std::sqrt(a));
         if (a + gamma * P_y < h) {
@@ -496,7 +498,7 @@ Result simulate(const json& project) {
     run(c, result);
     result.time_min = static_cast<double>(c.time);
     result.peak_normal_force_n = static_cast<double>(c.peak_P_y);
-    result.peak_power_w = static_cast<double>(c.peak_P_z * c.V_k);  // N · m/s
+    result.peak_power_w = static_cast<double>(c.peak_P_z * c.V_k); // N · m/s
     for (const Body& body : c.bodies) {
         if (body.reported) {
             result.places.push_back(measured(c, body));
@@ -505,4 +507,4 @@ Result simulate(const json& project) {
     return result;
 }
 
-}  // namespace reference
+} // namespace reference

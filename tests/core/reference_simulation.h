@@ -6,27 +6,28 @@
 #include <string>
 #include <vector>
 
-/// The second, deliberately plain implementation of the grinding cycle, for tests only: it shares no
-/// code with core/, finds every depth of cut by bisection in long double and visits every radius one
-/// after the other. Where the engine and this code differ, one of them misreads the process model.
+/// The second, deliberately plain implementation of the grinding cycle, for tests only: it shares
+/// no code with core/, finds every depth of cut by bisection in long double and visits every radius
+/// one after the other. Where the engine and this code differ, one of them misreads the process
+/// model.
 namespace reference {
 
 /// The state of one zone (traverse) or one section (plunge) when the cycle ended.
 struct Place {
-    std::vector<long double> radii_um;  ///< R_k less the nominal radius, k = 0…K−1 [µm]
-    double diameter_deviation_min_um = 0;  ///< smallest diameter less the nominal one [µm]
-    double diameter_deviation_max_um = 0;  ///< largest diameter less the nominal one [µm]
-    double radial_runout_um = 0;  ///< R_max − R_min plus the machine's geometric runout [µm]
+    std::vector<long double> radii_um;    ///< R_k less the nominal radius, k = 0…K−1 [µm]
+    double diameter_deviation_min_um = 0; ///< smallest diameter less the nominal one [µm]
+    double diameter_deviation_max_um = 0; ///< largest diameter less the nominal one [µm]
+    double radial_runout_um = 0; ///< R_max − R_min plus the machine's geometric runout [µm]
 };
 
 struct Result {
-    std::string status;  ///< "completed", "cannot_reach_size" or "too_long"
-    long long passes = 0;  ///< double strokes (traverse) or revolutions (plunge) [–]
-    std::vector<long long> passes_by_stage;  ///< the same, stage by stage [–]
-    double time_min = 0;  ///< cycle time [min]
-    std::vector<Place> places;  ///< traverse: РЗ1, НЗ, РЗ2; plunge: the sections from the headstock
-    double peak_normal_force_n = 0;  ///< largest P_y of a reported place [N]
-    double peak_power_w = 0;  ///< largest P_z·V_k of a reported place [W]
+    std::string status;   ///< "completed", "cannot_reach_size" or "too_long"
+    long long passes = 0; ///< double strokes (traverse) or revolutions (plunge) [–]
+    std::vector<long long> passes_by_stage; ///< the same, stage by stage [–]
+    double time_min = 0;                    ///< cycle time [min]
+    std::vector<Place> places; ///< traverse: РЗ1, НЗ, РЗ2; plunge: the sections from the headstock
+    double peak_normal_force_n = 0; ///< largest P_y of a reported place [N]
+    double peak_power_w = 0;        ///< largest P_z·V_k of a reported place [W]
 };
 
 /// The depth of cut a [mm] with a + γ·b·(k_s·a + k_r·√a) = h, by bisection; 0 when h ≤ 0.
@@ -42,4 +43,4 @@ long double depthOfCut(long double h, long double gamma, long double b, long dou
 /// Missing and null keys take the file's defaults.
 Result simulate(const nlohmann::json& project);
 
-}  // namespace reference
+} // namespace reference

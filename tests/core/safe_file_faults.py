@@ -58,6 +58,17 @@ def leftovers(folder):
     return [name for name in os.listdir(folder) if TMP.match(name)]
 
 
+def leftover_name(target):
+    """A temporary name as temporary_file.cpp makes it: FNV-1a of the target's name."""
+    value = 0xcbf29ce484222325
+    for byte in target.encode():
+        value = (value ^ byte) * 0x100000001b3 % 2**64
+    return f".sparkout-{value:016x}-{1:016x}.tmp"
+
+
+LEFTOVER = leftover_name("part.sparkout")
+
+
 class Scene:
     """A folder with the state before a save; the same for every injection."""
 
@@ -252,7 +263,7 @@ def check_random_kills(kills):
     if leftovers(folder):
         faults.append("leftovers after the next save")
     note_faults(faults)
-    check("02b", kills, kills, not faults and saves > kills,
+    check("02b", kills, kills, not faults and 2 * saves > kills,
           f"kills at random times during {saves} saves; {len(faults)} violations, "
           f"at most {most} leftover, 0 after the next save")
 
@@ -332,8 +343,22 @@ def start():
         shutil.rmtree(work, ignore_errors=True)
 
 
+def checks(disk):
+    if shutil.which("strace") is None:
+        for number in ("01", "02a"):
+            check(number, 0, 60, False, "strace is not installed (see packages.txt, test)")
+    else:
+        try:
+            check_errors()
+            check_kill_at_each_call()
+        except RuntimeError as error:
+            check("01", 0, 120, False, error)
+    check_random_kills(1000 if LONG else 200)
+    check_full_disk(disk)
+
+
 def main():
-    global WORK, PROBE, LEFTOVER
+    global WORK, PROBE
     if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         print(__doc__)
         return 2
@@ -356,28 +381,11 @@ def main():
             become_nobody()
         except OSError:  # a user namespace knows one user: this is no real root
             pass
-    WORK = work / "files"
-    WORK.mkdir()
-    os.chdir(WORK)
-
-    # The writer's own pattern, learned from a killed save.
-    probe_folder = WORK / "pattern"
-    probe_folder.mkdir()
-    LEFTOVER = ""
-    if shutil.which("strace") is None:
-        for number in ("01", "02a"):
-            check(number, 0, 60, False, "strace is not installed (see packages.txt, test)")
-    else:
-        run("strace", "-o", "/dev/null", "-e", "trace=fsync", "-e", "inject=fsync:signal=KILL",
-            PROBE, "save", probe_folder / "part.sparkout", 10, "x")
-        LEFTOVER = (leftovers(probe_folder) or [""])[0]
-        if not LEFTOVER:
-            check("01", 0, 120, False, "strace cannot trace here: the injections would not hit")
-        else:
-            check_errors()
-            check_kill_at_each_call()
-    check_random_kills(1000 if LONG else 200)
-    check_full_disk(disk)
+    # Without a tmpfs of our own the shared one: syncing a disk thousands of times is slow.
+    shared = "/dev/shm" if not mounted and os.access("/dev/shm", os.W_OK) else work
+    with tempfile.TemporaryDirectory(prefix="sparkout-faults-", dir=shared) as files:
+        WORK = pathlib.Path(files)
+        checks(disk)
     return 1 if failures else 0
 
 
