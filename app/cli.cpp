@@ -6,8 +6,11 @@
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,11 +33,14 @@ simulate   runs the cycle of a project file
   --check    exit status 4 when a requirement of the drawing fails
   --trace    writes a row for every visit of a radius
 validate   checks a project file: one line a fault
-examples   writes the example projects into a folder
+examples   writes the example projects into a folder, which is made if need be
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
 4 a requirement fails (--check).
 )";
+
+/// A trace is built in memory: at most about 1 GB.
+constexpr long long mostTraceRows = 8'000'000;
 
 struct Options {
     std::string command, operand, trace;
@@ -43,6 +49,16 @@ struct Options {
 
 void print(std::FILE* stream, const std::string& text) {
     std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+/// Whether everything printed so far has reached the standard output.
+bool outputTaken() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) {
+        return true;
+    }
+    print(stderr, "sparkout-cli: the standard output cannot be written: "
+                      + std::string(std::strerror(errno)) + '\n');
+    return false;
 }
 
 int usageError(const std::string& message) {
@@ -72,6 +88,9 @@ std::optional<Project> load(const std::string& file) {
     for (const Issue& issue : read.issues) {
         print(stderr, issueLine(file, issue) + '\n');
     }
+    if (read.issues.size() == limits::issues) {
+        print(stderr, file + ": no further faults are listed\n");
+    }
     return std::move(read.project);
 }
 
@@ -88,9 +107,17 @@ int runSimulate(const Options& options) {
     if (!project) {
         return refused;
     }
+    SimulationResult result = simulate(*project);
     Trajectory trajectory;
-    const SimulationResult result =
-        simulate(*project, options.trace.empty() ? nullptr : &trajectory);
+    if (!options.trace.empty()) { // a second run: now the trace's size is known
+        if (result.visits > mostTraceRows) {
+            print(stderr, options.operand + ": the trace would have "
+                              + std::to_string(result.visits) + " rows; allowed: at most "
+                              + std::to_string(mostTraceRows) + '\n');
+            return refused;
+        }
+        result = simulate(*project, &trajectory);
+    }
     const auto constraints = evaluateConstraints(result);
     print(stdout, options.json ? resultJson(result, constraints)
                                : resultText(result, constraints));
@@ -111,6 +138,8 @@ int runSimulate(const Options& options) {
 }
 
 int runExamples(const std::string& folder) {
+    std::error_code error; // a folder that cannot be made is reported by the first file
+    std::filesystem::create_directory(folder, error);
     for (const Example& example : examples()) {
         const std::string file = folder + "/" + example.name;
         if (const int failed = save(file, example.content)) {
@@ -136,6 +165,9 @@ int parse(const std::vector<std::string>& arguments, Options& options) {
                 return usageError("--trace needs a file name");
             }
             options.trace = arguments[i];
+            if (options.trace.empty()) {
+                return usageError("--trace needs a file name");
+            }
         } else if (argument.size() > 1 && argument[0] == '-') {
             return usageError("unknown option " + argument);
         } else if (options.operand.empty()) {
@@ -181,5 +213,7 @@ int run(const std::vector<std::string>& arguments) {
 } // namespace sparkout::cli
 
 int main(int argc, char** argv) {
-    return sparkout::cli::run({argv + 1, argv + argc});
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is a write error, reported as one
+    const int status = sparkout::cli::run({argv + (argc > 0 ? 1 : 0), argv + argc});
+    return sparkout::cli::outputTaken() ? status : sparkout::cli::refused;
 }

@@ -93,12 +93,7 @@ std::string issueLine(const std::string& file, const Issue& issue) {
         line += "warning: ";
     }
     line += fillTemplate(issueTemplate(issue.code), issue);
-    for (char& character : line) { // one line a fault, whatever a key may hold
-        if (static_cast<unsigned char>(character) < 0x20) {
-            character = ' ';
-        }
-    }
-    return line;
+    return printable(line); // one line a fault, whatever a key or a file name may hold
 }
 
 std::string resultJson(const SimulationResult& result,
@@ -156,7 +151,7 @@ std::string statusSentence(const SimulationResult& result) {
 
 std::string resultText(const SimulationResult& result,
                        const std::vector<ConstraintResult>& constraints) {
-    std::string text = result.project.title + '\n';
+    std::string text = printable(result.project.title) + '\n';
     text += "status               " + statusSentence(result) + '\n';
     text += "machining time       " + fixed(result.time_s / units::secondsPerMinute, 4) + " min\n";
     text += isTraverse(result) ? "double strokes       " : "revolutions          ";

@@ -14,11 +14,13 @@ template <> std::span<const Choice> choicesOf<Operation>() {
 
 template <> const StructInfo& tableOf<KeptRun>() {
     static const std::array rows{
-        SPARKOUT_FIELD(KeptRun, name, .label = SPARKOUT_NOOP("Input", "Name"), .required = conditions::always),
+        SPARKOUT_FIELD(KeptRun, name, .label = SPARKOUT_NOOP("Input", "Name"), .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "What the run is called.")),
         SPARKOUT_FIELD(KeptRun, when, .label = SPARKOUT_NOOP("Input", "When"), .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Date and time in UTC, ISO 8601.")),
         SPARKOUT_FIELD(KeptRun, engine_version, .label = SPARKOUT_NOOP("Input", "Engine version"),
-                       .required = conditions::always),
+                       .required = conditions::always,
+                       .hint = SPARKOUT_NOOP("Input", "Version of the program that ran it.")),
         SPARKOUT_FIELD(KeptRun, inputs, .label = SPARKOUT_NOOP("Input", "Inputs"), .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "The project as it was run.")),
         SPARKOUT_FIELD(KeptRun, summary, .label = SPARKOUT_NOOP("Input", "Summary"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_file.h"
 
+#include "core/project/conditions.h"
+#include "core/project/range_check.h"
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
 #include "core/project/validate.h"
@@ -16,40 +18,43 @@ using nlohmann::json;
 constexpr const char* formatName = "sparkout-project";
 
 /// The header decides whether the rest is worth reading.
-bool headerIsOurs(const json& root, Issues& issues) {
+Issues checkHeader(const json& root) {
     if (!root.is_object()) {
-        issues.push_back({IssueCode::wrongType, Severity::error, {}, quoted(root), "object"});
-        return false;
+        return {{IssueCode::wrongType, Severity::error, {}, quoted(root), "object"}};
     }
+    Issues issues;
+    const auto add = [&](IssueCode code, const char* path, std::string value, std::string limit) {
+        issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
+    };
     const std::string expected = '"' + std::string(formatName) + '"';
-    const std::string versions = "1…" + std::to_string(projectVersion);
     if (!root.contains("format")) {
-        issues.push_back({IssueCode::missingKey, Severity::error, "/format", {}, expected});
+        add(IssueCode::missingKey, "/format", {}, expected);
     } else if (root.at("format") != formatName) {
-        issues.push_back({IssueCode::wrongFormat, Severity::error, "/format",
-                          quoted(root.at("format")), expected});
+        add(IssueCode::wrongFormat, "/format", quoted(root.at("format")), expected);
     }
+    const std::string versions = "1…" + std::to_string(projectVersion);
     if (!root.contains("version")) {
-        issues.push_back({IssueCode::missingKey, Severity::error, "/version", {}, versions});
+        add(IssueCode::missingKey, "/version", {}, versions);
     } else if (const json& version = root.at("version"); !version.is_number_integer()) {
-        issues.push_back(
-            {IssueCode::wrongType, Severity::error, "/version", quoted(version), "whole number"});
-    } else if (version > projectVersion) {
-        issues.push_back(
-            {IssueCode::newerVersion, Severity::error, "/version", quoted(version), versions});
-    } else if (version < 1) {
-        issues.push_back(
-            {IssueCode::outOfRange, Severity::error, "/version", quoted(version), versions});
+        add(IssueCode::wrongType, "/version", quoted(version), "whole number");
+    } else if (version.get<double>() > projectVersion) {
+        add(IssueCode::newerVersion, "/version", quoted(version), versions);
+    } else if (version.get<double>() < 1) {
+        add(IssueCode::outOfRange, "/version", quoted(version), versions);
     }
-    return !hasErrors(issues);
+    return issues;
 }
 
+/// `conditional`: whether keys that are required only sometimes are reported too.
 void reportMissing(const std::vector<MissingKey>& missing, const Project& project,
-                   Issues& issues) {
+                   bool conditional, Issues& issues) {
     for (const MissingKey& key : missing) {
         const Field& field = *key.field;
-        if (field.kind != Kind::object && field.required
-            && field.required(project, key.owner)) {
+        if (field.kind == Kind::object || !field.required
+            || !(conditional || field.required == conditions::always)) {
+            continue;
+        }
+        if (field.required(project, key.owner) && issues.size() < limits::issues) {
             issues.push_back({IssueCode::missingKey, Severity::error, key.path, {},
                               allowedText(field)});
         }
@@ -60,7 +65,7 @@ void reportMissing(const std::vector<MissingKey>& missing, const Project& projec
 void checkRuns(const Project& project, Issues& issues) {
     for (std::size_t i = 0; i < project.runs.size(); ++i) {
         for (Issue& issue : readProject(project.runs[i].inputs.text).issues) {
-            if (issue.severity == Severity::error) {
+            if (issue.severity == Severity::error && issues.size() < limits::issues) {
                 issue.path = "/runs/" + std::to_string(i) + "/inputs" + issue.path;
                 issues.push_back(std::move(issue));
             }
@@ -68,33 +73,46 @@ void checkRuns(const Project& project, Issues& issues) {
     }
 }
 
+bool isReported(const Issues& issues, const std::string& path) {
+    return std::any_of(issues.begin(), issues.end(),
+                       [&](const Issue& issue) { return issue.path == path; });
+}
+
 } // namespace
 
 ReadResult readProject(std::string_view text) {
     ReadResult result;
-    const auto root = parseStrictly(text, result.issues);
-    if (!root || !headerIsOurs(*root, result.issues)) {
+    Issues& issues = result.issues;
+    const auto root = parseStrictly(text, issues);
+    if (!root) {
+        return result;
+    }
+    if (Issues header = checkHeader(*root); !header.empty()) {
+        issues.insert(issues.end(), header.begin(), header.end());
         return result;
     }
     Project project;
     std::vector<MissingKey> missing;
-    readByTable(*root, tableOf<Project>(), &project, {}, result.issues, missing,
-                {"format", "version"});
-    reportMissing(missing, project, result.issues);
-    checkRuns(project, result.issues);
+    readByTable(*root, tableOf<Project>(), &project, {}, issues, missing, {"format", "version"});
+    // Without a readable operation nobody knows which rules apply.
+    const bool operationKnown = root->contains("operation") && !isReported(issues, "/operation");
+    reportMissing(missing, project, operationKnown, issues);
+    checkRuns(project, issues);
     // A value that could not be read is reported already; its rest of a default is not judged.
-    for (Issue& issue : validate(project)) {
-        const bool known = std::any_of(result.issues.begin(), result.issues.end(),
-                                       [&](const Issue& other) { return other.path == issue.path; });
-        if (!known) {
-            result.issues.push_back(std::move(issue));
+    const Issues unread = issues;
+    for (Issue& issue : operationKnown ? validate(project) : checkRanges(project)) {
+        if (!isReported(unread, issue.path)) {
+            issues.push_back(std::move(issue));
         }
     }
-    if (!hasErrors(result.issues)) {
+    if (!hasErrors(issues)) {
         result.project = std::move(project);
     }
-    if (result.issues.size() > limits::issues) {
-        result.issues.resize(limits::issues);
+    if (issues.size() > limits::issues) { // errors before warnings
+        std::stable_sort(issues.begin(), issues.end(), [](const Issue& a, const Issue& b) {
+            return a.severity < b.severity;
+        });
+        issues.resize(limits::issues);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/range_check.h"
 
+#include "core/project/project_file.h"
 #include "core/project/validate.h"
 
 #include <charconv>
@@ -27,11 +28,20 @@ private:
     void checkNumber(const Field& field, double value, const std::string& path, bool relevant) {
         const std::string unit = *field.unit ? " " + std::string(field.unit) : std::string();
         if (!std::isfinite(value) || !field.hard.contains(value)) {
-            issues.push_back({IssueCode::outOfRange, Severity::error, path,
-                              numberText(value) + unit, rangeText(field.hard, field.unit)});
+            add(IssueCode::outOfRange, Severity::error, path, numberText(value) + unit,
+                rangeText(field.hard, field.unit));
         } else if (relevant && !field.soft.contains(value)) {
-            issues.push_back({IssueCode::unusual, Severity::warning, path,
-                              numberText(value) + unit, rangeText(field.soft, field.unit)});
+            add(IssueCode::unusual, Severity::warning, path, numberText(value) + unit,
+                rangeText(field.soft, field.unit));
+        }
+    }
+
+    /// A list may hold a million faults; no more are kept than are listed.
+    void add(IssueCode code, Severity severity, const std::string& path, std::string value,
+             std::string limit) {
+        std::size_t& count = severity == Severity::error ? m_errors : m_warnings;
+        if (++count <= limits::issues) {
+            issues.push_back({code, severity, path, std::move(value), std::move(limit)});
         }
     }
 
@@ -45,8 +55,8 @@ private:
 
     void checkCount(const Field& field, std::size_t count, const std::string& path) {
         if (field.count != 0 && count != field.count) {
-            issues.push_back({IssueCode::wrongCount, Severity::error, path, std::to_string(count),
-                              std::to_string(field.count)});
+            add(IssueCode::wrongCount, Severity::error, path, std::to_string(count),
+                std::to_string(field.count));
         }
     }
 
@@ -83,8 +93,8 @@ private:
     void checkItems(const Field& field, const void* owner, const std::string& path) {
         const std::size_t size = field.size(owner);
         if (!field.hard.unbounded() && !field.hard.contains(static_cast<double>(size))) {
-            issues.push_back({IssueCode::wrongCount, Severity::error, path, std::to_string(size),
-                              rangeText(field.hard, "")});
+            add(IssueCode::wrongCount, Severity::error, path, std::to_string(size),
+                rangeText(field.hard, ""));
         }
         for (std::size_t i = 0; i < size; ++i) {
             checkObject(*field.nested, field.itemIn(owner, i), path + "/" + std::to_string(i));
@@ -100,7 +110,7 @@ private:
                 checkNumber(field, *value, path, relevant);
             }
             break;
-        case Kind::integer: checkNumber(field, field.as<int>(owner), path, false); break;
+        case Kind::integer: checkNumber(field, field.as<int>(owner), path, relevant); break;
         case Kind::optionalInteger:
             if (const auto& value = field.as<std::optional<int>>(owner)) {
                 checkNumber(field, *value, path, relevant);
@@ -138,6 +148,8 @@ private:
     }
 
     const Project& m_project;
+    std::size_t m_errors = 0;
+    std::size_t m_warnings = 0;
 };
 
 } // namespace
@@ -173,7 +185,8 @@ std::string allowedText(const Field& field) {
     case Kind::number:
     case Kind::optionalNumber:
     case Kind::integer:
-    case Kind::optionalInteger: return rangeText(field.hard, field.unit);
+    case Kind::optionalInteger:
+        return field.hard.unbounded() ? "number" : rangeText(field.hard, field.unit);
     case Kind::boolean: return "true, false";
     case Kind::text: return "text";
     case Kind::choice: {
@@ -184,6 +197,9 @@ std::string allowedText(const Field& field) {
         return text;
     }
     case Kind::objectList: return "list of objects";
+    case Kind::object:
+    case Kind::optionalObject:
+    case Kind::jsonText: return "object";
     default: return rangeText(field.hard, field.unit);
     }
 }

@@ -4,7 +4,9 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 namespace sparkout {
@@ -39,15 +41,22 @@ public:
         if (!checkLength(value)) {
             return false;
         }
-        if (m_open.back().value->contains(value)) {
-            m_issues.push_back({IssueCode::duplicateKey, Severity::error, path(value), {}, {}});
-        }
+        const bool duplicate = m_open.back().value->contains(value);
         m_open.back().key = std::move(value);
-        return true;
+        if (duplicate) {
+            m_issues.push_back({IssueCode::duplicateKey, Severity::error, path(), {}, {}});
+        }
+        return m_issues.size() < limits::issues;
     }
 
-    bool parse_error(std::size_t position, const std::string&,
-                     const nlohmann::detail::exception&) override {
+    bool parse_error(std::size_t position, const std::string& token,
+                     const nlohmann::detail::exception& exception) override {
+        constexpr int numberOverflow = 406;
+        if (exception.id == numberOverflow) {
+            m_issues.push_back({IssueCode::outOfRange, Severity::error, path(),
+                                token.substr(0, 60), "-1.8e308…1.8e308"});
+            return false;
+        }
         syntaxError = true;
         errorPosition = position;
         return false;
@@ -59,14 +68,17 @@ private:
         std::string key;
     };
 
-    std::string path(const std::string& key) const {
+    /// Where the value being read stands: the members of the outer ones are placed already, that of
+    /// the innermost one is not.
+    std::string path() const {
         std::string text;
-        for (std::size_t i = 0; i + 1 < m_open.size(); ++i) {
-            const Open& open = m_open[i];
+        for (const Open& open : m_open) {
+            const std::size_t placed = &open == &m_open.back() ? 0 : 1;
             text += '/';
-            text += open.value->is_array() ? std::to_string(open.value->size() - 1) : open.key;
+            text += open.value->is_array() ? std::to_string(open.value->size() - placed)
+                                           : pathStep(open.key);
         }
-        return text + '/' + key;
+        return text;
     }
 
     bool checkLength(const std::string& value) {
@@ -74,7 +86,7 @@ private:
             return true;
         }
         m_issues.push_back({IssueCode::stringTooLong, Severity::error,
-                            m_open.empty() ? std::string() : path(m_open.back().key),
+                            path(),
                             std::to_string(value.size()) + " bytes",
                             std::to_string(limits::stringBytes) + " bytes"});
         return false;
@@ -96,13 +108,20 @@ private:
     }
 
     bool add(json value) {
-        if (++m_values > limits::values) {
-            m_issues.push_back({IssueCode::tooManyValues, Severity::error, {}, {},
-                                std::to_string(limits::values)});
+        if (!count()) {
             return false;
         }
         place(std::move(value));
         return true;
+    }
+
+    bool count() {
+        if (++m_values <= limits::values) {
+            return true;
+        }
+        m_issues.push_back({IssueCode::tooManyValues, Severity::error, {}, {},
+                            std::to_string(limits::values)});
+        return false;
     }
 
     bool open(json value) {
@@ -111,7 +130,9 @@ private:
                 {IssueCode::tooDeep, Severity::error, {}, {}, std::to_string(limits::depth)});
             return false;
         }
-        ++m_values;
+        if (!count()) {
+            return false;
+        }
         m_open.push_back({place(std::move(value)), {}});
         return true;
     }
@@ -130,13 +151,17 @@ std::string lineAndColumn(std::string_view text, std::size_t position) {
     std::size_t line = 1;
     std::size_t column = 1;
     for (std::size_t i = 0; i + 1 < position && i < text.size(); ++i) {
-        column = text[i] == '\n' ? 1 : column + 1;
+        const bool inCharacter = (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+        column = text[i] == '\n' ? 1 : column + (inCharacter ? 0 : 1);
         line += text[i] == '\n' ? 1 : 0;
     }
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-void print(const nlohmann::ordered_json& value, std::size_t indent, std::string& out);
+/// Shortest digits; what no JSON number can say is null, and −0 is 0 as for the reader.
+std::string printNumber(double value) {
+    return std::isfinite(value) ? numberText(value + 0.0) : "null";
+}
 
 std::string printFlat(const nlohmann::ordered_json& value) {
     std::string out;
@@ -155,7 +180,7 @@ std::string printFlat(const nlohmann::ordered_json& value) {
         }
         return out + (value.is_object() ? " }" : "]");
     }
-    return value.is_number_float() ? numberText(value.get<double>()) : value.dump();
+    return value.is_number_float() ? printNumber(value.get<double>()) : value.dump();
 }
 
 void print(const nlohmann::ordered_json& value, std::size_t indent, std::string& out) {
@@ -163,8 +188,10 @@ void print(const nlohmann::ordered_json& value, std::size_t indent, std::string&
     const bool structured = value.is_object() || value.is_array();
     // Numbers always share a line; anything else only when it is not the file itself and fits.
     const bool numbers = value.is_array() && !value.empty() && value.front().is_number();
-    std::string flat = structured && indent == 0 ? std::string() : printFlat(value);
-    if (!structured || numbers || (indent > 0 && indent + flat.size() <= lineLength)) {
+    const bool whole = indent == 0 && structured && !numbers && !value.empty();
+    std::string flat = whole ? std::string() : printFlat(value);
+    if (!structured || numbers || value.empty()
+        || (!whole && indent + flat.size() <= lineLength)) {
         out += flat;
         return;
     }
@@ -181,6 +208,24 @@ void print(const nlohmann::ordered_json& value, std::size_t indent, std::string&
     out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
 }
 
+/// Control characters, marks of direction and line ends of Unicode.
+bool steersTheDisplay(unsigned code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F
+           || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string shortened(std::string text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() > longest) {
+        std::size_t end = longest;
+        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
+            --end; // not inside a character
+        }
+        text = text.substr(0, end) + "…";
+    }
+    return text;
+}
+
 } // namespace
 
 std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
@@ -192,6 +237,11 @@ std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
         issues.push_back({IssueCode::tooLarge, Severity::error, {},
                           std::to_string(text.size()) + " bytes",
                           std::to_string(limits::fileBytes) + " bytes"});
+        return std::nullopt;
+    }
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        // the parser would take it for the end of the text
+        issues.push_back({IssueCode::notJson, Severity::error, {}, lineAndColumn(text, nul + 1), {}});
         return std::nullopt;
     }
     Builder builder(issues);
@@ -220,16 +270,37 @@ std::string quoted(const json& value) {
     if (value.is_structured()) {
         return value.is_object() ? (value.empty() ? "{}" : "{…}") : (value.empty() ? "[]" : "[…]");
     }
-    std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-    constexpr std::size_t longest = 60;
-    if (text.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
-            --end; // not inside a character
+    return printable(shortened(value.dump(-1, ' ', false, json::error_handler_t::replace)));
+}
+
+std::string printable(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i]);
+        std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 1;
+        length = std::min(length, text.size() - i);
+        unsigned code = length == 1 ? first : length == 2 ? first & 0x1FU : first & 0x0FU;
+        for (std::size_t k = 1; k < length; ++k) {
+            code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
         }
-        text = text.substr(0, end) + "…";
+        if (steersTheDisplay(length < 4 ? code : 0x20)) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04X", code);
+            out += escape;
+        } else {
+            out += text.substr(i, length);
+        }
+        i += length;
     }
-    return text;
+    return out;
+}
+
+std::string pathStep(const std::string& key) {
+    std::string step;
+    for (const char character : shortened(key)) {
+        character == '~' ? step += "~0" : character == '/' ? step += "~1" : step += character;
+    }
+    return printable(step);
 }
 
 } // namespace sparkout

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/table_reader.h"
 
+#include "core/project/project_file.h"
 #include "core/project/strict_json.h"
 #include "core/project/validate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sparkout {
 
@@ -26,8 +28,8 @@ public:
         }
         for (const auto& [key, value] : object.items()) {
             if (!table.find(key) && std::find(skip.begin(), skip.end(), key) == skip.end()) {
-                m_issues.push_back({IssueCode::unknownKey, Severity::error, path + "/" + key,
-                                    quoted(json(key)), allKeys(table)});
+                report(IssueCode::unknownKey, path + "/" + pathStep(key), json(key),
+                       allKeys(table));
             }
         }
         for (const Field& field : table.fields) {
@@ -45,9 +47,17 @@ public:
     }
 
 private:
+    /// A fault beyond those that are listed is not even worded.
+    bool full() const { return m_issues.size() >= limits::issues; }
+
+    void report(IssueCode code, const std::string& path, const json& value, std::string limit) {
+        if (!full()) {
+            m_issues.push_back({code, Severity::error, path, quoted(value), std::move(limit)});
+        }
+    }
+
     void refuse(const std::string& path, const json& value, const char* expected) {
-        m_issues.push_back(
-            {IssueCode::wrongType, Severity::error, path, quoted(value), expected});
+        report(IssueCode::wrongType, path, value, expected);
     }
 
     static std::string allKeys(const StructInfo& table) {
@@ -66,10 +76,15 @@ private:
         return value.get<double>() + 0.0; // −0 becomes 0
     }
 
-    std::optional<int> wholeNumber(const json& value, const std::string& path) {
+    std::optional<int> wholeNumber(const json& value, const Field& field,
+                                   const std::string& path) {
         const double number = value.is_number() ? value.get<double>() : 0.5;
-        if (number != std::floor(number) || std::abs(number) > 2147483647.0) {
+        if (number != std::floor(number)) {
             refuse(path, value, "whole number");
+            return std::nullopt;
+        }
+        if (std::abs(number) > std::numeric_limits<int>::max()) {
+            report(IssueCode::outOfRange, path, value, rangeText(field.hard, field.unit));
             return std::nullopt;
         }
         return static_cast<int>(number);
@@ -99,8 +114,7 @@ private:
                 return;
             }
         }
-        m_issues.push_back(
-            {IssueCode::notOneOf, Severity::error, path, quoted(value), allowedText(field)});
+        report(IssueCode::notOneOf, path, value, allowedText(field));
     }
 
     void readList(const json& value, const Field& field, void* owner, const std::string& path) {
@@ -110,9 +124,8 @@ private:
         }
         constexpr std::size_t mostItems = 1000;
         if (value.size() > mostItems) {
-            m_issues.push_back({IssueCode::wrongCount, Severity::error, path,
-                                std::to_string(value.size()),
-                                "at most " + std::to_string(mostItems)});
+            report(IssueCode::wrongCount, path, value.size(),
+                   "at most " + std::to_string(mostItems));
             return;
         }
         field.resize(owner, value.size());
@@ -129,7 +142,7 @@ private:
         } else if (value == "until_size") {
             sparkOut = {SparkOut::Mode::untilSize, 0};
         } else if (value.is_number()) {
-            if (const auto count = wholeNumber(value, path)) {
+            if (const auto count = wholeNumber(value, field, path)) {
                 sparkOut = {SparkOut::Mode::count, *count};
             }
         } else {
@@ -165,8 +178,8 @@ private:
         }
         for (const auto& [key, item] : value.items()) {
             if (key != "rz1" && key != "nz" && key != "rz2") {
-                m_issues.push_back({IssueCode::unknownKey, Severity::error, path + "/" + key,
-                                    quoted(json(key)), "rz1, nz, rz2"});
+                report(IssueCode::unknownKey, path + "/" + pathStep(key), json(key),
+                       "rz1, nz, rz2");
             }
         }
         return zones;
@@ -233,10 +246,10 @@ private:
             field.as<std::optional<double>>(owner) = number(value, path);
             break;
         case Kind::integer:
-            field.as<int>(owner) = wholeNumber(value, path).value_or(field.as<int>(owner));
+            field.as<int>(owner) = wholeNumber(value, field, path).value_or(field.as<int>(owner));
             break;
         case Kind::optionalInteger:
-            field.as<std::optional<int>>(owner) = wholeNumber(value, path);
+            field.as<std::optional<int>>(owner) = wholeNumber(value, field, path);
             break;
         case Kind::boolean:
             value.is_boolean() ? void(field.as<bool>(owner) = value.get<bool>())

@@ -20,20 +20,32 @@ public:
     void check() {
         checkPart();
         checkProfile();
+        checkBlank();
         project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
         checkCompliance();
         checkStages();
+        checkOptimisation();
         checkNotComputed();
     }
 
 private:
     const Project& project() const { return m_project; }
 
-    void add(IssueCode code, const char* path, std::string value, std::string limit,
+    /// One fault a value: a range that refuses it says enough, "unusual" says less than a rule.
+    void add(IssueCode code, const std::string& path, std::string value, std::string limit,
              Severity severity = Severity::error) {
-        m_issues.push_back({code, severity, path, std::move(value), std::move(limit)});
+        std::erase_if(m_issues, [&](const Issue& issue) {
+            return issue.code == IssueCode::unusual && issue.path == path;
+        });
+        const bool refused =
+            std::any_of(m_issues.begin(), m_issues.end(), [&](const Issue& issue) {
+                return issue.severity == Severity::error && issue.path == path;
+            });
+        if (!refused) {
+            m_issues.push_back({code, severity, path, std::move(value), std::move(limit)});
+        }
     }
-    void warn(IssueCode code, const char* path, std::string value, std::string limit) {
+    void warn(IssueCode code, const std::string& path, std::string value, std::string limit) {
         add(code, path, std::move(value), std::move(limit), Severity::warning);
     }
     static std::string mm(double value) { return numberText(value) + " mm"; }
@@ -80,7 +92,11 @@ private:
                     std::to_string(part.radii_per_section) + " (radii_per_section)");
             }
         }
-        // The blank's smallest radius must stay a radius.
+    }
+
+    /// The smallest radius of blank and part must stay a radius.
+    void checkBlank() {
+        const Part& part = project().part;
         const double greatest = part.diameter_mm / 4;
         if (part.initial_runout_mm > greatest) {
             add(IssueCode::outOfRange, "/part/initial_runout_mm", mm(part.initial_runout_mm),
@@ -88,6 +104,20 @@ private:
         }
         if (part.surface == Surface::internal && part.stock_mm > greatest) {
             add(IssueCode::outOfRange, "/part/stock_mm", mm(part.stock_mm), "0…" + mm(greatest));
+        }
+        if (part.profile == ProfileForm::measured && part.radii_um && !part.radii_um->empty()) {
+            const auto [low, high] =
+                std::minmax_element(part.radii_um->begin(), part.radii_um->end());
+            const double runout = (*high - *low) / units::umPerMm;
+            if (runout > greatest) {
+                add(IssueCode::outOfRange, "/part/radii_um", mm(runout) + " of runout",
+                    "0…" + mm(greatest));
+            }
+        }
+        const double deepest = part.diameter_mm / 4 * units::umPerMm;
+        if (part.lower_deviation_um < -deepest) {
+            add(IssueCode::outOfRange, "/part/lower_deviation_um", um(part.lower_deviation_um),
+                "≥ " + um(-deepest));
         }
     }
 
@@ -185,7 +215,7 @@ private:
             if (shaft.steady_rests[i].position_mm > length) {
                 const std::string path =
                     "/part/shaft/steady_rests/" + std::to_string(i) + "/position_mm";
-                add(IssueCode::outOfRange, path.c_str(), mm(shaft.steady_rests[i].position_mm),
+                add(IssueCode::outOfRange, path, mm(shaft.steady_rests[i].position_mm),
                     "0…" + mm(length));
             }
         }
@@ -219,21 +249,33 @@ private:
         const std::string unit = traverse ? " mm" : " mm/min";
         const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
         if (sparks && index + 1 < count) {
-            add(IssueCode::sparkOutNotLast, (path + "/spark_out").c_str(),
+            add(IssueCode::sparkOutNotLast, path + "/spark_out",
                 std::to_string(index + 1), std::to_string(count));
         }
         if (sparks && feed && *feed > 0) {
-            warn(IssueCode::feedUnused, feedPath.c_str(), numberText(*feed) + unit, {});
+            warn(IssueCode::feedUnused, feedPath, numberText(*feed) + unit, {});
         }
         if (!sparks && !feed) {
-            add(IssueCode::missingKey, feedPath.c_str(), {}, "above 0" + unit);
+            add(IssueCode::missingKey, feedPath, {}, "above 0" + unit);
         } else if (!sparks && *feed < 1e-6) {
-            add(IssueCode::feedMissing, feedPath.c_str(), numberText(*feed) + unit,
+            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit,
                 "at least 0.000001" + unit);
         }
         if (traverse && !stage.axial_feed_mm_min) {
-            add(IssueCode::missingKey, (path + "/axial_feed_mm_min").c_str(), {},
-                "above 0 mm/min");
+            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {}, "above 0 mm/min");
+        }
+    }
+
+    void checkOptimisation() {
+        if (!project().optimisation) {
+            return;
+        }
+        const auto& stages = project().optimisation->stages;
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            if (stages[i] != std::floor(stages[i])) {
+                add(IssueCode::wrongType, "/optimisation/stages/" + std::to_string(i),
+                    numberText(stages[i]), "whole number");
+            }
         }
     }
 

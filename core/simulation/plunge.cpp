@@ -26,10 +26,10 @@ std::vector<CompliantPoint> points(const Project& project) {
 /// One cycle of revolutions: all sections are fed by the same t_П [MODEL-6].
 class PlungeCycle {
 public:
-    PlungeCycle(const Project& project, Trajectory* trajectory)
+    PlungeCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
         : m_project(project), m_sections(static_cast<std::size_t>(project.sections)),
           m_hasFreeGauge(project.gauge.position_mm.has_value()),
-          m_run(project, points(project), trajectory),
+          m_run(project, points(project), trajectory, stop),
           m_control(project, infeeds(project), m_run.blank().totalInfeed_mm),
           m_width(m_run.makeCut(project.part.length_mm)),
           m_places(m_sections) {
@@ -38,10 +38,10 @@ public:
         }
     }
 
-    SimulationResult run(const std::stop_token& stop) {
+    SimulationResult run() {
         const std::size_t gaugePoint =
             m_hasFreeGauge ? m_sections : static_cast<std::size_t>(gaugeSection(m_project));
-        while (!m_control.finished() && !m_run.mustEnd(stop)) {
+        while (!m_control.finished() && !m_run.mustEnd()) {
             const bool waits = m_control.waitsForSize();
             revolution();
             m_control.stepDone(m_run.remaining(gaugePoint), m_run.fed_mm);
@@ -92,7 +92,7 @@ private:
 
 SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
                                 const std::stop_token& stop) {
-    return PlungeCycle(project, trajectory).run(stop);
+    return PlungeCycle(project, trajectory, stop).run();
 }
 
 } // namespace sparkout

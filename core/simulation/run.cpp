@@ -12,11 +12,12 @@
 
 namespace sparkout {
 
-Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory)
+Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
+         std::stop_token stop)
     : m_project(project), m_blank(makeBlank(project.part)),
       m_radii(project.part.radii_per_section), m_points(std::move(points)),
       m_law(forceLaw(project)), m_lanes(m_points.size() * static_cast<std::size_t>(m_radii)),
-      m_cutPass(widestPassFunction()), m_trajectory(trajectory),
+      m_cutPass(widestPassFunction()), m_trajectory(trajectory), m_stop(std::move(stop)),
       m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
@@ -123,8 +124,8 @@ double Run::remaining(std::size_t point) const {
 
 double Run::takeLargestRoot() { return std::exchange(m_largestRoot, 0.0); }
 
-bool Run::mustEnd(const std::stop_token& stop) {
-    if (stop.stop_requested()) {
+bool Run::mustEnd() {
+    if (m_stop.stop_requested()) {
         m_result.status = RunStatus::stopped;
         return true;
     }

@@ -26,7 +26,8 @@ struct CutWidth {
 /// Lanes are ordered zone by zone (section by section), K lanes each.
 class Run {
 public:
-    Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory);
+    Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
+        std::stop_token stop);
 
     /// Coefficients for a width of cut b [mm], for all lanes.
     [[nodiscard]] CutWidth makeCut(double width_mm) const;
@@ -50,8 +51,9 @@ public:
 
     /// Largest √a since the last call [√mm]: whether the cycle still makes progress.
     double takeLargestRoot();
-    /// True when the run must end now: too long, or stopped. Sets the status.
-    bool mustEnd(const std::stop_token& stop);
+    /// True when the run must end now: too long, or stopped. Sets the status. Asked before every
+    /// revolution, so that even the longest dwell can be stopped.
+    bool mustEnd();
     /// Time that passes in a stage of the cycle, counted from 0.
     void advance(double seconds, std::size_t stage) {
         m_result.time_s += seconds;
@@ -81,6 +83,7 @@ private:
     Lanes m_lanes;
     PassFunction m_cutPass;
     Trajectory* m_trajectory;
+    std::stop_token m_stop;
     SimulationResult m_result;
     double m_largestRoot = 0;
     double m_wheelSpeed_m_s;

@@ -10,8 +10,8 @@ namespace sparkout {
 
 /// Runs the cycle of a valid project (validate() found no error), pass by pass
 /// [MODEL-2…7]. With a trajectory every visit is recorded in it, else a pass allocates nothing.
-/// A stop request ends the run within a double stroke or a hundred revolutions with
-/// RunStatus::stopped.
+/// A stop request ends the run within a revolution, with RunStatus::stopped; a step that was cut
+/// short does not count.
 [[nodiscard]] SimulationResult simulate(const Project& project, Trajectory* trajectory = nullptr,
                                         const std::stop_token& stop = {});
 

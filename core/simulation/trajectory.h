@@ -29,6 +29,9 @@ struct Visit {
     double normalForce_n = 0;  ///< P_y(a)
 };
 
+/// Runs beyond this many visits are not recorded (48 bytes a visit).
+inline constexpr long long maxRecordedVisits = 2'000'000;
+
 /// Everything that happened, pass by pass; recorded only when asked for.
 struct Trajectory {
     int radii = 0; ///< K

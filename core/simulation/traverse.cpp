@@ -30,8 +30,8 @@ std::vector<double> infeeds(const Project& project) {
 /// One cycle of double strokes, step by step in the order of the table in MODEL-5.
 class TraverseCycle {
 public:
-    TraverseCycle(const Project& project, Trajectory* trajectory)
-        : m_project(project), m_run(project, compliantPoints(project), trajectory),
+    TraverseCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
+        : m_project(project), m_run(project, compliantPoints(project), trajectory, stop),
           m_control(project, infeeds(project), m_run.blank().totalInfeed_mm),
           m_plunge1(m_run.makeCut(zoneLengths(project).rz1)),
           m_plunge2(m_run.makeCut(zoneLengths(project).rz2)), m_stroke(m_run.makeCut(0)),
@@ -40,15 +40,18 @@ public:
           m_travel_mm(project.part.length_mm - project.wheel.width_mm
                       + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {}
 
-    SimulationResult run(const std::stop_token& stop) {
+    SimulationResult run() {
         std::size_t preparedStage = m_project.cycle.stages.size();
-        while (!m_control.finished() && !m_run.mustEnd(stop)) {
+        while (!m_control.finished() && !m_run.mustEnd()) {
             if (m_control.stage() != preparedStage) {
                 preparedStage = m_control.stage();
                 prepareStage();
             }
             const bool waits = m_control.waitsForSize();
             doubleStroke();
+            if (m_run.mustEnd()) {
+                break; // in the middle of a double stroke, which then does not count
+            }
             m_control.stepDone(m_run.remaining(gaugeZone), m_run.fed_mm);
             const double root = m_run.takeLargestRoot();
             if (waits && !m_control.finished() && root * root <= noProgress_mm) {
@@ -90,23 +93,22 @@ private:
 
     /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
     void plungeIn(double infeed) {
+        m_infeed = infeed;
         const double feed = m_project.machine.plunge_feed_mm_min;
         const int revolutions = static_cast<int>(std::ceil(rpm() * infeed / feed - 1e-9));
         const double perRevolution = feed / rpm();
-        for (int m = 1; m <= revolutions; ++m) {
-            m_infeed = infeed;
+        for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
             const Place at = place(Zone::rz1, Step::e1, m);
             m_run.cut(0, 1, m_plunge1,
                       {m_run.fed_mm, perRevolution * (m - 1), perRevolution, infeed}, &at,
                       {.duration_s = revolution_s(), .radialFeed_mm = infeed});
             m_run.advance(revolution_s(), m_control.stage());
         }
-        m_infeed = infeed;
         m_run.fed_mm += infeed;
     }
 
     void dwell(Zone zone, Step step, const CutWidth& width, int revolutions) {
-        for (int m = 1; m <= revolutions; ++m) {
+        for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
             const Place at = place(zone, step, m);
             m_run.cut(static_cast<std::size_t>(zone), 1, width, {.base = m_run.fed_mm}, &at,
                       {.duration_s = revolution_s(), .radialFeed_mm = m_infeed});
@@ -139,7 +141,7 @@ private:
 
 SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
                                   const std::stop_token& stop) {
-    return TraverseCycle(project, trajectory).run(stop);
+    return TraverseCycle(project, trajectory, stop).run();
 }
 
 } // namespace sparkout

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/safe_file.h"
+#include "core/version.h"
+#include "ui/dialogs/examples_dialog.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/file_commands.h"
+#include "ui/language.h"
+#include "ui/main_window.h"
+#include "ui/session/operation.h"
+#include "ui/session/texts.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QFile>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+#include <QTimer>
+
+#include <algorithm>
+#include <clocale>
+#include <cstdio>
+#include <optional>
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int exitRefused = 1;
+constexpr int exitUsage = 2;
+constexpr int pictureTimeout_ms = 60'000;
+constexpr int pictureSettle_ms = 400; ///< for queued replots and layouts
+
+constexpr const char* usage =
+    "Usage: sparkout [FILE]\n"
+    "       sparkout --picture OUT.png [--lang en|ru] [--size WIDTHxHEIGHT] FILE\n"
+    "\n"
+    "Opens the workbench, with FILE or with an example.\n"
+    "\n"
+    "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
+    "  --lang en|ru       language of the window, this time only\n"
+    "  --size WxH         size of the window, 1366x768 unless told\n"
+    "  --version          print the version\n"
+    "  --help             print this text\n"
+    "\n"
+    "Exit status: 0 done, 1 the file is refused or the picture cannot be written, 2 wrong usage or\n"
+    "no display. sparkout-cli does without a display.\n";
+
+struct Options {
+    QString file;
+    QString picture;
+    QString language;
+    QSize size{1366, 768};
+    bool version = false;
+    bool help = false;
+    QString fault; ///< what is wrong with the command line
+};
+
+bool readSize(const QString& text, QSize& size) {
+    const QStringList parts = text.split(u'x');
+    bool readWidth = false;
+    bool readHeight = false;
+    size = {parts.value(0).toInt(&readWidth), parts.value(1).toInt(&readHeight)};
+    return parts.size() == 2 && readWidth && readHeight && size.width() >= 400
+           && size.height() >= 300 && size.width() <= 10'000 && size.height() <= 10'000;
+}
+
+void readOption(const QStringList& words, qsizetype& i, Options& options) {
+    const QString& word = words[i];
+    if (word == u"--version") {
+        options.version = true;
+    } else if (word == u"--help" || word == u"-h") {
+        options.help = true;
+    } else if (i + 1 == words.size()) {
+        options.fault = QStringLiteral("unknown option, or its value is missing: %1").arg(word);
+    } else if (word == u"--picture") {
+        options.picture = words[++i];
+    } else if (word == u"--lang") {
+        options.language = words[++i];
+        if (options.language != u"en" && options.language != u"ru") {
+            options.fault = QStringLiteral("--lang is en or ru");
+        }
+    } else if (word == u"--size") {
+        if (!readSize(words[++i], options.size)) {
+            options.fault = QStringLiteral("--size is WIDTHxHEIGHT, 400x300 to 10000x10000");
+        }
+    } else {
+        options.fault = QStringLiteral("unknown option: %1").arg(word);
+    }
+}
+
+Options readOptions(const QStringList& words) {
+    Options options;
+    bool optionsOver = false;
+    for (qsizetype i = 0; i < words.size() && options.fault.isEmpty(); ++i) {
+        if (words[i] == u"--" && !optionsOver) {
+            optionsOver = true;
+        } else if (!optionsOver && words[i].startsWith(u'-') && words[i].size() > 1) {
+            readOption(words, i, options);
+        } else if (options.file.isEmpty()) {
+            options.file = words[i];
+        } else {
+            options.fault = QStringLiteral("more than one file");
+        }
+    }
+    if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("--picture needs a FILE");
+    }
+    return options;
+}
+
+void say(std::FILE* stream, const QString& text) {
+    std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
+}
+
+bool displayMissing() {
+    const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
+    return !set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM");
+}
+
+/// The light look. A dark one is another palette here: widgets take their colours from it.
+void setLook() {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QPalette light = QApplication::style()->standardPalette();
+    light.setColor(QPalette::Window, QColor(0xf3, 0xf4, 0xf6));
+    light.setColor(QPalette::Base, Qt::white);
+    light.setColor(QPalette::AlternateBase, QColor(0xf7, 0xf8, 0xfa));
+    light.setColor(QPalette::Highlight, QColor(0x2f, 0x6f, 0xb0));
+    light.setColor(QPalette::HighlightedText, Qt::white);
+    light.setColor(QPalette::PlaceholderText, QColor(0x6b, 0x72, 0x7c));
+    QApplication::setPalette(light);
+}
+
+void openFirstExample(Document& document) {
+    const QStringList paths = ExamplesDialog::paths();
+    const auto usual = std::find_if(paths.begin(), paths.end(), [](const QString& path) {
+        return path.contains(QLatin1StringView("30h6"), Qt::CaseInsensitive);
+    });
+    const QString path = usual != paths.end() ? *usual : paths.value(0);
+    if (path.isEmpty() || hasErrors(document.openCopy(ExamplesDialog::textOf(path)))) {
+        document.startUntitled(newProject(Operation::traverse));
+    }
+}
+
+bool writePicture(MainWindow& window, const QString& path) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    if (!buffer.open(QIODevice::WriteOnly) || !window.grab().save(&buffer, "PNG")) {
+        say(stderr, QStringLiteral("sparkout: the picture could not be made"));
+        return false;
+    }
+    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
+                                       {png.constData(), static_cast<std::size_t>(png.size())});
+    if (error) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
+    }
+    return !error;
+}
+
+bool openForPicture(Document& document, const QString& path) {
+    const OpenResult result = document.open(path);
+    if (result.error) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
+    } else if (!result.opened()) {
+        for (const QString& line : FaultsDialog::lines(result.issues)) {
+            say(stderr, QStringLiteral("sparkout: %1").arg(line));
+        }
+    }
+    return result.opened();
+}
+
+int makePicture(QApplication& app, MainWindow& window, const Options& options) {
+    window.resize(options.size);
+    window.show();
+    QObject::connect(&window, &MainWindow::outcomeShown, &app, [&] {
+        QTimer::singleShot(pictureSettle_ms, &app, [&] {
+            app.exit(writePicture(window, options.picture) ? 0 : exitRefused);
+        });
+    });
+    QTimer::singleShot(pictureTimeout_ms, &app, [&] {
+        say(stderr, QStringLiteral("sparkout: the run took too long for a picture"));
+        app.exit(exitRefused);
+    });
+    if (!openForPicture(window.document(), options.file)) {
+        return exitRefused;
+    }
+    return app.exec();
+}
+
+int runWindow(QApplication& app, MainWindow& window, const Options& options) {
+    window.show();
+    openFirstExample(window.document());
+    if (!options.file.isEmpty()) {
+        window.files().openFile(options.file);
+    }
+    return app.exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    QStringList words;
+    for (int i = 1; i < argc; ++i) {
+        words += QString::fromLocal8Bit(argv[i]);
+    }
+    const Options options = readOptions(words);
+    if (!options.fault.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: %1\n\n%2").arg(options.fault,
+                                                             QString::fromUtf8(usage)));
+        return exitUsage;
+    }
+    if (options.help || options.version) {
+        say(stdout, options.help ? QString::fromUtf8(usage).trimmed()
+                                 : QStringLiteral("sparkout %1").arg(QString::fromUtf8(version)));
+        return 0;
+    }
+    const bool picture = !options.picture.isEmpty();
+    if (picture && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    if (displayMissing()) {
+        say(stderr, QStringLiteral("sparkout: there is no display (DISPLAY and WAYLAND_DISPLAY are "
+                                   "not set). Use sparkout-cli, or sparkout --picture."));
+        return exitUsage;
+    }
+    int noArguments = 1; // the options are ours, Qt reads none of them
+    QApplication app(noArguments, argv);
+    std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
+    QApplication::setApplicationName(QStringLiteral("sparkout"));
+    QApplication::setApplicationVersion(QString::fromUtf8(version));
+    setLook();
+    Settings settings = picture ? Settings::transient() : Settings();
+    Language language;
+    language.apply(options.language.isEmpty() ? settings.language() : options.language);
+    MainWindow window(settings, language);
+    return picture ? makePicture(app, window, options) : runWindow(app, window, options);
+}

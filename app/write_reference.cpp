@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the help page of the project file and its JSON Schema into a folder: resources/help.
+#include "core/project/json_schema.h"
+#include "core/project/reference_page.h"
+#include "core/project/safe_file.h"
+
+#include <cstdio>
+#include <string>
+
+int main(int argc, char** argv) {
+    using namespace sparkout;
+    if (argc != 2) {
+        std::fputs("usage: sparkout-reference FOLDER\n", stderr);
+        return 2;
+    }
+    const std::string folder = argv[1];
+    for (const auto& [file, text] : {std::pair{folder + "/en/project-file.md", referencePage()},
+                                     std::pair{folder + "/project.schema.json", projectSchema()}}) {
+        if (const auto error = writeFileSafely(file, text)) {
+            std::fprintf(stderr, "%s: %s\n", error->path.c_str(), fileStepText(error->step));
+            return 1;
+        }
+    }
+    return 0;
+}

@@ -1,0 +1,38 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en_US">
+    <context>
+        <name>sparkout::MainWindow</name>
+        <message numerus="yes">
+            <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
+            <translation>
+                <numerusform>Saved; %n field holds a refused text, its last good value was saved.</numerusform>
+                <numerusform>Saved; %n fields hold a refused text, their last good values were saved.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Not computed: %n faults in the inputs. The curves show the last good run.</source>
+            <translation>
+                <numerusform>Not computed: %n fault in the inputs. The curves show the last good run.</numerusform>
+                <numerusform>Not computed: %n faults in the inputs. The curves show the last good run.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StageModel</name>
+        <message numerus="yes">
+            <source>%n double strokes</source>
+            <translation>
+                <numerusform>%n double stroke</numerusform>
+                <numerusform>%n double strokes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n revolutions</source>
+            <translation>
+                <numerusform>%n revolution</numerusform>
+                <numerusform>%n revolutions</numerusform>
+            </translation>
+        </message>
+    </context>
+</TS>

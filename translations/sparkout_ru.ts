@@ -1,0 +1,2806 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ru" sourcelanguage="en_US">
+    <context>
+        <name>Choice</name>
+        <message>
+            <source>nominal part</source>
+            <translation>номинальной детали</translation>
+        </message>
+        <message>
+            <source>all corners</source>
+            <translation>всех крайних сочетаний</translation>
+        </message>
+        <message>
+            <source>the batch</source>
+            <translation>партии</translation>
+        </message>
+        <message>
+            <source>traverse grinding</source>
+            <translation>с осевой подачей</translation>
+        </message>
+        <message>
+            <source>plunge grinding</source>
+            <translation>врезное</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>у передней бабки</translation>
+        </message>
+        <message>
+            <source>tailstock</source>
+            <translation>у задней бабки</translation>
+        </message>
+        <message>
+            <source>by the in-process gauge</source>
+            <translation>по прибору (ПАК)</translation>
+        </message>
+        <message>
+            <source>by wheel head position</source>
+            <translation>по положению бабки</translation>
+        </message>
+        <message>
+            <source>smallest diameter</source>
+            <translation>наименьший диаметр</translation>
+        </message>
+        <message>
+            <source>mean diameter</source>
+            <translation>средний диаметр</translation>
+        </message>
+        <message>
+            <source>largest diameter</source>
+            <translation>наибольший диаметр</translation>
+        </message>
+        <message>
+            <source>external (shaft)</source>
+            <translation>наружная (вал)</translation>
+        </message>
+        <message>
+            <source>internal (bore)</source>
+            <translation>внутренняя (отверстие)</translation>
+        </message>
+        <message>
+            <source>ellipse</source>
+            <translation>эллипс</translation>
+        </message>
+        <message>
+            <source>eccentric circle</source>
+            <translation>эксцентриситет</translation>
+        </message>
+        <message>
+            <source>lobed</source>
+            <translation>огранка</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>измеренная</translation>
+        </message>
+        <message>
+            <source>between centres</source>
+            <translation>в центрах</translation>
+        </message>
+        <message>
+            <source>in a chuck</source>
+            <translation>в патроне</translation>
+        </message>
+        <message>
+            <source>Latin hypercube</source>
+            <translation>латинский гиперкуб</translation>
+        </message>
+        <message>
+            <source>Sobol sequence</source>
+            <translation>последовательность Соболя</translation>
+        </message>
+        <message>
+            <source>random</source>
+            <translation>случайная выборка</translation>
+        </message>
+    </context>
+    <context>
+        <name>Detail</name>
+        <message>
+            <source>at least</source>
+            <translation>не менее</translation>
+        </message>
+        <message>
+            <source>at most</source>
+            <translation>не более</translation>
+        </message>
+        <message>
+            <source>below</source>
+            <translation>меньше</translation>
+        </message>
+        <message>
+            <source>above</source>
+            <translation>больше</translation>
+        </message>
+        <message>
+            <source>wheel width</source>
+            <translation>высота круга</translation>
+        </message>
+        <message>
+            <source>ground length</source>
+            <translation>длина шлифования</translation>
+        </message>
+        <message>
+            <source>visits</source>
+            <translation>проходов радиусов</translation>
+        </message>
+        <message>
+            <source>plunge</source>
+            <translation>врезному шлифованию</translation>
+        </message>
+        <message>
+            <source>traverse</source>
+            <translation>шлифованию с осевой подачей</translation>
+        </message>
+        <message>
+            <source>internal</source>
+            <translation>внутренняя</translation>
+        </message>
+        <message>
+            <source>external</source>
+            <translation>наружная</translation>
+        </message>
+        <message>
+            <source>length_mm and diameter_mm of the quill</source>
+            <translation>длина (length_mm) и диаметр (diameter_mm) шпинделя круга</translation>
+        </message>
+        <message>
+            <source>length_mm and diameter_mm of each step of the shaft</source>
+            <translation>длина (length_mm) и диаметр (diameter_mm) каждой ступени вала</translation>
+        </message>
+        <message>
+            <source>compliance_mm_per_n, or stiffness_n_um with part.shaft</source>
+            <translation>податливость (compliance_mm_per_n) либо жёсткость (stiffness_n_um) вместе с валом (part.shaft)</translation>
+        </message>
+        <message>
+            <source>list of objects</source>
+            <translation>список объектов</translation>
+        </message>
+        <message>
+            <source>a list</source>
+            <translation>список</translation>
+        </message>
+        <message>
+            <source>an object</source>
+            <translation>объект</translation>
+        </message>
+        <message>
+            <source>text</source>
+            <translation>текст</translation>
+        </message>
+    </context>
+    <context>
+        <name>Edit</name>
+        <message>
+            <source>Add a stage</source>
+            <translation>Добавление ступени</translation>
+        </message>
+        <message>
+            <source>Remove a stage</source>
+            <translation>Удаление ступени</translation>
+        </message>
+        <message>
+            <source>Move a stage</source>
+            <translation>Перестановка ступеней</translation>
+        </message>
+    </context>
+    <context>
+        <name>FeedText</name>
+        <message>
+            <source>programmed feed</source>
+            <translation>программная подача</translation>
+        </message>
+        <message>
+            <source>actual feed</source>
+            <translation>фактическая подача</translation>
+        </message>
+        <message>
+            <source>accumulated programmed feed</source>
+            <translation>накопленная программная подача</translation>
+        </message>
+        <message>
+            <source>accumulated actual feed</source>
+            <translation>накопленная фактическая подача</translation>
+        </message>
+        <message>
+            <source>radius before the pass</source>
+            <translation>радиус до прохода</translation>
+        </message>
+        <message>
+            <source>radius after the pass</source>
+            <translation>радиус после прохода</translation>
+        </message>
+        <message>
+            <source>axial feed</source>
+            <translation>осевая подача</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>нормальная сила</translation>
+        </message>
+        <message>
+            <source>pass %1</source>
+            <translation>проход %1</translation>
+        </message>
+        <message>
+            <source>radius %1</source>
+            <translation>радиус %1</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
+        </message>
+        <message>
+            <source>feed: programmed %1, actual %2 µm</source>
+            <translation>подача: программная %1, фактическая %2 мкм</translation>
+        </message>
+        <message>
+            <source>accumulated: %1, %2 µm</source>
+            <translation>накопленные: %1, %2 мкм</translation>
+        </message>
+        <message>
+            <source>radius before %1, after %2 µm</source>
+            <translation>радиус до %1, после %2 мкм</translation>
+        </message>
+        <message>
+            <source>force %1 N</source>
+            <translation>сила %1 Н</translation>
+        </message>
+        <message>
+            <source>axial feed %1 mm/min</source>
+            <translation>осевая подача %1 мм/мин</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileError</name>
+        <message>
+            <source>the path cannot be reached</source>
+            <translation>путь недоступен</translation>
+        </message>
+        <message>
+            <source>what stands there is not a file</source>
+            <translation>по этому пути находится не файл</translation>
+        </message>
+        <message>
+            <source>the file is read-only</source>
+            <translation>файл доступен только для чтения</translation>
+        </message>
+        <message>
+            <source>it cannot be opened</source>
+            <translation>не удаётся открыть</translation>
+        </message>
+        <message>
+            <source>no file can be created in the folder</source>
+            <translation>в папке нельзя создать файл</translation>
+        </message>
+        <message>
+            <source>its permissions cannot be set</source>
+            <translation>не удаётся задать права доступа</translation>
+        </message>
+        <message>
+            <source>the disk did not take the data</source>
+            <translation>диск не принял данные</translation>
+        </message>
+        <message>
+            <source>the previous version cannot be kept</source>
+            <translation>не удаётся сохранить прежнюю версию</translation>
+        </message>
+        <message>
+            <source>the new file cannot be put in place</source>
+            <translation>не удаётся поставить новый файл на место</translation>
+        </message>
+        <message>
+            <source>the disk gave back other data than written</source>
+            <translation>диск вернул не те данные, что были записаны</translation>
+        </message>
+        <message>
+            <source>it cannot be read</source>
+            <translation>не удаётся прочитать</translation>
+        </message>
+        <message>
+            <source>the file is too large</source>
+            <translation>файл слишком велик</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>%1; free space: %2</source>
+            <translation>%1; свободно: %2</translation>
+        </message>
+        <message>
+            <source>“%1” was not opened: %2.</source>
+            <translation>Файл «%1» не открыт: %2.</translation>
+        </message>
+        <message>
+            <source>“%1” was written, but the disk did not confirm it: %2. Save again, or to another disk.</source>
+            <translation>Файл «%1» записан, но диск этого не подтвердил: %2. Сохраните ещё раз или на другой диск.</translation>
+        </message>
+        <message>
+            <source>“%1” was not saved: %2. The file still holds what it held before.</source>
+            <translation>Файл «%1» не сохранён: %2. В файле осталось прежнее содержимое.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Input</name>
+        <message>
+            <source>Numbers of stages</source>
+            <translation>Числа ступеней</translation>
+        </message>
+        <message>
+            <source>Numbers of stages the search tries.</source>
+            <translation>Числа ступеней, которые перебирает поиск.</translation>
+        </message>
+        <message>
+            <source>Stock step</source>
+            <translation>Шаг припуска</translation>
+        </message>
+        <message>
+            <source>Stage stocks are multiples of it.</source>
+            <translation>Припуски ступеней кратны этому шагу.</translation>
+        </message>
+        <message>
+            <source>Feeds never rise</source>
+            <translation>Подачи не возрастают</translation>
+        </message>
+        <message>
+            <source>Neither feed rises from stage to stage.</source>
+            <translation>Ни одна из подач не растёт от ступени к ступени.</translation>
+        </message>
+        <message>
+            <source>Must hold for</source>
+            <translation>Годен для</translation>
+        </message>
+        <message>
+            <source>The parts the cycle must hold the drawing for.</source>
+            <translation>Для каких деталей цикл должен обеспечить чертёж.</translation>
+        </message>
+        <message>
+            <source>Levels of the radial feed</source>
+            <translation>Уровни радиальной подачи</translation>
+        </message>
+        <message>
+            <source>not searched</source>
+            <translation>не перебирается</translation>
+        </message>
+        <message>
+            <source>Per double stroke: a list, or from, to and step.</source>
+            <translation>На двойной ход: список либо «от», «до» и шаг.</translation>
+        </message>
+        <message>
+            <source>Levels of the axial feed</source>
+            <translation>Уровни осевой подачи</translation>
+        </message>
+        <message>
+            <source>A list, or from, to and step.</source>
+            <translation>Список либо «от», «до» и шаг.</translation>
+        </message>
+        <message>
+            <source>Levels of the plunge feed</source>
+            <translation>Уровни врезной подачи</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Имя</translation>
+        </message>
+        <message>
+            <source>What the run is called.</source>
+            <translation>Как назван расчёт.</translation>
+        </message>
+        <message>
+            <source>When</source>
+            <translation>Когда</translation>
+        </message>
+        <message>
+            <source>Date and time in UTC, ISO 8601.</source>
+            <translation>Дата и время по UTC, ISO 8601.</translation>
+        </message>
+        <message>
+            <source>Engine version</source>
+            <translation>Версия расчётного ядра</translation>
+        </message>
+        <message>
+            <source>Version of the program that ran it.</source>
+            <translation>Версия программы, которой выполнен расчёт.</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>The project as it was run.</source>
+            <translation>Проект в том виде, в каком он рассчитан.</translation>
+        </message>
+        <message>
+            <source>Summary</source>
+            <translation>Итог</translation>
+        </message>
+        <message>
+            <source>Counts, final radii and deviations.</source>
+            <translation>Числа ходов, конечные радиусы и отклонения.</translation>
+        </message>
+        <message>
+            <source>Title</source>
+            <translation>Название</translation>
+        </message>
+        <message>
+            <source>Title of the project.</source>
+            <translation>Название проекта.</translation>
+        </message>
+        <message>
+            <source>Author</source>
+            <translation>Автор</translation>
+        </message>
+        <message>
+            <source>Who designed the cycle.</source>
+            <translation>Кто спроектировал цикл.</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>Anything worth knowing about the project.</source>
+            <translation>Всё, что важно знать о проекте.</translation>
+        </message>
+        <message>
+            <source>Operation</source>
+            <translation>Операция</translation>
+        </message>
+        <message>
+            <source>Traverse: the table strokes along the part. Plunge: the wheel covers the ground length and is fed radially.</source>
+            <translation>С осевой подачей: стол ходит вдоль детали. Врезное: круг перекрывает длину шлифования и подаётся радиально.</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Станок</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>ПАК</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Sections along the length</source>
+            <translation>Число сечений по длине</translation>
+        </message>
+        <message>
+            <source>Sections at the middles of equal slices of the ground length, counted from the headstock.</source>
+            <translation>Сечения посередине равных участков длины шлифования, счёт от передней бабки.</translation>
+        </message>
+        <message>
+            <source>Sections coupled</source>
+            <translation>Сечения связаны</translation>
+        </message>
+        <message>
+            <source>Whether a force in one section deflects the others too.</source>
+            <translation>Отжимает ли сила в одном сечении и остальные.</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>no batch described</source>
+            <translation>партия не описана</translation>
+        </message>
+        <message>
+            <source>Optimisation</source>
+            <translation>Оптимизация</translation>
+        </message>
+        <message>
+            <source>no grid described</source>
+            <translation>сетка не описана</translation>
+        </message>
+        <message>
+            <source>Kept runs</source>
+            <translation>Сохранённые расчёты</translation>
+        </message>
+        <message>
+            <source>Runs kept for comparison.</source>
+            <translation>Расчёты, сохранённые для сравнения.</translation>
+        </message>
+        <message>
+            <source>Headstock stiffness</source>
+            <translation>Жёсткость передней бабки</translation>
+        </message>
+        <message>
+            <source>Force for one micrometre of deflection at the headstock.</source>
+            <translation>Сила на один микрометр отжатия у передней бабки.</translation>
+        </message>
+        <message>
+            <source>Tailstock stiffness</source>
+            <translation>Жёсткость задней бабки</translation>
+        </message>
+        <message>
+            <source>Force for one micrometre of deflection at the tailstock.</source>
+            <translation>Сила на один микрометр отжатия у задней бабки.</translation>
+        </message>
+        <message>
+            <source>Wheel head stiffness</source>
+            <translation>Жёсткость шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>Force for one micrometre of deflection at the wheel.</source>
+            <translation>Сила на один микрометр отжатия у круга.</translation>
+        </message>
+        <message>
+            <source>Contact stiffness at force</source>
+            <translation>Контактная жёсткость при силе</translation>
+        </message>
+        <message>
+            <source>rigid contact</source>
+            <translation>жёсткий контакт</translation>
+        </message>
+        <message>
+            <source>Rows of force and contact stiffness, beyond the sources.</source>
+            <translation>Строки «сила — контактная жёсткость»; дополнение к источникам.</translation>
+        </message>
+        <message>
+            <source>Range of the radial feed</source>
+            <translation>Диапазон радиальной подачи</translation>
+        </message>
+        <message>
+            <source>not limited</source>
+            <translation>не ограничено</translation>
+        </message>
+        <message>
+            <source>Lowest, highest and step, per double stroke.</source>
+            <translation>Наименьшая, наибольшая и шаг, на двойной ход.</translation>
+        </message>
+        <message>
+            <source>Range of the axial feed</source>
+            <translation>Диапазон осевой подачи</translation>
+        </message>
+        <message>
+            <source>Lowest, highest and step.</source>
+            <translation>Наименьшее, наибольшее и шаг.</translation>
+        </message>
+        <message>
+            <source>Range of the plunge feed</source>
+            <translation>Диапазон врезной подачи</translation>
+        </message>
+        <message>
+            <source>Range of the work speed</source>
+            <translation>Диапазон частоты вращения детали</translation>
+        </message>
+        <message>
+            <source>Model of the grinder.</source>
+            <translation>Модель шлифовального станка.</translation>
+        </message>
+        <message>
+            <source>Wheel speed</source>
+            <translation>Скорость круга</translation>
+        </message>
+        <message>
+            <source>Peripheral speed of the wheel.</source>
+            <translation>Окружная скорость круга.</translation>
+        </message>
+        <message>
+            <source>Work speed</source>
+            <translation>Частота вращения детали</translation>
+        </message>
+        <message>
+            <source>Revolutions of the part; V_d = π·d·n.</source>
+            <translation>Частота вращения детали; V_d = π·d·n.</translation>
+        </message>
+        <message>
+            <source>Plunge-in feed at reversal</source>
+            <translation>Подача врезания на реверсе</translation>
+        </message>
+        <message>
+            <source>Speed of the infeed at the entry reversal: N_E1 = ⌈n·S_t/S_rad⌉ revolutions.</source>
+            <translation>Скорость врезания на реверсе у входа: N_E1 = ⌈n·S_t/S_rad⌉ оборотов.</translation>
+        </message>
+        <message>
+            <source>Overrun at the entry</source>
+            <translation>Перебег на входе</translation>
+        </message>
+        <message>
+            <source>How far the wheel runs past the entry end; the entry reversal zone is B − o1 long.</source>
+            <translation>На сколько круг выходит за торец входа; длина реверсной зоны РЗ1 равна B − o1.</translation>
+        </message>
+        <message>
+            <source>Overrun at the exit</source>
+            <translation>Перебег на выходе</translation>
+        </message>
+        <message>
+            <source>How far the wheel runs past the exit end; the exit reversal zone is B − o2 long.</source>
+            <translation>На сколько круг выходит за торец выхода; длина реверсной зоны РЗ2 равна B − o2.</translation>
+        </message>
+        <message>
+            <source>Dwell at the entry</source>
+            <translation>Задержка на входе</translation>
+        </message>
+        <message>
+            <source>Spark-out at the entry reversal, twice a double stroke, in whole revolutions of the part.</source>
+            <translation>Выхаживание на реверсе у входа, дважды за двойной ход, целыми оборотами детали.</translation>
+        </message>
+        <message>
+            <source>Dwell at the exit</source>
+            <translation>Задержка на выходе</translation>
+        </message>
+        <message>
+            <source>Spark-out at the exit reversal, once a double stroke, in whole revolutions of the part.</source>
+            <translation>Выхаживание на реверсе у выхода, один раз за двойной ход, целыми оборотами детали.</translation>
+        </message>
+        <message>
+            <source>Compliance</source>
+            <translation>Податливость</translation>
+        </message>
+        <message>
+            <source>from stiffness and shaft</source>
+            <translation>по жёсткости узлов и валу</translation>
+        </message>
+        <message>
+            <source>Deflection of the technological system for one newton at the wheel: one value a zone (traverse) or a section (plunge).</source>
+            <translation>Отжатие технологической системы на один ньютон у круга: по значению на зону (с осевой подачей) или на сечение (врезное).</translation>
+        </message>
+        <message>
+            <source>Stiffness of the units</source>
+            <translation>Жёсткость узлов</translation>
+        </message>
+        <message>
+            <source>not stated</source>
+            <translation>не указано</translation>
+        </message>
+        <message>
+            <source>Headstock, tailstock and wheel head, for a compliance that is computed.</source>
+            <translation>Передняя, задняя и шлифовальная бабки; нужна, когда податливость вычисляется.</translation>
+        </message>
+        <message>
+            <source>Geometric runout</source>
+            <translation>Геометрическое биение</translation>
+        </message>
+        <message>
+            <source>Runout of centres and spindle; it adds to every runout.</source>
+            <translation>Биение центров и шпинделя; прибавляется к каждому биению.</translation>
+        </message>
+        <message>
+            <source>Wheel drive power</source>
+            <translation>Мощность привода круга</translation>
+        </message>
+        <message>
+            <source>Power of the wheel drive.</source>
+            <translation>Мощность привода шлифовального круга.</translation>
+        </message>
+        <message>
+            <source>Work drive power</source>
+            <translation>Мощность привода детали</translation>
+        </message>
+        <message>
+            <source>Power of the work drive.</source>
+            <translation>Мощность привода вращения детали.</translation>
+        </message>
+        <message>
+            <source>Entry zone is at the</source>
+            <translation>Зона входа РЗ1</translation>
+        </message>
+        <message>
+            <source>Which end of the part the wheel enters at.</source>
+            <translation>С какого конца детали круг входит в работу.</translation>
+        </message>
+        <message>
+            <source>Wheel contact</source>
+            <translation>Контакт круга</translation>
+        </message>
+        <message>
+            <source>Contact compliance of the wheel in series, beyond the sources.</source>
+            <translation>Контактная податливость круга, включённая последовательно; дополнение к источникам.</translation>
+        </message>
+        <message>
+            <source>Machine ranges</source>
+            <translation>Диапазоны станка</translation>
+        </message>
+        <message>
+            <source>Radial feed per double stroke</source>
+            <translation>Радиальная подача на двойной ход</translation>
+        </message>
+        <message>
+            <source>not used</source>
+            <translation>не используется</translation>
+        </message>
+        <message>
+            <source>Programmed infeed at the entry reversal of each double stroke.</source>
+            <translation>Программная врезная подача на реверсе у входа в каждом двойном ходе.</translation>
+        </message>
+        <message>
+            <source>Axial feed</source>
+            <translation>Осевая подача</translation>
+        </message>
+        <message>
+            <source>Table speed; S_ax/n per revolution is the effective width of cut, at most the wheel width.</source>
+            <translation>Скорость стола; S_ax/n на оборот — эффективная ширина резания, не больше высоты круга.</translation>
+        </message>
+        <message>
+            <source>Radial feed</source>
+            <translation>Радиальная подача</translation>
+        </message>
+        <message>
+            <source>Programmed plunge feed; S_p/n per revolution of the part.</source>
+            <translation>Программная врезная подача; S_p/n на оборот детали.</translation>
+        </message>
+        <message>
+            <source>Stock of the stage</source>
+            <translation>Припуск ступени</translation>
+        </message>
+        <message>
+            <source>Radial stock of the stage. It ends when what remains to size is the later stages' stock.</source>
+            <translation>Припуск ступени на сторону. Ступень кончается, когда до размера остаётся припуск следующих ступеней.</translation>
+        </message>
+        <message>
+            <source>Spark-out</source>
+            <translation>Выхаживание</translation>
+        </message>
+        <message>
+            <source>an ordinary stage</source>
+            <translation>обычная ступень</translation>
+        </message>
+        <message>
+            <source>The last stage may feed nothing: a number of double strokes or revolutions, or until size.</source>
+            <translation>Последняя ступень может быть без подачи: заданное число двойных ходов или оборотов либо до размера.</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступени</translation>
+        </message>
+        <message>
+            <source>Stages of the cycle in the order they run.</source>
+            <translation>Ступени цикла в порядке выполнения.</translation>
+        </message>
+        <message>
+            <source>Stages switch</source>
+            <translation>Ступени переключаются</translation>
+        </message>
+        <message>
+            <source>By the in-process gauge's reading, or by the position the wheel head has been fed to.</source>
+            <translation>По показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
+        </message>
+        <message>
+            <source>The gauge reads the</source>
+            <translation>Прибор показывает</translation>
+        </message>
+        <message>
+            <source>Which of the diameters of a revolution the gauge reports. In a bore smallest and largest change places.</source>
+            <translation>Какой из диаметров за оборот выдаёт прибор. В отверстии наименьший и наибольший меняются местами.</translation>
+        </message>
+        <message>
+            <source>Gauge at section</source>
+            <translation>Прибор в сечении</translation>
+        </message>
+        <message>
+            <source>the middle one</source>
+            <translation>среднее</translation>
+        </message>
+        <message>
+            <source>Index of the section the gauge watches, counted from 0 at the headstock. In traverse grinding the gauge is in the middle of the zone between the reversals.</source>
+            <translation>Номер сечения, за которым следит прибор, счёт с 0 от передней бабки. При шлифовании с осевой подачей прибор стоит посередине нереверсной зоны.</translation>
+        </message>
+        <message>
+            <source>Gauge at a free position</source>
+            <translation>Прибор в произвольном месте</translation>
+        </message>
+        <message>
+            <source>at a section</source>
+            <translation>в сечении</translation>
+        </message>
+        <message>
+            <source>Position along the ground length from its headstock end.</source>
+            <translation>Положение по длине шлифования от её конца у передней бабки.</translation>
+        </message>
+        <message>
+            <source>Compliance at the gauge</source>
+            <translation>Податливость у прибора</translation>
+        </message>
+        <message>
+            <source>from the shaft, or between the sections</source>
+            <translation>по валу или между сечениями</translation>
+        </message>
+        <message>
+            <source>Compliance at the gauge's free position.</source>
+            <translation>Податливость в том месте, где стоит прибор.</translation>
+        </message>
+        <message>
+            <source>Gauge commands</source>
+            <translation>Команды прибора</translation>
+        </message>
+        <message>
+            <source>How many stages the gauge can switch.</source>
+            <translation>Сколько ступеней может переключить прибор.</translation>
+        </message>
+        <message>
+            <source>Marking</source>
+            <translation>Маркировка</translation>
+        </message>
+        <message>
+            <source>Marking of the wheel, for example 25А F60 L 6 V.</source>
+            <translation>Маркировка круга, например 25А F60 L 6 V.</translation>
+        </message>
+        <message>
+            <source>Wheel diameter</source>
+            <translation>Диаметр круга</translation>
+        </message>
+        <message>
+            <source>Diameter of the wheel; D_e = d·D/(D ± d) sets the contact length √(a·D_e).</source>
+            <translation>Диаметр круга; D_e = d·D/(D ± d) определяет длину контакта √(a·D_e).</translation>
+        </message>
+        <message>
+            <source>Wheel width</source>
+            <translation>Высота круга</translation>
+        </message>
+        <message>
+            <source>Width of the wheel. A plunge wheel covers the ground length.</source>
+            <translation>Высота (ширина) круга. При врезном шлифовании круг перекрывает длину шлифования.</translation>
+        </message>
+        <message>
+            <source>Dullness</source>
+            <translation>Степень затупления</translation>
+        </message>
+        <message>
+            <source>Share of the working surface that is wear flats: 0 is ideally sharp. It drives the friction term k_r = η·σ_i·√D_e/3.</source>
+            <translation>Доля площадок износа в рабочей поверхности: 0 — идеально острый круг. Определяет составляющую трения k_r = η·σ_i·√D_e/3.</translation>
+        </message>
+        <message>
+            <source>Grain size</source>
+            <translation>Размер зерна</translation>
+        </message>
+        <message>
+            <source>Mean grain size.</source>
+            <translation>Средний размер зерна.</translation>
+        </message>
+        <message>
+            <source>Grain share</source>
+            <translation>Доля зерна</translation>
+        </message>
+        <message>
+            <source>Share of grain in the wheel's volume.</source>
+            <translation>Доля зерна в объёме круга.</translation>
+        </message>
+        <message>
+            <source>Bond share</source>
+            <translation>Доля связки</translation>
+        </message>
+        <message>
+            <source>Share of bond in the wheel's volume.</source>
+            <translation>Доля связки в объёме круга.</translation>
+        </message>
+        <message>
+            <source>Grain tip angle</source>
+            <translation>Угол вершины зерна</translation>
+        </message>
+        <message>
+            <source>Angle of the grain tips.</source>
+            <translation>Угол при вершине зёрен.</translation>
+        </message>
+        <message>
+            <source>Dressing chipping level</source>
+            <translation>Уровень сколов при правке</translation>
+        </message>
+        <message>
+            <source>Depth over which dressing chips the grains.</source>
+            <translation>Глубина, на которой правка скалывает зёрна.</translation>
+        </message>
+        <message>
+            <source>Roughness calibration</source>
+            <translation>Поправка шероховатости</translation>
+        </message>
+        <message>
+            <source>Measured Ra over computed Ra.</source>
+            <translation>Отношение измеренной Ra к расчётной.</translation>
+        </message>
+        <message>
+            <source>Grain surface energy</source>
+            <translation>Поверхностная энергия зерна</translation>
+        </message>
+        <message>
+            <source>self-sharpening not checked</source>
+            <translation>самозатачивание не проверяется</translation>
+        </message>
+        <message>
+            <source>Fracture surface energy of the grain.</source>
+            <translation>Поверхностная энергия разрушения зерна.</translation>
+        </message>
+        <message>
+            <source>Grain modulus</source>
+            <translation>Модуль упругости зерна</translation>
+        </message>
+        <message>
+            <source>Young's modulus of the grain.</source>
+            <translation>Модуль Юнга зерна.</translation>
+        </message>
+        <message>
+            <source>Bond surface energy</source>
+            <translation>Поверхностная энергия связки</translation>
+        </message>
+        <message>
+            <source>Fracture surface energy of the bond.</source>
+            <translation>Поверхностная энергия разрушения связки.</translation>
+        </message>
+        <message>
+            <source>Bond modulus</source>
+            <translation>Модуль упругости связки</translation>
+        </message>
+        <message>
+            <source>Young's modulus of the bond.</source>
+            <translation>Модуль Юнга связки.</translation>
+        </message>
+        <message>
+            <source>Bond bridge</source>
+            <translation>Мостик связки</translation>
+        </message>
+        <message>
+            <source>from the grain lattice</source>
+            <translation>по решётке зёрен</translation>
+        </message>
+        <message>
+            <source>Diameter of a bond bridge.</source>
+            <translation>Диаметр мостика связки.</translation>
+        </message>
+        <message>
+            <source>Grains per area</source>
+            <translation>Зёрен на единице площади</translation>
+        </message>
+        <message>
+            <source>Grains on a square millimetre of the wheel.</source>
+            <translation>Число зёрен на квадратном миллиметре круга.</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Круглость</translation>
+        </message>
+        <message>
+            <source>not required</source>
+            <translation>не требуется</translation>
+        </message>
+        <message>
+            <source>Greatest roundness deviation the drawing allows.</source>
+            <translation>Наибольшее отклонение от круглости по чертежу.</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>Greatest R_max − R_min of a section about the centre axis the drawing allows.</source>
+            <translation>Наибольшая по чертежу разность R_max − R_min сечения относительно оси центров.</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Цилиндричность</translation>
+        </message>
+        <message>
+            <source>Greatest cylindricity deviation the drawing allows.</source>
+            <translation>Наибольшее отклонение от цилиндричности по чертежу.</translation>
+        </message>
+        <message>
+            <source>Total radial runout</source>
+            <translation>Полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>Greatest radial runout over the whole ground length.</source>
+            <translation>Наибольшее радиальное биение на всей длине шлифования.</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>Greatest arithmetic mean roughness the drawing allows.</source>
+            <translation>Наибольшее среднее арифметическое отклонение профиля по чертежу.</translation>
+        </message>
+        <message>
+            <source>Segment length</source>
+            <translation>Длина ступени вала</translation>
+        </message>
+        <message>
+            <source>Length of one step of the shaft, from the headstock on.</source>
+            <translation>Длина одной ступени вала, счёт от передней бабки.</translation>
+        </message>
+        <message>
+            <source>Segment diameter</source>
+            <translation>Диаметр ступени вала</translation>
+        </message>
+        <message>
+            <source>Diameter of one step of the shaft.</source>
+            <translation>Диаметр одной ступени вала.</translation>
+        </message>
+        <message>
+            <source>Position of the steady rest</source>
+            <translation>Положение люнета</translation>
+        </message>
+        <message>
+            <source>Distance from the headstock end of the shaft.</source>
+            <translation>Расстояние от конца вала у передней бабки.</translation>
+        </message>
+        <message>
+            <source>Stiffness of the steady rest</source>
+            <translation>Жёсткость люнета</translation>
+        </message>
+        <message>
+            <source>Force at the rest for one micrometre of deflection there.</source>
+            <translation>Сила на люнете на один микрометр отжатия в этом месте.</translation>
+        </message>
+        <message>
+            <source>Quill length</source>
+            <translation>Вылет шпинделя круга</translation>
+        </message>
+        <message>
+            <source>Overhang of the wheel's spindle in internal grinding.</source>
+            <translation>Вылет шпинделя круга при внутреннем шлифовании.</translation>
+        </message>
+        <message>
+            <source>Quill diameter</source>
+            <translation>Диаметр шпинделя круга</translation>
+        </message>
+        <message>
+            <source>Diameter of the wheel's spindle in internal grinding.</source>
+            <translation>Диаметр шпинделя круга при внутреннем шлифовании.</translation>
+        </message>
+        <message>
+            <source>Segments of the shaft</source>
+            <translation>Ступени вала</translation>
+        </message>
+        <message>
+            <source>Steps of the shaft from the headstock on; needed when the compliance is computed from the stiffness.</source>
+            <translation>Ступени вала от передней бабки; нужны, когда податливость вычисляется по жёсткости.</translation>
+        </message>
+        <message>
+            <source>Ground length begins at</source>
+            <translation>Начало длины шлифования</translation>
+        </message>
+        <message>
+            <source>Distance from the headstock end of the shaft to the ground length.</source>
+            <translation>Расстояние от конца вала у передней бабки до длины шлифования.</translation>
+        </message>
+        <message>
+            <source>Modulus of elasticity</source>
+            <translation>Модуль упругости</translation>
+        </message>
+        <message>
+            <source>Young's modulus of the shaft: steel about 210.</source>
+            <translation>Модуль Юнга вала: у стали около 210.</translation>
+        </message>
+        <message>
+            <source>Mounting</source>
+            <translation>Установка</translation>
+        </message>
+        <message>
+            <source>Between centres, or overhanging from a chuck.</source>
+            <translation>В центрах или консольно в патроне.</translation>
+        </message>
+        <message>
+            <source>Steady rests</source>
+            <translation>Люнеты</translation>
+        </message>
+        <message>
+            <source>Springs that support the shaft along its length.</source>
+            <translation>Пружины, поддерживающие вал по длине.</translation>
+        </message>
+        <message>
+            <source>Quill</source>
+            <translation>Шпиндель круга</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>The wheel's spindle in internal grinding, a cantilever.</source>
+            <translation>Шпиндель круга при внутреннем шлифовании, консоль.</translation>
+        </message>
+        <message>
+            <source>Name of the part, as it stands in the drawing.</source>
+            <translation>Наименование детали по чертежу.</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Поверхность</translation>
+        </message>
+        <message>
+            <source>External or internal; internal surfaces are ground by plunge.</source>
+            <translation>Наружная или внутренняя; внутренние шлифуют врезанием.</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>Диаметр</translation>
+        </message>
+        <message>
+            <source>Nominal diameter of the drawing.</source>
+            <translation>Номинальный диаметр по чертежу.</translation>
+        </message>
+        <message>
+            <source>Upper deviation</source>
+            <translation>Верхнее отклонение</translation>
+        </message>
+        <message>
+            <source>Upper limit of the diameter less the nominal diameter.</source>
+            <translation>Наибольший предельный диаметр минус номинальный.</translation>
+        </message>
+        <message>
+            <source>Lower deviation</source>
+            <translation>Нижнее отклонение</translation>
+        </message>
+        <message>
+            <source>Lower limit of the diameter less the nominal diameter.</source>
+            <translation>Наименьший предельный диаметр минус номинальный.</translation>
+        </message>
+        <message>
+            <source>Ground length</source>
+            <translation>Длина шлифования</translation>
+        </message>
+        <message>
+            <source>Length of the ground surface.</source>
+            <translation>Длина шлифуемой поверхности.</translation>
+        </message>
+        <message>
+            <source>Stock per side</source>
+            <translation>Припуск на сторону</translation>
+        </message>
+        <message>
+            <source>Minimum radial stock: what the smallest radius of the blank stands above the target radius.</source>
+            <translation>Наименьший припуск на сторону: на сколько наименьший радиус заготовки больше целевого.</translation>
+        </message>
+        <message>
+            <source>Initial runout</source>
+            <translation>Исходное биение</translation>
+        </message>
+        <message>
+            <source>R_max − R_min of the blank. R_max = R_t + Π + ΔR is where the wheel touches first.</source>
+            <translation>R_max − R_min заготовки. На R_max = R_t + Π + ΔR круг касается впервые.</translation>
+        </message>
+        <message>
+            <source>Radii per section</source>
+            <translation>Радиусов в сечении</translation>
+        </message>
+        <message>
+            <source>Radii followed in each cross-section at equal angles, an even number.</source>
+            <translation>Сколько радиусов отслеживается в каждом поперечном сечении через равные углы, чётное число.</translation>
+        </message>
+        <message>
+            <source>Form of the blank</source>
+            <translation>Форма заготовки</translation>
+        </message>
+        <message>
+            <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
+            <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль.</translation>
+        </message>
+        <message>
+            <source>Lobes</source>
+            <translation>Число граней</translation>
+        </message>
+        <message>
+            <source>Number of lobes: R = R_max − ΔR/2·(1 − cos nφ).</source>
+            <translation>Число граней огранки: R = R_max − ΔR/2·(1 − cos nφ).</translation>
+        </message>
+        <message>
+            <source>Measured profile</source>
+            <translation>Измеренный профиль</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>не измерен</translation>
+        </message>
+        <message>
+            <source>Deviations from the largest radius at equal angles, one a radius; only their differences matter.</source>
+            <translation>Отклонения от наибольшего радиуса через равные углы, по одному на радиус; важны только их разности.</translation>
+        </message>
+        <message>
+            <source>Target diameter</source>
+            <translation>Целевой диаметр</translation>
+        </message>
+        <message>
+            <source>middle of the tolerance field</source>
+            <translation>середина поля допуска</translation>
+        </message>
+        <message>
+            <source>The diameter the gauge is set to.</source>
+            <translation>Диаметр, на который настроен прибор.</translation>
+        </message>
+        <message>
+            <source>Tolerances</source>
+            <translation>Допуски</translation>
+        </message>
+        <message>
+            <source>Shaft</source>
+            <translation>Вал</translation>
+        </message>
+        <message>
+            <source>Uniform</source>
+            <translation>Равномерно</translation>
+        </message>
+        <message>
+            <source>not this form</source>
+            <translation>не так</translation>
+        </message>
+        <message>
+            <source>Lowest and highest value.</source>
+            <translation>Наименьшее и наибольшее значение.</translation>
+        </message>
+        <message>
+            <source>Normal</source>
+            <translation>Нормально</translation>
+        </message>
+        <message>
+            <source>Mean and standard deviation.</source>
+            <translation>Среднее и среднее квадратическое отклонение.</translation>
+        </message>
+        <message>
+            <source>Within</source>
+            <translation>В пределах</translation>
+        </message>
+        <message>
+            <source>not truncated</source>
+            <translation>не усечено</translation>
+        </message>
+        <message>
+            <source>Bounds that truncate the normal distribution.</source>
+            <translation>Границы усечения нормального распределения.</translation>
+        </message>
+        <message>
+            <source>Grows</source>
+            <translation>Растёт</translation>
+        </message>
+        <message>
+            <source>From the first to the last part between two dressings.</source>
+            <translation>От первой до последней детали между двумя правками.</translation>
+        </message>
+        <message>
+            <source>Parts between dressings</source>
+            <translation>Деталей между правками</translation>
+        </message>
+        <message>
+            <source>the whole batch</source>
+            <translation>вся партия</translation>
+        </message>
+        <message>
+            <source>How many parts are ground between two dressings.</source>
+            <translation>Сколько деталей шлифуют между двумя правками.</translation>
+        </message>
+        <message>
+            <source>does not scatter</source>
+            <translation>не рассеивается</translation>
+        </message>
+        <message>
+            <source>Flow stress</source>
+            <translation>Интенсивность напряжений</translation>
+        </message>
+        <message>
+            <source>Factor on every compliance.</source>
+            <translation>Множитель к каждой податливости.</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Деталей</translation>
+        </message>
+        <message>
+            <source>Number of parts simulated.</source>
+            <translation>Число моделируемых деталей.</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Начальное число</translation>
+        </message>
+        <message>
+            <source>The same seed gives the same batch.</source>
+            <translation>Одно и то же число даёт одну и ту же партию.</translation>
+        </message>
+        <message>
+            <source>Scenarios</source>
+            <translation>Сценарии</translation>
+        </message>
+        <message>
+            <source>How the factors are sampled.</source>
+            <translation>Как выбираются значения факторов.</translation>
+        </message>
+        <message>
+            <source>Factors</source>
+            <translation>Факторы</translation>
+        </message>
+        <message>
+            <source>Correlation</source>
+            <translation>Корреляция</translation>
+        </message>
+        <message>
+            <source>independent</source>
+            <translation>независимы</translation>
+        </message>
+        <message>
+            <source>Correlation matrix of the factors given, in their order.</source>
+            <translation>Матрица корреляций заданных факторов в их порядке.</translation>
+        </message>
+        <message>
+            <source>Grade</source>
+            <translation>Марка</translation>
+        </message>
+        <message>
+            <source>Steel or iron grade, as it stands in the drawing.</source>
+            <translation>Марка стали или чугуна по чертежу.</translation>
+        </message>
+        <message>
+            <source>Hardness</source>
+            <translation>Твёрдость</translation>
+        </message>
+        <message>
+            <source>Hardness of the part; for the record, the force law takes the flow stress.</source>
+            <translation>Твёрдость детали; для сведения — в закон силы входит интенсивность напряжений.</translation>
+        </message>
+        <message>
+            <source>Stress intensity of the metal in the cutting zone: k_s = ε_i·tg β·σ_i·V_d/V_k, k_r = η·σ_i·√D_e/3.</source>
+            <translation>Интенсивность напряжений металла в зоне резания: k_s = ε_i·tg β·σ_i·V_d/V_k, k_r = η·σ_i·√D_e/3.</translation>
+        </message>
+        <message>
+            <source>Shear factor</source>
+            <translation>Множитель сдвига</translation>
+        </message>
+        <message>
+            <source>Shear strain intensity times the tangent of the force angle, in the normal force.</source>
+            <translation>Интенсивность деформаций сдвига на тангенс угла действия силы; входит в нормальную силу.</translation>
+        </message>
+        <message>
+            <source>Shear strain</source>
+            <translation>Деформация сдвига</translation>
+        </message>
+        <message>
+            <source>Shear strain intensity, in the tangential force P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·k_r·√a).</source>
+            <translation>Интенсивность деформаций сдвига; входит в касательную силу P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·k_r·√a).</translation>
+        </message>
+        <message>
+            <source>Friction</source>
+            <translation>Трение</translation>
+        </message>
+        <message>
+            <source>Coefficient of friction of wear flats on metal.</source>
+            <translation>Коэффициент трения площадок износа о металл.</translation>
+        </message>
+        <message>
+            <source>Thermal conductivity</source>
+            <translation>Теплопроводность</translation>
+        </message>
+        <message>
+            <source>Of the part near the surface.</source>
+            <translation>Детали вблизи поверхности.</translation>
+        </message>
+        <message>
+            <source>Thermal diffusivity</source>
+            <translation>Температуропроводность</translation>
+        </message>
+        <message>
+            <source>Burn temperature rise</source>
+            <translation>Нагрев до прижога</translation>
+        </message>
+        <message>
+            <source>burn not checked</source>
+            <translation>прижог не проверяется</translation>
+        </message>
+        <message>
+            <source>Temperature rise above which the metal's structure changes.</source>
+            <translation>Превышение температуры, при котором меняется структура металла.</translation>
+        </message>
+        <message>
+            <source>Heat into the part</source>
+            <translation>Доля тепла в деталь</translation>
+        </message>
+        <message>
+            <source>Share of the grinding heat that enters the part.</source>
+            <translation>Доля тепла шлифования, уходящая в деталь.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Issue</name>
+        <message>
+            <source>the file is empty</source>
+            <translation>файл пуст</translation>
+        </message>
+        <message>
+            <source>the text is not valid JSON in UTF-8: {value}</source>
+            <translation>текст не является правильным JSON в UTF-8: {value}</translation>
+        </message>
+        <message>
+            <source>{value} is too large; allowed: at most {limit}</source>
+            <translation>{value} — слишком много; допускается не более {limit}</translation>
+        </message>
+        <message>
+            <source>values are nested too deeply; allowed: {limit} levels</source>
+            <translation>слишком глубокая вложенность; допускается уровней: {limit}</translation>
+        </message>
+        <message>
+            <source>too many values; allowed: at most {limit}</source>
+            <translation>слишком много значений; допускается не более {limit}</translation>
+        </message>
+        <message>
+            <source>the text is {value} long; allowed: at most {limit}</source>
+            <translation>длина текста {value}; допускается не более {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is not a Sparkout project; expected {limit}</source>
+            <translation>{value} — не проект Sparkout; ожидается {limit}</translation>
+        </message>
+        <message>
+            <source>version {value} was written by a newer Sparkout; this one reads versions {limit}</source>
+            <translation>версия {value} записана более новой программой Sparkout; эта читает версии {limit}</translation>
+        </message>
+        <message>
+            <source>this key stands here twice</source>
+            <translation>этот ключ стоит здесь дважды</translation>
+        </message>
+        <message>
+            <source>unknown key {value}; allowed: {limit}</source>
+            <translation>неизвестный ключ {value}; допускаются: {limit}</translation>
+        </message>
+        <message>
+            <source>this value is required; allowed: {limit}</source>
+            <translation>это значение обязательно; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is of the wrong type; expected: {limit}</source>
+            <translation>{value} — неверный тип; ожидается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is out of range; allowed: {limit}</source>
+            <translation>{value} — вне допустимых значений; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is not one of the choices; allowed: {limit}</source>
+            <translation>{value} — нет такого варианта; допускаются: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is unusual; usual: {limit}</source>
+            <translation>{value} — необычное значение; обычно: {limit}</translation>
+        </message>
+        <message>
+            <source>there are {value} values; expected: {limit}</source>
+            <translation>значений: {value}; ожидается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is odd; allowed: an even number, {limit}</source>
+            <translation>{value} — нечётное число; допускается чётное, {limit}</translation>
+        </message>
+        <message>
+            <source>{value} radii cannot tell a lobed form from eccentricity; better: {limit}</source>
+            <translation>число радиусов {value} не позволяет отличить огранку от эксцентриситета; лучше: {limit}</translation>
+        </message>
+        <message>
+            <source>the lower deviation {value} is not below the upper one; allowed: below {limit}</source>
+            <translation>нижнее отклонение {value} не меньше верхнего; допускается меньше {limit}</translation>
+        </message>
+        <message>
+            <source>{value} leaves no zone between the reversal zones; allowed: {limit}</source>
+            <translation>{value} не оставляет нереверсной зоны между реверсными; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} does not cover the ground length of a plunge cycle; allowed: {limit}</source>
+            <translation>{value} не перекрывает длину шлифования врезного цикла; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} does not fit into the hole; allowed: {limit}</source>
+            <translation>{value} не входит в отверстие; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>no compliance is given and none can be computed; needed: {limit}</source>
+            <translation>податливость не задана и вычислить её не по чему; нужно: {limit}</translation>
+        </message>
+        <message>
+            <source>only the last stage may be a spark-out; this is stage {value} of {limit}</source>
+            <translation>выхаживанием может быть только последняя ступень; эта — {value} из {limit}</translation>
+        </message>
+        <message>
+            <source>a spark-out stage feeds nothing: {value} is not used</source>
+            <translation>на ступени выхаживания подачи нет: {value} не используется</translation>
+        </message>
+        <message>
+            <source>{value} would never reach size; allowed: {limit}</source>
+            <translation>при {value} размер не будет достигнут никогда; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes the difference</source>
+            <translation>сумма припусков ступеней {value}, припуск детали {limit}; разницу снимает первая ступень</translation>
+        </message>
+        <message>
+            <source>{value} stages need more gauge commands than there are; allowed: {limit}</source>
+            <translation>ступеней {value}, это больше числа команд прибора; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is not used here; it applies to {limit}</source>
+            <translation>{value} здесь не используется; относится к {limit}</translation>
+        </message>
+        <message>
+            <source>{value} surfaces are ground by plunge only; allowed: {limit}</source>
+            <translation>{value} поверхность шлифуется только врезанием; допускается: {limit}</translation>
+        </message>
+        <message>
+            <source>the shaft is {value} long; needed: {limit}</source>
+            <translation>длина вала {value}; нужно: {limit}</translation>
+        </message>
+        <message>
+            <source>the target {value} lies outside the tolerance field {limit}</source>
+            <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is kept in the file, but the cycle is computed without it</source>
+            <translation>{value} хранится в файле, но цикл рассчитан без этого</translation>
+        </message>
+    </context>
+    <context>
+        <name>Location</name>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>Names</name>
+        <message>
+            <source>RZ1</source>
+            <comment>entry reversal zone, short</comment>
+            <translation>РЗ1</translation>
+        </message>
+        <message>
+            <source>NZ</source>
+            <comment>zone between reversals, short</comment>
+            <translation>НЗ</translation>
+        </message>
+        <message>
+            <source>RZ2</source>
+            <comment>exit reversal zone, short</comment>
+            <translation>РЗ2</translation>
+        </message>
+        <message>
+            <source>Section %1</source>
+            <translation>Сечение %1</translation>
+        </message>
+        <message>
+            <source>Entry reversal zone RZ1</source>
+            <translation>Реверсная зона входа РЗ1</translation>
+        </message>
+        <message>
+            <source>Zone between reversals NZ</source>
+            <translation>Нереверсная зона НЗ</translation>
+        </message>
+        <message>
+            <source>Exit reversal zone RZ2</source>
+            <translation>Реверсная зона выхода РЗ2</translation>
+        </message>
+        <message>
+            <source>E%1</source>
+            <comment>step of a double stroke</comment>
+            <translation>Э%1</translation>
+        </message>
+        <message>
+            <source>plunge-in</source>
+            <translation>врезание</translation>
+        </message>
+        <message>
+            <source>entry dwell</source>
+            <translation>задержка на входе</translation>
+        </message>
+        <message>
+            <source>working stroke</source>
+            <translation>рабочий ход</translation>
+        </message>
+        <message>
+            <source>exit dwell</source>
+            <translation>задержка на выходе</translation>
+        </message>
+        <message>
+            <source>return stroke</source>
+            <translation>обратный ход</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>double stroke %1</source>
+            <translation>двойной ход %1</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>Completed</source>
+            <translation>Завершён</translation>
+        </message>
+        <message>
+            <source>Cannot reach size</source>
+            <translation>Размер недостижим</translation>
+        </message>
+        <message>
+            <source>Too long: the run was ended</source>
+            <translation>Слишком долго: расчёт прерван</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Остановлен</translation>
+        </message>
+        <message>
+            <source>Smallest diameter</source>
+            <translation>Наименьший диаметр</translation>
+        </message>
+        <message>
+            <source>Largest diameter</source>
+            <translation>Наибольший диаметр</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>and %1 more</source>
+            <translation>и ещё %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Range</name>
+        <message>
+            <source>above %1, up to %2</source>
+            <translation>больше %1, до %2</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>от %1 до %2</translation>
+        </message>
+        <message>
+            <source>above %1</source>
+            <translation>больше %1</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>не менее %1</translation>
+        </message>
+        <message>
+            <source>at most %1</source>
+            <translation>не более %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>Struct</name>
+        <message>
+            <source>Optimisation</source>
+            <translation>Оптимизация</translation>
+        </message>
+        <message>
+            <source>Kept run</source>
+            <translation>Сохранённый расчёт</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Проект</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Жёсткость</translation>
+        </message>
+        <message>
+            <source>Wheel contact</source>
+            <translation>Контакт круга</translation>
+        </message>
+        <message>
+            <source>Machine ranges</source>
+            <translation>Диапазоны станка</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Станок</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>ПАК</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>Tolerances</source>
+            <translation>Допуски</translation>
+        </message>
+        <message>
+            <source>Shaft segment</source>
+            <translation>Ступень вала</translation>
+        </message>
+        <message>
+            <source>Steady rest</source>
+            <translation>Люнет</translation>
+        </message>
+        <message>
+            <source>Quill</source>
+            <translation>Шпиндель круга</translation>
+        </message>
+        <message>
+            <source>Shaft</source>
+            <translation>Вал</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Factor</source>
+            <translation>Фактор</translation>
+        </message>
+        <message>
+            <source>Factors</source>
+            <translation>Факторы</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+    </context>
+    <context>
+        <name>Unit</name>
+        <message>
+            <source>mm/min</source>
+            <translation>мм/мин</translation>
+        </message>
+        <message>
+            <source>mm/N</source>
+            <translation>мм/Н</translation>
+        </message>
+        <message>
+            <source>mm²/s</source>
+            <translation>мм²/с</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>мм</translation>
+        </message>
+        <message>
+            <source>µm</source>
+            <translation>мкм</translation>
+        </message>
+        <message>
+            <source>rev/min</source>
+            <translation>об/мин</translation>
+        </message>
+        <message>
+            <source>m/s</source>
+            <translation>м/с</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>N, N/µm</source>
+            <translation>Н, Н/мкм</translation>
+        </message>
+        <message>
+            <source>N/µm</source>
+            <translation>Н/мкм</translation>
+        </message>
+        <message>
+            <source>MPa</source>
+            <translation>МПа</translation>
+        </message>
+        <message>
+            <source>GPa</source>
+            <translation>ГПа</translation>
+        </message>
+        <message>
+            <source>kW</source>
+            <translation>кВт</translation>
+        </message>
+        <message>
+            <source>HRC</source>
+            <translation>HRC</translation>
+        </message>
+        <message>
+            <source>W/(m·K)</source>
+            <translation>Вт/(м·К)</translation>
+        </message>
+        <message>
+            <source>J/m²</source>
+            <translation>Дж/м²</translation>
+        </message>
+        <message>
+            <source>1/mm²</source>
+            <translation>1/мм²</translation>
+        </message>
+        <message>
+            <source>K</source>
+            <translation>К</translation>
+        </message>
+        <message>
+            <source>°</source>
+            <translation>°</translation>
+        </message>
+    </context>
+    <context>
+        <name>VerdictText</name>
+        <message>
+            <source>diameter in %1 is %2 µm below the lower limit</source>
+            <translation>диаметр в %1 на %2 мкм меньше нижнего предела</translation>
+        </message>
+        <message>
+            <source>diameter in %1 is %2 µm above the upper limit</source>
+            <translation>диаметр в %1 на %2 мкм больше верхнего предела</translation>
+        </message>
+        <message>
+            <source>radial runout in %1 is %2 µm above its limit</source>
+            <translation>радиальное биение в %1 на %2 мкм больше допуска</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
+        </message>
+        <message>
+            <source>%1 (%2 s)</source>
+            <translation>%1 (%2 с)</translation>
+        </message>
+        <message>
+            <source>%1: the gauge reads %2 mm, %3 µm a side remain</source>
+            <translation>%1: показание прибора %2 мм, осталось %3 мкм на сторону</translation>
+        </message>
+        <message>
+            <source>double strokes: %1</source>
+            <translation>двойных ходов: %1</translation>
+        </message>
+        <message>
+            <source>revolutions: %1</source>
+            <translation>оборотов: %1</translation>
+        </message>
+        <message>
+            <source>Stage %1: %2; %3</source>
+            <translation>Ступень %1: %2; %3</translation>
+        </message>
+        <message>
+            <source>and %1 stages more</source>
+            <translation>и ещё ступеней: %1</translation>
+        </message>
+        <message>
+            <source>Total: %1; %2</source>
+            <translation>Всего: %1; %2</translation>
+        </message>
+        <message>
+            <source>Largest normal force: %1 N (%2)</source>
+            <translation>Наибольшая нормальная сила: %1 Н (%2)</translation>
+        </message>
+        <message>
+            <source>Largest power: %1 kW (%2)</source>
+            <translation>Наибольшая мощность: %1 кВт (%2)</translation>
+        </message>
+        <message>
+            <source>Does not hold: %1</source>
+            <translation>Не выдержано: %1</translation>
+        </message>
+        <message>
+            <source>; requirements that fail: %1</source>
+            <translation>; не выполнено требований: %1</translation>
+        </message>
+        <message>
+            <source>Does not hold: the cycle does not end by itself</source>
+            <translation>Не выдержано: цикл не завершается сам</translation>
+        </message>
+        <message>
+            <source>The drawing requires nothing</source>
+            <translation>Чертёж ничего не требует</translation>
+        </message>
+        <message>
+            <source>Holds the drawing, but close to the limit: %1 in %2</source>
+            <translation>Чертёж выдержан, но близко к пределу: %1 в %2</translation>
+        </message>
+        <message>
+            <source>Holds the drawing</source>
+            <translation>Чертёж выдержан</translation>
+        </message>
+    </context>
+    <context>
+        <name>Zone</name>
+        <message>
+            <source>RZ1</source>
+            <translation>РЗ1</translation>
+        </message>
+        <message>
+            <source>NZ</source>
+            <translation>НЗ</translation>
+        </message>
+        <message>
+            <source>RZ2</source>
+            <translation>РЗ2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::AboutDialog</name>
+        <message>
+            <source>About Sparkout</source>
+            <translation>О программе Sparkout</translation>
+        </message>
+        <message>
+            <source>Icon of the program</source>
+            <translation>Значок программы</translation>
+        </message>
+        <message>
+            <source>Sparkout %1</source>
+            <translation>Sparkout %1</translation>
+        </message>
+        <message>
+            <source>A workbench for cylindrical grinding cycles: computes a cycle pass by pass and holds it against the drawing.</source>
+            <translation>Рабочее место технолога круглого шлифования: рассчитывает цикл проход за проходом и сравнивает результат с чертежом.</translation>
+        </message>
+        <message>
+            <source>Built with Qt %1, QCustomPlot %2; running on Qt %3, %4.</source>
+            <translation>Собрано с Qt %1 и QCustomPlot %2; работает на Qt %3, %4.</translation>
+        </message>
+        <message>
+            <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
+            <translation>Свободная программа под лицензией GNU General Public License версии 3 или новее. Без каких-либо гарантий.</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::Actions</name>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Отменить</translation>
+        </message>
+        <message>
+            <source>&amp;Undo: %1</source>
+            <translation>&amp;Отменить: %1</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Повторить</translation>
+        </message>
+        <message>
+            <source>&amp;Redo: %1</source>
+            <translation>&amp;Повторить: %1</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Отменить</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Повторить</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Файл</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>&amp;Правка</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Вид</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Справка</translation>
+        </message>
+        <message>
+            <source>&amp;New</source>
+            <translation>&amp;Создать</translation>
+        </message>
+        <message>
+            <source>New project</source>
+            <translation>Новый проект</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Язык</translation>
+        </message>
+        <message>
+            <source>Tool bar</source>
+            <translation>Панель инструментов</translation>
+        </message>
+        <message>
+            <source>&amp;Traverse grinding</source>
+            <translation>Шлифование с &amp;осевой подачей</translation>
+        </message>
+        <message>
+            <source>&amp;Plunge grinding</source>
+            <translation>&amp;Врезное шлифование</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Открыть…</translation>
+        </message>
+        <message>
+            <source>&amp;Example gallery…</source>
+            <translation>&amp;Примеры…</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>Save &amp;as…</source>
+            <translation>Сохранить &amp;как…</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>В&amp;ыход</translation>
+        </message>
+        <message>
+            <source>&amp;Reset the layout</source>
+            <translation>&amp;Вернуть расположение окон</translation>
+        </message>
+        <message>
+            <source>&amp;About Sparkout</source>
+            <translation>&amp;О программе Sparkout</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::BooleanEditor</name>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ComplianceBox</name>
+        <message>
+            <source>Section %1</source>
+            <translation>Сечение %1</translation>
+        </message>
+        <message>
+            <source>Compliance of %1, %2</source>
+            <translation>Податливость, %1, %2</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ExamplesDialog</name>
+        <message>
+            <source>Example gallery</source>
+            <translation>Примеры</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>Примеры</translation>
+        </message>
+        <message>
+            <source>Notes of the example</source>
+            <translation>Примечания к примеру</translation>
+        </message>
+        <message>
+            <source>The example is opened as a copy; the shipped one stays as it is.</source>
+            <translation>Пример открывается как копия; поставляемый остаётся без изменений.</translation>
+        </message>
+        <message>
+            <source>&amp;Open a copy</source>
+            <translation>&amp;Открыть копию</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>От&amp;мена</translation>
+        </message>
+        <message>
+            <source>%1
+%2</source>
+            <translation>%1
+%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FaultsDialog</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>The file was not opened</source>
+            <translation>Файл не открыт</translation>
+        </message>
+        <message>
+            <source>“%1” is refused for these reasons. The project in the window is unchanged.</source>
+            <translation>Файл «%1» не принят по следующим причинам. Проект в окне остался прежним.</translation>
+        </message>
+        <message>
+            <source>Faults of the file</source>
+            <translation>Ошибки файла</translation>
+        </message>
+        <message>
+            <source>&amp;Copy the list</source>
+            <translation>&amp;Копировать список</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FeedsPlot</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes done</source>
+            <translation>Пройдено двойных ходов</translation>
+        </message>
+        <message>
+            <source>Revolutions done</source>
+            <translation>Пройдено оборотов</translation>
+        </message>
+        <message>
+            <source>Feed, µm
+per revolution</source>
+            <translation>Подача, мкм
+на оборот</translation>
+        </message>
+        <message>
+            <source>Feed, µm per
+double stroke</source>
+            <translation>Подача, мкм
+на дв. ход</translation>
+        </message>
+        <message>
+            <source>Feed, µm
+per pass</source>
+            <translation>Подача, мкм
+за проход</translation>
+        </message>
+        <message>
+            <source>Normal
+force, N</source>
+            <translation>Нормальная
+сила, Н</translation>
+        </message>
+        <message>
+            <source>Axial feed,
+mm/min</source>
+            <translation>Осевая подача,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Accumulated
+feed, µm</source>
+            <translation>Накопленная
+подача, мкм</translation>
+        </message>
+        <message>
+            <source>Radius above
+target, µm</source>
+            <translation>Радиус сверх
+цели, мкм</translation>
+        </message>
+        <message>
+            <source>%1 (gauge)</source>
+            <translation>%1 (ПАК)</translation>
+        </message>
+        <message>
+            <source>smallest…largest over the radii</source>
+            <translation>наименьшее…наибольшее по радиусам</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FeedsView</name>
+        <message>
+            <source>Feeds by stage</source>
+            <translation>Подачи по ступеням</translation>
+        </message>
+        <message>
+            <source>Curves of the feeds by stage</source>
+            <translation>Кривые подач по ступеням</translation>
+        </message>
+        <message>
+            <source>Legend of the curves</source>
+            <translation>Условные обозначения кривых</translation>
+        </message>
+        <message>
+            <source>State of the curves</source>
+            <translation>Состояние кривых</translation>
+        </message>
+        <message>
+            <source>Values under the pointer</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Part of the cycle in sight</source>
+            <translation>Видимая часть цикла</translation>
+        </message>
+        <message>
+            <source>Free choice</source>
+            <translation>Свободный выбор</translation>
+        </message>
+        <message>
+            <source>Horizontal axis</source>
+            <translation>Горизонтальная ось</translation>
+        </message>
+        <message>
+            <source>Section that is also shown</source>
+            <translation>Дополнительно показанное сечение</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <comment>number of the double stroke or revolution</comment>
+            <translation>№</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>Предыдущий</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Следующий</translation>
+        </message>
+        <message>
+            <source>Point at a curve to read its values.</source>
+            <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>Fit</source>
+            <translation>Вписать</translation>
+        </message>
+        <message>
+            <source>Fit the whole cycle</source>
+            <translation>Вписать весь цикл</translation>
+        </message>
+        <message>
+            <source>Show the whole cycle (double click in a plot). Wheel: zoom; over a vertical axis: that axis. Drag: move.</source>
+            <translation>Показать весь цикл (двойной щелчок на графике). Колесо мыши — масштаб, над вертикальной осью — только по ней. Перетаскивание — сдвиг.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; показаны кривые последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
+        </message>
+        <message>
+            <source>%1 values that are no numbers are not drawn.</source>
+            <translation>Не показано нечисловых значений: %1.</translation>
+        </message>
+        <message>
+            <source>Whole cycle</source>
+            <translation>Весь цикл</translation>
+        </message>
+        <message>
+            <source>Stage %1</source>
+            <translation>Ступень %1</translation>
+        </message>
+        <message>
+            <source>One double stroke</source>
+            <translation>Один двойной ход</translation>
+        </message>
+        <message>
+            <source>One revolution</source>
+            <translation>Один оборот</translation>
+        </message>
+        <message>
+            <source>Number of the double stroke</source>
+            <translation>Номер двойного хода</translation>
+        </message>
+        <message>
+            <source>Number of the revolution</source>
+            <translation>Номер оборота</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Evenly chosen</source>
+            <translation>Равномерно выбранные</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FileCommands</name>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>Replace the file?</source>
+            <translation>Заменить файл?</translation>
+        </message>
+        <message>
+            <source>“%1” exists already. Replace it?</source>
+            <translation>Файл «%1» уже есть. Заменить его?</translation>
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation>&amp;Заменить</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>От&amp;мена</translation>
+        </message>
+        <message>
+            <source>Open a project</source>
+            <translation>Открыть проект</translation>
+        </message>
+        <message>
+            <source>Sparkout projects (*.sparkout);;All files (*)</source>
+            <translation>Проекты Sparkout (*.sparkout);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>The file was not opened</source>
+            <translation>Файл не открыт</translation>
+        </message>
+        <message>
+            <source>Save the project</source>
+            <translation>Сохранить проект</translation>
+        </message>
+        <message>
+            <source>Sparkout projects (*.sparkout)</source>
+            <translation>Проекты Sparkout (*.sparkout)</translation>
+        </message>
+        <message>
+            <source>The project was not saved</source>
+            <translation>Проект не сохранён</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без названия</translation>
+        </message>
+        <message>
+            <source>Unsaved changes</source>
+            <translation>Несохранённые изменения</translation>
+        </message>
+        <message>
+            <source>The project has changes that are not saved. Save them?</source>
+            <translation>В проекте есть несохранённые изменения. Сохранить их?</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>&amp;Do not save</source>
+            <translation>&amp;Не сохранять</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FormRow</name>
+        <message>
+            <source>Allowed: %1</source>
+            <translation>Допускается: %1</translation>
+        </message>
+        <message>
+            <source>Usual: %1</source>
+            <translation>Обычно: %1</translation>
+        </message>
+        <message>
+            <source>Empty: %1</source>
+            <translation>Пусто: %1</translation>
+        </message>
+        <message>
+            <source>Source: %1</source>
+            <translation>Источник: %1</translation>
+        </message>
+        <message>
+            <source>empty: %1</source>
+            <translation>пусто: %1</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::InputsPanel</name>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Wheel</source>
+            <translation>Круг</translation>
+        </message>
+        <message>
+            <source>Machine</source>
+            <translation>Станок</translation>
+        </message>
+        <message>
+            <source>Gauge</source>
+            <translation>ПАК</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>%1 (Alt+%2)</source>
+            <translation>%1 (Alt+%2)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MainWindow</name>
+        <message>
+            <source>Saved.</source>
+            <translation>Сохранено.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
+            <translation>
+                <numerusform>Сохранено; %n поле содержит непринятый текст, записано его последнее принятое значение.</numerusform>
+                <numerusform>Сохранено; %n поля содержат непринятый текст, записаны их последние принятые значения.</numerusform>
+                <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние принятые значения.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Not computed: %n faults in the inputs. The curves show the last good run.</source>
+            <translation>
+                <numerusform>Не рассчитано: %n ошибка в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+                <numerusform>Не рассчитано: %n ошибки в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+                <numerusform>Не рассчитано: %n ошибок в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The cycle is complete.</source>
+            <translation>Цикл завершён.</translation>
+        </message>
+        <message>
+            <source>The cycle cannot reach size: it stopped making progress.</source>
+            <translation>Цикл не достигает размера: съём прекратился.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be computed to its end.</source>
+            <translation>Цикл слишком длинный, чтобы рассчитать его до конца.</translation>
+        </message>
+        <message>
+            <source>Computed in %1 ms</source>
+            <translation>Расчёт за %1 мс</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без названия</translation>
+        </message>
+        <message>
+            <source>%1 (not saved)</source>
+            <translation>%1 (не сохранён)</translation>
+        </message>
+        <message>
+            <source>%1[*] — Sparkout</source>
+            <translation>%1[*] — Sparkout</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Сообщения</translation>
+        </message>
+        <message>
+            <source>Feeds by stage</source>
+            <translation>Подачи по ступеням</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <translation>Виды</translation>
+        </message>
+        <message>
+            <source>Status</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>Computing time</source>
+            <translation>Время расчёта</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MessagesPanel</name>
+        <message>
+            <source>%1; the last good value is used</source>
+            <translation>%1; используется последнее принятое значение</translation>
+        </message>
+        <message>
+            <source>Nothing to remark: all inputs are in order.</source>
+            <translation>Замечаний нет: исходные данные в порядке.</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Double-click to go to the field</source>
+            <translation>Двойной щелчок — перейти к полю</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Сообщения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NumberField</name>
+        <message>
+            <source>a number is needed here</source>
+            <translation>здесь нужно число</translation>
+        </message>
+        <message>
+            <source>“%1” is not a number</source>
+            <translation>«%1» — не число</translation>
+        </message>
+        <message>
+            <source>a whole number is needed here</source>
+            <translation>здесь нужно целое число</translation>
+        </message>
+        <message>
+            <source>out of range; allowed: %1</source>
+            <translation>вне допустимых значений; допускается: %1</translation>
+        </message>
+        <message>
+            <source>unusual; usual: %1</source>
+            <translation>необычное значение; обычно: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SparkOutEditor</name>
+        <message>
+            <source>Double strokes of spark-out</source>
+            <translation>Число двойных ходов выхаживания</translation>
+        </message>
+        <message>
+            <source>Revolutions of spark-out</source>
+            <translation>Число оборотов выхаживания</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>double strokes</source>
+            <translation>двойные ходы</translation>
+        </message>
+        <message>
+            <source>revolutions</source>
+            <translation>обороты</translation>
+        </message>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StageModel</name>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n double strokes</source>
+            <translation>
+                <numerusform>%n дв. ход</numerusform>
+                <numerusform>%n дв. хода</numerusform>
+                <numerusform>%n дв. ходов</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n revolutions</source>
+            <translation>
+                <numerusform>%n оборот</numerusform>
+                <numerusform>%n оборота</numerusform>
+                <numerusform>%n оборотов</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Stage %1, %2: %3</source>
+            <translation>Ступень %1, %2: %3</translation>
+        </message>
+        <message>
+            <source>%1,
+%2</source>
+            <translation>%1,
+%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StageTable</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступени</translation>
+        </message>
+        <message>
+            <source>Stages of the cycle</source>
+            <translation>Ступени цикла</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>Add a stage</source>
+            <translation>Добавить ступень</translation>
+        </message>
+        <message>
+            <source>Ins</source>
+            <translation>Ins</translation>
+        </message>
+        <message>
+            <source>Remove the stage</source>
+            <translation>Удалить ступень</translation>
+        </message>
+        <message>
+            <source>Del</source>
+            <translation>Del</translation>
+        </message>
+        <message>
+            <source>Move the stage up</source>
+            <translation>Переместить ступень вверх</translation>
+        </message>
+        <message>
+            <source>Ctrl+Up</source>
+            <translation>Ctrl+↑</translation>
+        </message>
+        <message>
+            <source>Move the stage down</source>
+            <translation>Переместить ступень вниз</translation>
+        </message>
+        <message>
+            <source>Ctrl+Down</source>
+            <translation>Ctrl+↓</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::VerdictModel</name>
+        <message>
+            <source>holds</source>
+            <translation>выдержано</translation>
+        </message>
+        <message>
+            <source>close to the limit</source>
+            <translation>близко к пределу</translation>
+        </message>
+        <message>
+            <source>fails</source>
+            <translation>не выдержано</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>%1, µm</source>
+            <translation>%1, мкм</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::VerdictPanel</name>
+        <message>
+            <source>The inputs are refused; the numbers are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; показаны числа последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>State of the verdict</source>
+            <translation>Состояние заключения</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>End of the cycle</source>
+            <translation>Конец цикла</translation>
+        </message>
+        <message>
+            <source>Verdict on the drawing</source>
+            <translation>Заключение по чертежу</translation>
+        </message>
+        <message>
+            <source>Requirements of the drawing</source>
+            <translation>Требования чертежа</translation>
+        </message>
+        <message>
+            <source>Ctrl+C copies the table</source>
+            <translation>Ctrl+C копирует таблицу</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступени</translation>
+        </message>
+        <message>
+            <source>Largest force and power</source>
+            <translation>Наибольшие сила и мощность</translation>
+        </message>
+    </context>
+</TS>

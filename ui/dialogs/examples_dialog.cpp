@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/examples_dialog.h"
+
+#include "core/project/project_file.h"
+#include "ui/session/texts.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+QStringList ExamplesDialog::paths() {
+    const QDir folder(QStringLiteral(":/examples"));
+    QStringList list;
+    for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
+        list += folder.filePath(name);
+    }
+    return list;
+}
+
+QByteArray ExamplesDialog::textOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+ExamplesDialog::ExamplesDialog(QWidget* parent)
+    : QDialog(parent), m_list(new QListWidget(this)), m_notes(new QLabel) {
+    setWindowTitle(tr("Example gallery"));
+    m_list->setAccessibleName(tr("Examples"));
+    m_list->setIconSize({28, 28});
+    m_list->setSpacing(2);
+    m_notes->setTextFormat(Qt::PlainText);
+    m_notes->setWordWrap(true);
+    m_notes->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_notes->setMargin(8);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(m_notes);
+    scroll->setWidgetResizable(true);
+    scroll->setAccessibleName(tr("Notes of the example"));
+    auto* hint = new QLabel(tr("The example is opened as a copy; the shipped one stays as it is."),
+                            this);
+    hint->setTextFormat(Qt::PlainText);
+    auto* buttons = new QDialogButtonBox(this);
+    auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
+    open->setDefault(true);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_list, &QListWidget::itemActivated, this, &QDialog::accept);
+    connect(m_list, &QListWidget::currentRowChanged, this, &ExamplesDialog::showNotes);
+    auto* body = new QHBoxLayout;
+    body->addWidget(m_list, 1);
+    body->addWidget(scroll, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(body, 1);
+    layout->addWidget(hint);
+    layout->addWidget(buttons);
+    resize(760, 400);
+    fill();
+}
+
+void ExamplesDialog::fill() {
+    for (const QString& path : paths()) {
+        const QByteArray text = textOf(path);
+        const ReadResult read =
+            readProject({text.constData(), static_cast<std::size_t>(text.size())});
+        if (!read.project) {
+            continue;
+        }
+        const bool traverse = read.project->operation == Operation::traverse;
+        const Choice& choice = choicesOf<Operation>()[traverse ? 0 : 1];
+        m_entries.push_back({path, QString::fromStdString(read.project->title),
+                             choiceText(choice.label),
+                             QString::fromStdString(read.project->notes)});
+        const Entry& entry = m_entries.back();
+        new QListWidgetItem(QIcon(traverse ? QStringLiteral(":/icons/traverse.svg")
+                                           : QStringLiteral(":/icons/plunge.svg")),
+                            tr("%1\n%2").arg(entry.title, entry.operation), m_list);
+    }
+    m_list->setCurrentRow(0);
+}
+
+void ExamplesDialog::showNotes() {
+    const int row = m_list->currentRow();
+    m_notes->setText(row < 0 ? QString() : m_entries[std::size_t(row)].notes);
+}
+
+QByteArray ExamplesDialog::chosenText() const {
+    const int row = m_list->currentRow();
+    return row < 0 ? QByteArray() : textOf(m_entries[std::size_t(row)].path);
+}
+
+QString ExamplesDialog::chosenTitle() const {
+    const int row = m_list->currentRow();
+    return row < 0 ? QString() : m_entries[std::size_t(row)].title;
+}
+
+} // namespace sparkout

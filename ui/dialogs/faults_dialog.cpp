@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/faults_dialog.h"
+
+#include "ui/inputs/mark.h"
+#include "ui/session/texts.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+QStringList FaultsDialog::lines(const Issues& issues) {
+    QStringList list;
+    for (const Issue& issue : issues) {
+        const QString path = QString::fromStdString(issue.path);
+        list += path.isEmpty() ? issueText(issue) : tr("%1: %2").arg(path, issueText(issue));
+    }
+    return list;
+}
+
+FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent)
+    : QDialog(parent) {
+    setWindowTitle(tr("The file was not opened"));
+    auto* head = new QLabel(tr("“%1” is refused for these reasons. The project in the window is "
+                               "unchanged.")
+                                .arg(QFileInfo(file).fileName()),
+                            this);
+    head->setTextFormat(Qt::PlainText);
+    head->setWordWrap(true);
+    auto* list = new QListWidget(this);
+    list->setWordWrap(true);
+    list->setAccessibleName(tr("Faults of the file"));
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const QStringList texts = lines(issues);
+    for (qsizetype i = 0; i < texts.size(); ++i) {
+        new QListWidgetItem(markIcon(markOf(issues[std::size_t(i)].severity)), texts[i], list);
+    }
+    auto* buttons = new QDialogButtonBox(this);
+    auto* copy = buttons->addButton(tr("&Copy the list"), QDialogButtonBox::ActionRole);
+    buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    connect(copy, &QPushButton::clicked, this,
+            [texts] { QGuiApplication::clipboard()->setText(texts.join(u'\n')); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(head);
+    layout->addWidget(list, 1);
+    layout->addWidget(buttons);
+    resize(640, 320);
+}
+
+} // namespace sparkout

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/field_editor.h"
+
+#include "ui/inputs/choice_editor.h"
+#include "ui/inputs/number_editor.h"
+#include "ui/inputs/text_editor.h"
+#include "ui/session/document.h"
+#include "ui/session/member.h"
+#include "ui/session/operation.h"
+
+namespace sparkout {
+
+FieldEditor::FieldEditor(std::string path, const Field& field, Document& document)
+    : m_path(std::move(path)), m_field(field), m_document(document) {}
+
+void FieldEditor::setIssue(const Remark& issue) {
+    m_issue = issue;
+    emit remarkChanged();
+}
+
+void FieldEditor::change(const std::function<void(void*)>& set) {
+    const Project& before = m_document.project();
+    Project after = before;
+    const Member member = findMember(after, m_path, true);
+    if (!member) {
+        return;
+    }
+    set(member.owner);
+    if (after.operation != before.operation) {
+        after = withOperation(before, after.operation);
+    } else if (after.sections != before.sections) {
+        after = withSections(before, after.sections);
+    }
+    m_document.edit(std::move(after), {"Input", m_field.label}, QString::fromStdString(m_path));
+}
+
+const void* FieldEditor::owner() const { return findMember(m_document.project(), m_path).owner; }
+
+std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& field,
+                                        Document& document, QWidget* parent) {
+    switch (field.kind) {
+    case Kind::number:
+    case Kind::optionalNumber:
+    case Kind::integer:
+    case Kind::optionalInteger:
+        return std::make_unique<NumberEditor>(path, field, document, parent);
+    case Kind::choice: return std::make_unique<ChoiceEditor>(path, field, document, parent);
+    case Kind::boolean: return std::make_unique<BooleanEditor>(path, field, document, parent);
+    case Kind::text:
+        if (path == "/notes") {
+            return std::make_unique<NotesEditor>(path, field, document, parent);
+        }
+        return std::make_unique<TextEditor>(path, field, document, parent);
+    default: return nullptr;
+    }
+}
+
+} // namespace sparkout

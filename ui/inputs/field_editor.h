@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "ui/inputs/mark.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+class QWidget;
+
+namespace sparkout {
+
+class Document;
+
+/// Puts one member of the project on the screen and takes its edits to the document.
+class FieldEditor : public QObject {
+    Q_OBJECT
+
+public:
+    FieldEditor(std::string path, const Field& field, Document& document);
+
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    [[nodiscard]] const Field& field() const { return m_field; }
+
+    [[nodiscard]] virtual QWidget* widget() const = 0;
+    virtual void show(bool replaced) = 0; ///< the document's value; replaced: drop refused texts
+    virtual void retranslate() = 0;
+    [[nodiscard]] virtual Remark remark() const { return m_issue; }
+    [[nodiscard]] virtual QString refusal() const { return {}; } ///< of a text not taken
+    virtual void setIssue(const Remark& issue);
+    [[nodiscard]] virtual bool wide() const { return false; } ///< takes the place of the unit too
+    [[nodiscard]] virtual bool empty() const { return false; } ///< not given
+
+signals:
+    void remarkChanged();
+
+protected:
+    /// Changes the member in a copy of the project and hands it to the document.
+    void change(const std::function<void(void* owner)>& set);
+    [[nodiscard]] const void* owner() const; ///< the struct that holds the member
+    [[nodiscard]] Document& document() const { return m_document; }
+
+private:
+    std::string m_path;
+    const Field& m_field;
+    Document& m_document;
+    Remark m_issue;
+};
+
+/// The editor of a row by its kind; null for kinds the forms do not show.
+[[nodiscard]] std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& field,
+                                                      Document& document, QWidget* parent);
+
+} // namespace sparkout

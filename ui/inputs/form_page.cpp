@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/form_page.h"
+
+#include "ui/inputs/compliance_box.h"
+#include "ui/inputs/form_row.h"
+#include "ui/inputs/stage_table.h"
+#include "ui/session/document.h"
+#include "ui/session/member.h"
+#include "ui/session/texts.h"
+
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+
+QGridLayout* newGrid(QVBoxLayout& into) {
+    auto* grid = new QGridLayout;
+    grid->setColumnStretch(0, 1);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    into.addLayout(grid);
+    return grid;
+}
+
+} // namespace
+
+FormPage::FormPage(Page page, Document& document, QWidget* parent)
+    : QScrollArea(parent), m_page(page), m_document(document) {
+    auto* body = new QWidget(this);
+    auto* layout = new QVBoxLayout(body);
+    layout->setContentsMargins(8, 8, 8, 8);
+    setWidget(body);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    addStruct(tableOf<Project>(), {}, *layout);
+    addProjectTexts(*layout);
+    layout->addStretch(1);
+    connect(&document, &Document::replaced, this, [this] { m_replaced = true; });
+    connect(&document, &Document::changed, this, [this] {
+        showProject(m_replaced);
+        m_replaced = false;
+    });
+    retranslate();
+    showProject(true);
+}
+
+bool FormPage::shows(const StructInfo& table) const {
+    for (const Field& field : table.fields) {
+        if (field.page == m_page && (!field.nested || field.kind == Kind::objectList)) {
+            return true;
+        }
+        if (field.nested && field.kind != Kind::objectList && shows(*field.nested)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void FormPage::addStruct(const StructInfo& table, const std::string& path, QVBoxLayout& into) {
+    for (const Field& field : table.fields) {
+        const std::string at = path + "/" + field.key;
+        const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
+        if (structure && shows(*field.nested)) {
+            if (field.page == m_page) {
+                addBox(field, at, into);
+            } else if (field.kind == Kind::object) {
+                addStruct(*field.nested, at, into);
+            }
+        } else if (!structure && field.page == m_page) {
+            const bool projectText = path.empty() && field.kind == Kind::text;
+            if (!projectText) {
+                addRow(field, at, into);
+            }
+        }
+    }
+}
+
+void FormPage::addRow(const Field& field, const std::string& path, QVBoxLayout& into) {
+    if (field.kind == Kind::compliance) {
+        m_compliance = new ComplianceBox(path, field, m_document, widget());
+        into.addWidget(m_compliance);
+        m_grid = nullptr;
+        return;
+    }
+    if (field.nested == &tableOf<Stage>()) {
+        m_stages = new StageTable(m_document, widget());
+        into.addWidget(m_stages);
+        connect(m_stages, &StageTable::refusalsChanged, this, &FormPage::refusalsChanged);
+        m_grid = nullptr;
+        return;
+    }
+    auto editor = makeEditor(path, field, m_document, into.parentWidget());
+    if (!editor) {
+        return;
+    }
+    if (!m_grid) {
+        m_grid = newGrid(into);
+    }
+    auto* row = new FormRow(std::move(editor), *m_grid, into.parentWidget());
+    row->setParent(this);
+    connectRow(*row);
+}
+
+void FormPage::connectRow(FormRow& row) {
+    connect(&row.editor(), &FieldEditor::remarkChanged, this, &FormPage::refusalsChanged);
+    m_rows.push_back(&row);
+}
+
+void FormPage::addBox(const Field& field, const std::string& path, QVBoxLayout& into) {
+    auto* box = new QGroupBox(widget());
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(8, 6, 8, 6);
+    into.addWidget(box);
+    m_grid = nullptr;
+    addStruct(*field.nested, path, *layout);
+    m_grid = nullptr;
+    m_boxes.push_back({path, &field, box});
+    if (field.kind == Kind::optionalObject) {
+        box->setCheckable(true);
+        connect(box, &QGroupBox::clicked, this,
+                [this, entry = m_boxes.back()](bool given) { toggleOptional(entry, given); });
+    }
+}
+
+void FormPage::addProjectTexts(QVBoxLayout& into) {
+    QVBoxLayout* layout = nullptr;
+    m_grid = nullptr;
+    for (const Field& field : tableOf<Project>().fields) {
+        if (field.page != m_page || field.kind != Kind::text) {
+            continue;
+        }
+        if (!layout) {
+            m_projectBox = new QGroupBox(widget());
+            layout = new QVBoxLayout(m_projectBox);
+            layout->setContentsMargins(8, 6, 8, 6);
+            into.addWidget(m_projectBox);
+        }
+        addRow(field, std::string("/") + field.key, *layout);
+    }
+}
+
+void FormPage::toggleOptional(const Box& box, bool given) {
+    Project project = m_document.project();
+    const Member member = findMember(project, box.path, true);
+    if (!member) {
+        return;
+    }
+    if (given) {
+        box.field->object(member.owner, true);
+    } else {
+        box.field->reset(member.owner);
+    }
+    m_document.edit(std::move(project), {"Input", box.field->label});
+}
+
+void FormPage::showProject(bool replaced) {
+    const Project& project = m_document.project();
+    for (FormRow* row : m_rows) {
+        row->show(project, replaced);
+    }
+    for (const Box& box : m_boxes) {
+        const ConstMember member = findMember(project, box.path);
+        box.box->setVisible(member && member.relevant(project));
+        if (box.field->kind == Kind::optionalObject && member) {
+            box.box->setChecked(box.field->objectIn(member.owner) != nullptr);
+        }
+    }
+    if (m_compliance) {
+        m_compliance->show(replaced);
+    }
+    emit refusalsChanged();
+}
+
+void FormPage::setIssues(const Issues& issues) {
+    for (FormRow* row : m_rows) {
+        row->setIssues(issues);
+    }
+    if (m_compliance) {
+        m_compliance->setIssues(issues);
+    }
+    if (m_stages) {
+        m_stages->setIssues(issues);
+    }
+}
+
+void FormPage::retranslate() {
+    for (FormRow* row : m_rows) {
+        row->retranslate();
+    }
+    for (const Box& box : m_boxes) {
+        box.box->setTitle(inputText(box.field->label));
+        box.box->setAccessibleName(inputText(box.field->label));
+        box.box->setToolTip(inputText(box.field->hint));
+    }
+    if (m_projectBox) {
+        m_projectBox->setTitle(structText(tableOf<Project>().name));
+        m_projectBox->setAccessibleName(m_projectBox->title());
+    }
+    if (m_compliance) {
+        m_compliance->retranslate();
+    }
+    if (m_stages) {
+        m_stages->retranslate();
+    }
+}
+
+std::vector<Refusal> FormPage::refusals() const {
+    std::vector<Refusal> list;
+    for (const FormRow* row : m_rows) {
+        if (const QString reason = row->editor().refusal(); !reason.isEmpty()) {
+            list.push_back({row->editor().path(), reason});
+        }
+    }
+    if (m_compliance) {
+        for (const QString& reason : m_compliance->refusals()) {
+            list.push_back({"/machine/compliance_mm_per_n", reason});
+        }
+    }
+    if (m_stages) {
+        for (const Refusal& refusal : m_stages->refusals()) {
+            list.push_back(refusal);
+        }
+    }
+    return list;
+}
+
+bool FormPage::focusPath(const std::string& path) {
+    for (const FormRow* row : m_rows) {
+        const std::string& own = row->editor().path();
+        if (path == own || path.starts_with(own + "/")) {
+            ensureWidgetVisible(row->editor().widget());
+            row->editor().widget()->setFocus(Qt::OtherFocusReason);
+            return true;
+        }
+    }
+    if (m_compliance && m_compliance->focusPath(path)) {
+        ensureWidgetVisible(m_compliance);
+        return true;
+    }
+    if (m_stages && m_stages->focusPath(path)) {
+        ensureWidgetVisible(m_stages);
+        return true;
+    }
+    for (const Box& box : m_boxes) {
+        if (box.path == path) {
+            ensureWidgetVisible(box.box);
+            box.box->setFocus(Qt::OtherFocusReason);
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace sparkout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/form_page.h"
+#include "ui/session/outcome.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QButtonGroup;
+class QStackedWidget;
+class QToolButton;
+
+namespace sparkout {
+
+/// All inputs: a row of page buttons above the page in view.
+class InputsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit InputsPanel(Document& document, QWidget* parent = nullptr);
+
+    void setOutcome(const sparkout::OutcomePtr& outcome);
+    void retranslate();
+    void showPage(int index);
+    void focusPath(const std::string& path);
+    [[nodiscard]] std::vector<Refusal> refusals() const;
+    [[nodiscard]] const std::vector<FormPage*>& pages() const { return m_pages; }
+
+signals:
+    void refusalsChanged();
+
+private:
+    QButtonGroup* m_group;
+    QStackedWidget* m_stack;
+    std::vector<QToolButton*> m_buttons;
+    std::vector<FormPage*> m_pages;
+};
+
+} // namespace sparkout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+
+#include <QColor>
+#include <QIcon>
+#include <QPalette>
+#include <QString>
+
+/// How a value that was refused or is unusual is marked, everywhere in the inputs.
+namespace sparkout {
+
+enum class Mark { none, warning, error };
+
+/// A mark and the sentence that gives its reason.
+struct Remark {
+    Mark mark = Mark::none;
+    QString reason;
+};
+
+[[nodiscard]] QColor markColor(Mark mark, const QPalette& palette);
+[[nodiscard]] QIcon markIcon(Mark mark);
+[[nodiscard]] Mark markOf(Severity severity);
+
+/// The worst issue at a path or below it.
+[[nodiscard]] Remark remarkFor(const Issues& issues, const std::string& path);
+
+} // namespace sparkout

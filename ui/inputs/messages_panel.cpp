@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/messages_panel.h"
+
+#include "ui/session/texts.h"
+
+namespace sparkout {
+
+MessagesPanel::MessagesPanel(QWidget* parent) : QListWidget(parent) {
+    setWordWrap(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(this, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+        emit pathActivated(item->data(Qt::UserRole).toString().toStdString());
+    });
+    connect(this, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* item) {
+        emit pathActivated(item->data(Qt::UserRole).toString().toStdString());
+    });
+    retranslate();
+}
+
+void MessagesPanel::setOutcome(const OutcomePtr& outcome) {
+    m_outcome = outcome;
+    fill();
+}
+
+void MessagesPanel::setRefusals(std::vector<Refusal> refusals) {
+    m_refusals = std::move(refusals);
+    fill();
+}
+
+void MessagesPanel::fill() {
+    clear();
+    for (const Refusal& refusal : m_refusals) {
+        addLine(Mark::error, refusal.path,
+                tr("%1; the last good value is used").arg(refusal.reason));
+    }
+    for (const Mark mark : {Mark::error, Mark::warning}) {
+        for (const Issue& issue : m_outcome ? m_outcome->issues : Issues{}) {
+            if (markOf(issue.severity) == mark) {
+                addLine(mark, issue.path, issueText(issue));
+            }
+        }
+    }
+    if (count() == 0) {
+        auto* item = new QListWidgetItem(tr("Nothing to remark: all inputs are in order."), this);
+        item->setFlags(Qt::ItemIsEnabled);
+    }
+}
+
+void MessagesPanel::addLine(Mark mark, const std::string& path, const QString& sentence) {
+    const QString where = locationText(path);
+    auto* item = new QListWidgetItem(
+        markIcon(mark), where.isEmpty() ? sentence : tr("%1: %2").arg(where, sentence), this);
+    item->setData(Qt::UserRole, QString::fromStdString(path));
+    item->setToolTip(tr("Double-click to go to the field"));
+}
+
+void MessagesPanel::retranslate() {
+    setAccessibleName(tr("Messages"));
+    fill();
+}
+
+} // namespace sparkout

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/form_page.h"
+#include "ui/inputs/mark.h"
+#include "ui/session/outcome.h"
+
+#include <QListWidget>
+
+namespace sparkout {
+
+/// What is wrong or unusual in the inputs, a line each. Activating a line goes to its field.
+class MessagesPanel : public QListWidget {
+    Q_OBJECT
+
+public:
+    explicit MessagesPanel(QWidget* parent = nullptr);
+
+    void setOutcome(const sparkout::OutcomePtr& outcome);
+    void setRefusals(std::vector<Refusal> refusals);
+    void retranslate();
+
+signals:
+    void pathActivated(const std::string& path);
+
+private:
+    void fill();
+    void addLine(Mark mark, const std::string& path, const QString& sentence);
+
+    OutcomePtr m_outcome;
+    std::vector<Refusal> m_refusals;
+};
+
+} // namespace sparkout

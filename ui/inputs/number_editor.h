@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/field_editor.h"
+#include "ui/inputs/number_field.h"
+
+namespace sparkout {
+
+/// Numbers and whole numbers, given or optional.
+class NumberEditor : public FieldEditor {
+    Q_OBJECT
+
+public:
+    NumberEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+
+    [[nodiscard]] QWidget* widget() const override { return m_field; }
+    void show(bool replaced) override;
+    void retranslate() override { m_field->retranslate(); }
+    [[nodiscard]] Remark remark() const override { return m_field->remark(); }
+    [[nodiscard]] QString refusal() const override;
+    void setIssue(const Remark& issue) override { m_field->setIssue(issue); }
+    [[nodiscard]] bool empty() const override { return !m_field->value(); }
+
+private:
+    [[nodiscard]] std::optional<double> stored() const;
+    void store();
+
+    NumberField* m_field;
+};
+
+} // namespace sparkout

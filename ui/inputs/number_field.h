@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "ui/inputs/mark.h"
+
+#include <QLineEdit>
+#include <QTimer>
+
+#include <optional>
+
+namespace sparkout {
+
+/// What a number field takes.
+struct NumberSpec {
+    Range hard = {};
+    Range soft = {};
+    const char* unit = "";
+    bool integer = false;
+    bool optional = false; ///< may be left empty
+    const char* nullMeaning = "";
+
+    [[nodiscard]] static NumberSpec of(const Field& field);
+};
+
+/// A field for one number. It reads comma and point in every locale, exponents and a typographic
+/// minus, and never changes what was typed: a text it cannot read or a value out of range stays
+/// there, marked with its reason, while value() keeps the last good one.
+class NumberField : public QLineEdit {
+    Q_OBJECT
+
+public:
+    explicit NumberField(const NumberSpec& spec, QWidget* parent = nullptr);
+
+    [[nodiscard]] std::optional<double> value() const { return m_value; }
+    void setValue(std::optional<double> value); ///< keeps a refused text as long as value stays
+    void reset(std::optional<double> value);    ///< drops a refused text, too
+    void revert() { reset(m_value); }
+
+    [[nodiscard]] bool refused() const { return m_own.mark == Mark::error; }
+    [[nodiscard]] const QString& refusal() const { return m_own.reason; }
+    [[nodiscard]] Remark remark() const; ///< as shown: while typing a refusal waits a moment
+    void setIssue(const Remark& issue);  ///< what the rules between fields say of the value
+    void setShownText(const QString& text); ///< as if typed: a text kept from before
+
+    void retranslate();
+
+signals:
+    void valueEdited();   ///< the user entered another good value
+    void remarkChanged();
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void evaluate();
+    [[nodiscard]] Remark judge(std::optional<double>& value) const;
+    void step(int steps);
+    void showValue();
+    void settle();
+    void updateRemark();
+
+    NumberSpec m_spec;
+    std::optional<double> m_value;
+    Remark m_own;   ///< of the text
+    Remark m_issue; ///< of the value, from validation
+    Remark m_shown;
+    QTimer m_typing;
+    QAction* m_icon;
+};
+
+} // namespace sparkout

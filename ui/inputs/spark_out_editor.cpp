@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/spark_out_editor.h"
+
+#include "ui/inputs/choice_editor.h"
+#include "ui/inputs/number_field.h"
+#include "ui/session/texts.h"
+
+#include <QHBoxLayout>
+
+namespace sparkout {
+
+SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* parent)
+    : QWidget(parent), m_mode(new StillComboBox(this)) {
+    NumberSpec spec;
+    spec.hard = field.hard;
+    spec.integer = true;
+    m_count = new NumberField(spec, this);
+    m_count->setFixedWidth(56);
+    m_count->setAccessibleName(traverse ? tr("Double strokes of spark-out")
+                                        : tr("Revolutions of spark-out"));
+    m_mode->addItem(tr("none"), int(SparkOut::Mode::none));
+    m_mode->addItem(traverse ? tr("double strokes") : tr("revolutions"),
+                    int(SparkOut::Mode::count));
+    m_mode->addItem(tr("until size"), int(SparkOut::Mode::untilSize));
+    m_mode->setAccessibleName(inputText(field.label));
+    setAutoFillBackground(true);
+    setFocusProxy(m_mode);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_mode, 1);
+    layout->addWidget(m_count);
+    connect(m_mode, &QComboBox::activated, this, [this] {
+        showCount();
+        emit edited();
+    });
+    connect(m_count, &NumberField::valueEdited, this, &SparkOutEditor::edited);
+}
+
+SparkOut SparkOutEditor::value() const {
+    const auto mode = static_cast<SparkOut::Mode>(m_mode->currentData().toInt());
+    const int count = static_cast<int>(m_count->value().value_or(1));
+    return {mode, mode == SparkOut::Mode::count ? count : 0};
+}
+
+void SparkOutEditor::setValue(const SparkOut& value) {
+    m_mode->setCurrentIndex(m_mode->findData(int(value.mode)));
+    if (value.mode == SparkOut::Mode::count || !m_count->value()) {
+        m_count->setValue(value.count > 0 ? value.count : 3);
+    }
+    showCount();
+}
+
+bool SparkOutEditor::refused() const { return m_count->refused(); }
+
+void SparkOutEditor::showCount() {
+    m_count->setVisible(m_mode->currentData().toInt() == int(SparkOut::Mode::count));
+}
+
+} // namespace sparkout

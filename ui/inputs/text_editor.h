@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/field_editor.h"
+
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+namespace sparkout {
+
+/// A line of text.
+class TextEditor : public FieldEditor {
+    Q_OBJECT
+
+public:
+    TextEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+
+    [[nodiscard]] QWidget* widget() const override { return m_line; }
+    void show(bool replaced) override;
+    void retranslate() override {}
+    [[nodiscard]] bool wide() const override { return true; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QLineEdit* m_line;
+};
+
+/// A text of several lines.
+class NotesEditor : public FieldEditor {
+    Q_OBJECT
+
+public:
+    NotesEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+
+    [[nodiscard]] QWidget* widget() const override { return m_text; }
+    void show(bool replaced) override;
+    void retranslate() override {}
+    [[nodiscard]] bool wide() const override { return true; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QPlainTextEdit* m_text;
+};
+
+} // namespace sparkout

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/dialogs/about_dialog.h"
+#include "ui/file_commands.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
+#include "ui/views/feeds_view.h"
+#include "ui/views/verdict_panel.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QUrl>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+constexpr QSize usualSize(1366, 768);
+constexpr int inputsWidth = 360;
+constexpr int verdictWidth = 320;
+constexpr int messagesHeight = 96;
+
+} // namespace
+
+MainWindow::MainWindow(Settings& settings, Language& language)
+    : m_settings(settings)
+    , m_language(language)
+    , m_inputs(new InputsPanel(m_document, this))
+    , m_views(new QTabWidget(this))
+    , m_feeds(new FeedsView(this))
+    , m_verdict(new VerdictPanel(this))
+    , m_messages(new MessagesPanel(this))
+    , m_status(new QLabel(this))
+    , m_time(new QLabel(this))
+    , m_actions(new Actions(*this))
+    , m_files(new FileCommands(m_document, settings, this)) {
+    setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
+    setAcceptDrops(true);
+    m_views->setDocumentMode(true);
+    m_views->addTab(m_feeds, QString());
+    setCentralWidget(m_views);
+    m_status->setTextFormat(Qt::PlainText);
+    m_time->setTextFormat(Qt::PlainText);
+    statusBar()->addWidget(m_status, 1);
+    statusBar()->addPermanentWidget(m_time);
+    buildDocks();
+    connectActions();
+    connectDocument();
+    retranslate();
+    restoreWindow();
+}
+
+MainWindow::~MainWindow() {
+    m_document.disconnect();
+    delete m_inputsDock; // its fields look at the document
+}
+
+QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::buildDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_inputsDock = addDock(m_inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea);
+    m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
+    m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
+    m_inputs->setMinimumWidth(inputsWidth);
+    m_actions->addDocks({m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
+                         m_messagesDock->toggleViewAction()});
+}
+
+void MainWindow::resetLayout() {
+    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
+    resizeDocks({m_inputsDock, m_verdictDock}, {inputsWidth, verdictWidth}, Qt::Horizontal);
+    resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
+}
+
+void MainWindow::restoreWindow() {
+    resize(usualSize);
+    resetLayout();
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState());
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](QAction* action, auto slot) {
+        connect(action, &QAction::triggered, this, slot);
+    };
+    on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
+    on(m_actions->newPlunge, [this] { m_files->startNew(Operation::plunge); });
+    on(m_actions->open, [this] { m_files->open(); });
+    on(m_actions->examples, [this] { m_files->openExample(); });
+    on(m_actions->save, [this] { m_files->save(); });
+    on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->quit, [this] { close(); });
+    on(m_actions->undo, [this] { m_document.undo(); });
+    on(m_actions->redo, [this] { m_document.redo(); });
+    on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
+    on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
+    on(m_actions->resetLayout, [this] { resetLayout(); });
+    on(m_actions->about, [this] { AboutDialog(this).exec(); });
+}
+
+void MainWindow::connectDocument() {
+    connect(&m_document, &Document::changed, this, [this] {
+        m_runs.request(m_document.project());
+        showTitle();
+    });
+    connect(&m_document, &Document::historyChanged, this, [this] {
+        m_actions->follow(m_document);
+        showTitle();
+    });
+    connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
+    connect(m_files, &FileCommands::saved, this, [this] {
+        const int refused = static_cast<int>(m_inputs->refusals().size());
+        statusBar()->showMessage(
+            refused == 0
+                ? tr("Saved.")
+                : tr("Saved; %n fields hold a refused text, their last good values were saved.",
+                     nullptr, refused),
+            6000);
+    });
+    m_refusalsTimer.setSingleShot(true);
+    m_refusalsTimer.setInterval(0);
+    connect(&m_refusalsTimer, &QTimer::timeout, this,
+            [this] { m_messages->setRefusals(m_inputs->refusals()); });
+    connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
+    connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
+        m_inputsDock->show();
+        m_inputs->focusPath(path);
+    });
+}
+
+void MainWindow::showOutcome(const OutcomePtr& outcome) {
+    m_outcome = outcome;
+    m_inputs->setOutcome(outcome);
+    m_messages->setOutcome(outcome);
+    m_feeds->setOutcome(outcome);
+    m_verdict->setOutcome(outcome);
+    showStatus();
+    emit outcomeShown();
+}
+
+void MainWindow::showStatus() {
+    if (!m_outcome) {
+        m_status->clear();
+        m_time->clear();
+        return;
+    }
+    if (!m_outcome->ran()) {
+        const auto faults = std::count_if(
+            m_outcome->issues.begin(), m_outcome->issues.end(),
+            [](const Issue& issue) { return issue.severity == Severity::error; });
+        m_status->setText(tr("Not computed: %n faults in the inputs. The curves show the last "
+                             "good run.",
+                             nullptr, static_cast<int>(faults)));
+        m_time->clear();
+        return;
+    }
+    switch (m_outcome->result.status) {
+    case RunStatus::completed: m_status->setText(tr("The cycle is complete.")); break;
+    case RunStatus::cannotReachSize:
+        m_status->setText(tr("The cycle cannot reach size: it stopped making progress."));
+        break;
+    case RunStatus::tooLong:
+        m_status->setText(tr("The cycle is too long to be computed to its end."));
+        break;
+    case RunStatus::stopped: break;
+    }
+    m_time->setText(tr("Computed in %1 ms").arg(QLocale().toString(m_runs.lastRun_ms(), 'f', 1)));
+}
+
+void MainWindow::showTitle() {
+    const QString title = QString::fromStdString(m_document.project().title).simplified();
+    QString name = m_document.filePath().isEmpty()
+                       ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
+                       : QFileInfo(m_document.filePath()).fileName();
+    name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
+    setWindowTitle(tr("%1[*] — Sparkout").arg(name));
+    setWindowModified(m_document.modified());
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    m_settings.setLanguage(code);
+    m_language.apply(code);
+    setLocale(QLocale());
+    retranslate();
+}
+
+void MainWindow::retranslate() {
+    m_actions->retranslate();
+    m_actions->follow(m_document);
+    m_actions->showLanguage(m_language.code());
+    m_inputsDock->setWindowTitle(tr("Inputs"));
+    m_verdictDock->setWindowTitle(tr("Verdict"));
+    m_messagesDock->setWindowTitle(tr("Messages"));
+    m_views->setTabText(0, tr("Feeds by stage"));
+    m_views->setAccessibleName(tr("Views"));
+    m_inputs->setAccessibleName(tr("Inputs"));
+    m_status->setAccessibleName(tr("Status"));
+    m_time->setAccessibleName(tr("Computing time"));
+    m_inputs->retranslate();
+    m_messages->retranslate();
+    m_feeds->retranslate();
+    m_verdict->retranslate();
+    if (m_outcome) {
+        m_inputs->setOutcome(m_outcome);
+    }
+    showStatus();
+    showTitle();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_settings.setWindow(saveGeometry(), saveState());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.first().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = event->mimeData()->urls().value(0).toLocalFile();
+    event->acceptProposedAction();
+    if (!path.isEmpty() && m_files->mayDiscard()) {
+        m_files->openFile(path);
+    }
+}
+
+} // namespace sparkout

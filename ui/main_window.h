@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/language.h"
+#include "ui/session/document.h"
+#include "ui/session/run_controller.h"
+#include "ui/session/settings.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+class QDockWidget;
+class QLabel;
+class QTabWidget;
+
+namespace sparkout {
+
+class Actions;
+class FeedsView;
+class FileCommands;
+class InputsPanel;
+class MessagesPanel;
+class VerdictPanel;
+
+/// The workbench: inputs, views, verdict and messages around one document.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(Settings& settings, Language& language);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] const RunController& runs() const { return m_runs; }
+    [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
+    [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
+    [[nodiscard]] FileCommands& files() { return *m_files; }
+    [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+
+signals:
+    void outcomeShown(); ///< the views have been given a new outcome
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildDocks();
+    QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
+    void connectActions();
+    void connectDocument();
+    void restoreWindow();
+    void resetLayout();
+    void setLanguage(const QString& code);
+    void showOutcome(const OutcomePtr& outcome);
+    void showTitle();
+    void showStatus();
+    void retranslate();
+
+    Settings& m_settings;
+    Language& m_language;
+    Document m_document;
+    OutcomePtr m_outcome;
+    InputsPanel* m_inputs;
+    QTabWidget* m_views;
+    FeedsView* m_feeds;
+    VerdictPanel* m_verdict;
+    MessagesPanel* m_messages;
+    QDockWidget* m_inputsDock = nullptr;
+    QDockWidget* m_verdictDock = nullptr;
+    QDockWidget* m_messagesDock = nullptr;
+    QLabel* m_status;
+    QLabel* m_time;
+    Actions* m_actions;
+    FileCommands* m_files;
+    QTimer m_refusalsTimer; ///< gathers many remarks of one edit
+    RunController m_runs;   ///< last: stopped before anything it reports to is gone
+};
+
+} // namespace sparkout

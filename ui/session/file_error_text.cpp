@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cstring>
+
+namespace sparkout {
+
+namespace {
+
+/// Reason, what the system says of it, and the free space when that may be the cause.
+QString details(const FileError& error) {
+    QString text = QCoreApplication::translate("FileError", fileStepText(error.step));
+    if (error.systemError != 0) {
+        text = QCoreApplication::translate("FileError", "%1 (%2)")
+                   .arg(text, QString::fromLocal8Bit(std::strerror(error.systemError)));
+    }
+    if (error.freeBytes && *error.freeBytes < (1u << 20)) {
+        text = QCoreApplication::translate("FileError", "%1; free space: %2")
+                   .arg(text, QLocale().formattedDataSize(qint64(*error.freeBytes)));
+    }
+    return text;
+}
+
+} // namespace
+
+QString readErrorText(const FileError& error) {
+    return QCoreApplication::translate("FileError", "“%1” was not opened: %2.")
+        .arg(QString::fromStdString(error.path), details(error));
+}
+
+QString saveErrorText(const FileError& error) {
+    const QString path = QString::fromStdString(error.path);
+    if (error.replaced) {
+        return QCoreApplication::translate(
+                   "FileError", "“%1” was written, but the disk did not confirm it: %2. Save "
+                                "again, or to another disk.")
+            .arg(path, details(error));
+    }
+    return QCoreApplication::translate("FileError",
+                                       "“%1” was not saved: %2. The file still holds what it "
+                                       "held before.")
+        .arg(path, details(error));
+}
+
+} // namespace sparkout

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <string>
+#include <string_view>
+
+/// Finding a member of a project by its JSON pointer, through the tables.
+namespace sparkout {
+
+/// A member: its row and the struct that holds it; both null when there is none.
+struct Member {
+    const Field* field = nullptr;
+    void* owner = nullptr;
+    explicit operator bool() const { return owner != nullptr; }
+};
+
+struct ConstMember {
+    const Field* field = nullptr;
+    const void* owner = nullptr;
+    explicit operator bool() const { return owner != nullptr; }
+    [[nodiscard]] bool relevant(const Project& project) const {
+        return !field->relevant || field->relevant(project, owner);
+    }
+};
+
+/// The member at a path such as "/wheel/width_mm". Optional structs on the way are made when
+/// `create` holds.
+[[nodiscard]] Member findMember(Project& project, std::string_view path, bool create = false);
+
+/// The same for reading; optional structs that are not given answer with their defaults.
+[[nodiscard]] ConstMember findMember(const Project& project, std::string_view path);
+
+/// The row nearest to a path, which may point into a value ("/machine/compliance_mm_per_n/rz1").
+[[nodiscard]] const Field* nearestField(const Project& project, std::string_view path);
+
+} // namespace sparkout

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/number_text.h"
+
+#include "core/project/validate.h"
+
+#include <QRegularExpression>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace sparkout {
+
+namespace {
+
+constexpr qsizetype longest = 400; // digits of the smallest double, with room
+
+/// The text in the letters from_chars reads; empty when it holds others.
+QByteArray plain(const QString& text) {
+    const QString trimmed = text.trimmed();
+    if (trimmed.size() > longest) {
+        return {};
+    }
+    QByteArray out;
+    for (const QChar c : trimmed) {
+        switch (c.unicode()) {
+        case u',':
+        case u'.': out += '.'; break;
+        case u'-':
+        case u'\u2212':
+        case u'\u2013': out += '-'; break;
+        case u'e':
+        case u'E':
+        case u'\u0435':   // Cyrillic letters that look the same
+        case u'\u0415': out += 'e'; break;
+        case u'+': out += '+'; break;
+        default:
+            if (c < u'0' || c > u'9') {
+                return {};
+            }
+            out += char(c.unicode());
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::optional<double> parseNumber(const QString& text) {
+    QByteArray digits = plain(text);
+    if (digits.startsWith('+')) {
+        digits.remove(0, 1);
+        if (digits.startsWith('-')) {
+            return {};
+        }
+    }
+    double value = 0;
+    const char* const end = digits.constData() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.constData(), end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+        return {};
+    }
+    return value;
+}
+
+QString showNumber(double value, const QLocale& locale) {
+    QString text = QString::fromStdString(numberText(value));
+    return text.replace(u'.', locale.decimalPoint());
+}
+
+QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
+    if (!parseNumber(text)) {
+        return text;
+    }
+    QString mantissa = text.trimmed();
+    const qsizetype e = mantissa.indexOf(QRegularExpression(QStringLiteral("[eE\u0435\u0415]")));
+    const QString exponent = e < 0 ? QString() : mantissa.mid(e);
+    mantissa.truncate(e < 0 ? mantissa.size() : e);
+    const bool comma = mantissa.contains(u',');
+    const qsizetype separator = mantissa.indexOf(comma ? u',' : u'.');
+    qsizetype decimals = separator < 0 ? 0 : mantissa.size() - separator - 1;
+    if (mantissa.size() > 17) {
+        return text; // the last digit is beyond what a double tells apart
+    }
+    qlonglong digits = std::llround(*parseNumber(mantissa) * std::pow(10.0, double(decimals)));
+    if (digits + steps == 0 && !zeroAllowed) {
+        digits *= 10;
+        ++decimals;
+    }
+    digits += steps;
+    QString shown = QString::number(std::abs(digits)).rightJustified(decimals + 1, u'0');
+    if (decimals > 0) {
+        shown.insert(shown.size() - decimals, comma || separator < 0 ? QLocale().decimalPoint()
+                                                                     : QStringLiteral("."));
+        if (comma) {
+            shown.replace(u'.', u',');
+        }
+    }
+    return (digits < 0 ? QStringLiteral("-") : QString()) + shown + exponent;
+}
+
+} // namespace sparkout

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLocale>
+#include <QString>
+
+#include <optional>
+
+/// Numbers as people type and read them.
+namespace sparkout {
+
+/// Reads a number written with a decimal point or comma, an exponent, a typographic minus and
+/// spaces around it. Anything else, group separators too, is no number.
+[[nodiscard]] std::optional<double> parseNumber(const QString& text);
+
+/// The shortest digits that read back to the same double, with the locale's decimal separator.
+[[nodiscard]] QString showNumber(double value, const QLocale& locale);
+
+/// The number of a text one step of its last digit higher (steps > 0) or lower, written as the
+/// text is. A step to zero that the caller refuses goes one digit finer.
+[[nodiscard]] QString stepNumber(const QString& text, int steps, bool zeroAllowed);
+
+} // namespace sparkout

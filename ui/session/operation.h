@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+/// Edits that must change several inputs together.
+namespace sparkout {
+
+/// A small complete cycle of each operation, to start from.
+[[nodiscard]] Project newProject(Operation operation);
+
+/// The project under the other operation: feeds, compliance, wheel and gauge get values the new
+/// operation can run with; what it does not read is cleared.
+[[nodiscard]] Project withOperation(Project project, Operation operation);
+
+/// The project with another number of plunge sections; a listed compliance follows.
+[[nodiscard]] Project withSections(Project project, int sections);
+
+/// The project with its compliance entered directly (true) or computed from stiffness and shaft.
+[[nodiscard]] Project withGivenCompliance(Project project, bool given);
+
+/// Whether stiffness and shaft are there to compute the compliance from.
+[[nodiscard]] bool complianceComputable(const Project& project);
+
+} // namespace sparkout

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/texts.h"
+
+#include "core/project/project.h"
+#include "ui/session/member.h"
+#include "ui/session/number_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <array>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+QString translated(const char* context, const char* text) {
+    return *text ? QCoreApplication::translate(context, text) : QString();
+}
+
+constexpr std::array units{
+    QT_TRANSLATE_NOOP("Unit", "mm/min"),  QT_TRANSLATE_NOOP("Unit", "mm/N"),
+    QT_TRANSLATE_NOOP("Unit", "mm²/s"),   QT_TRANSLATE_NOOP("Unit", "mm"),
+    QT_TRANSLATE_NOOP("Unit", "µm"),      QT_TRANSLATE_NOOP("Unit", "rev/min"),
+    QT_TRANSLATE_NOOP("Unit", "m/s"),     QT_TRANSLATE_NOOP("Unit", "s"),
+    QT_TRANSLATE_NOOP("Unit", "N, N/µm"), QT_TRANSLATE_NOOP("Unit", "N/µm"),
+    QT_TRANSLATE_NOOP("Unit", "MPa"),     QT_TRANSLATE_NOOP("Unit", "GPa"),
+    QT_TRANSLATE_NOOP("Unit", "kW"),      QT_TRANSLATE_NOOP("Unit", "HRC"),
+    QT_TRANSLATE_NOOP("Unit", "W/(m·K)"), QT_TRANSLATE_NOOP("Unit", "J/m²"),
+    QT_TRANSLATE_NOOP("Unit", "1/mm²"),   QT_TRANSLATE_NOOP("Unit", "K"),
+    QT_TRANSLATE_NOOP("Unit", "°"),
+};
+
+/// Words the core uses in the values and limits of its issues.
+constexpr std::array words{
+    QT_TRANSLATE_NOOP("Detail", "at least"),
+    QT_TRANSLATE_NOOP("Detail", "at most"),
+    QT_TRANSLATE_NOOP("Detail", "below"),
+    QT_TRANSLATE_NOOP("Detail", "above"),
+    QT_TRANSLATE_NOOP("Detail", "wheel width"),
+    QT_TRANSLATE_NOOP("Detail", "ground length"),
+    QT_TRANSLATE_NOOP("Detail", "visits"),
+    QT_TRANSLATE_NOOP("Detail", "plunge"),
+    QT_TRANSLATE_NOOP("Detail", "traverse"),
+    QT_TRANSLATE_NOOP("Detail", "internal"),
+    QT_TRANSLATE_NOOP("Detail", "external"),
+    QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of the quill"),
+    QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of each step of the shaft"),
+    QT_TRANSLATE_NOOP("Detail", "compliance_mm_per_n, or stiffness_n_um with part.shaft"),
+    QT_TRANSLATE_NOOP("Detail", "list of objects"),
+    QT_TRANSLATE_NOOP("Detail", "a list"),
+    QT_TRANSLATE_NOOP("Detail", "an object"),
+    QT_TRANSLATE_NOOP("Detail", "text"),
+};
+
+/// A value or limit of an issue in the present language. What quotes the file stays as it is.
+std::string localised(const std::string& detail) {
+    QString text = QString::fromStdString(detail);
+    if (text.contains(u'"')) {
+        return detail;
+    }
+    for (const char* word : words) {
+        text.replace(QRegularExpression(QStringLiteral("(?<![\\w])%1(?![\\w])").arg(
+                         QRegularExpression::escape(QString::fromUtf8(word)))),
+                     translated("Detail", word));
+    }
+    for (const char* unit : units) {
+        text.replace(QRegularExpression(
+                         QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])")
+                             .arg(QRegularExpression::escape(QString::fromUtf8(unit))),
+                         QRegularExpression::UseUnicodePropertiesOption),
+                     u' ' + translated("Unit", unit));
+    }
+    static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
+    return text.replace(point, QLocale().decimalPoint()).toStdString();
+}
+
+} // namespace
+
+QString inputText(const char* text) { return translated("Input", text); }
+QString choiceText(const char* text) { return translated("Choice", text); }
+QString structText(const char* text) { return translated("Struct", text); }
+QString unitText(const char* unit) { return translated("Unit", unit); }
+
+QString zoneText(const char* key) {
+    const QLatin1StringView name(key);
+    if (name == QLatin1StringView("rz1")) {
+        return QCoreApplication::translate("Zone", "RZ1");
+    }
+    if (name == QLatin1StringView("nz")) {
+        return QCoreApplication::translate("Zone", "NZ");
+    }
+    return name == QLatin1StringView("rz2") ? QCoreApplication::translate("Zone", "RZ2")
+                                            : QString::fromUtf8(key);
+}
+
+QString rangeShown(const Range& range, const char* unit) {
+    const bool below = std::isfinite(range.low);
+    const bool above = std::isfinite(range.high);
+    const QString low = showNumber(range.low, QLocale());
+    const QString high = showNumber(range.high, QLocale());
+    QString text;
+    if (below && above) {
+        text = range.lowOpen ? QCoreApplication::translate("Range", "above %1, up to %2")
+                             : QCoreApplication::translate("Range", "%1 to %2");
+        text = text.arg(low, high);
+    } else if (below) {
+        text = range.lowOpen ? QCoreApplication::translate("Range", "above %1").arg(low)
+                             : QCoreApplication::translate("Range", "at least %1").arg(low);
+    } else if (above) {
+        text = QCoreApplication::translate("Range", "at most %1").arg(high);
+    }
+    return text.isEmpty() || !*unit ? text : text + u'\u00a0' + unitText(unit);
+}
+
+QString issueText(const Issue& issue) {
+    Issue shown = issue;
+    shown.value = localised(issue.value);
+    shown.limit = localised(issue.limit);
+    const QString sentence = translated("Issue", issueTemplate(issue.code));
+    return QString::fromStdString(fillTemplate(sentence.toStdString(), shown));
+}
+
+QString locationText(const std::string& path) {
+    QStringList words;
+    const StructInfo* table = &tableOf<Project>();
+    const Field* list = nullptr;
+    const QStringList keys = QString::fromStdString(path).split(u'/', Qt::SkipEmptyParts);
+    for (const QString& key : keys) {
+        bool isIndex = false;
+        const int index = key.toInt(&isIndex);
+        const Field* field = table ? table->find(key.toStdString()) : nullptr;
+        if (isIndex && list && list->nested) {
+            words += QCoreApplication::translate("Location", "%1 %2")
+                         .arg(structText(list->nested->name)).arg(index + 1);
+        } else if (field) {
+            words += inputText(field->label);
+            table = field->nested;
+            list = field;
+        } else {
+            words += zoneText(key.toUtf8().constData());
+        }
+    }
+    return words.join(QStringLiteral(" › "));
+}
+
+} // namespace sparkout

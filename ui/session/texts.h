@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/issue.h"
+#include "core/project/safe_file.h"
+
+#include <QString>
+
+/// The core's texts in the present language. The core marks them, the session words them.
+namespace sparkout {
+
+[[nodiscard]] QString inputText(const char* text);  ///< label, hint, meaning of null
+[[nodiscard]] QString choiceText(const char* text); ///< label of a choice
+[[nodiscard]] QString structText(const char* text); ///< name of a struct
+[[nodiscard]] QString unitText(const char* unit);   ///< "mm/min" → "мм/мин"
+[[nodiscard]] QString zoneText(const char* key);    ///< "rz1" → "РЗ1"
+
+/// A range with its unit: "0.5 to 1000 mm", "above 0, up to 5 mm"; empty when unbounded.
+[[nodiscard]] QString rangeShown(const Range& range, const char* unit);
+
+/// The sentence of an issue with value and limit filled in.
+[[nodiscard]] QString issueText(const Issue& issue);
+
+/// Where an issue is, in words: "Cycle › Stage 2 › Axial feed".
+[[nodiscard]] QString locationText(const std::string& path);
+
+/// Why a file was not read, or not saved.
+[[nodiscard]] QString readErrorText(const FileError& error);
+[[nodiscard]] QString saveErrorText(const FileError& error);
+
+} // namespace sparkout

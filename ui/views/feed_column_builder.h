@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/feed_series.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// Sums up the passes of one zone or section, in time, into the points of its column.
+class FeedColumnBuilder {
+public:
+    FeedColumnBuilder(const FeedSeries& series, FeedColumn& column, std::size_t radii);
+    void add(std::size_t index, const Pass& pass, const Visit* visits);
+    int finish(); ///< closes the last stroke; how many visits were not finite
+
+private:
+    void openStroke(const Pass& pass, const Visit* visits);
+    void growStroke(const FeedPoint& pass);
+    void closeStroke();
+
+    const FeedSeries& m_series;
+    FeedColumn& m_column;
+    std::size_t m_radii;
+    int m_dropped = 0;
+    std::vector<double> m_fed_mm;        ///< t_П at the last visit of each radius
+    std::vector<double> m_strokeFed_mm;  ///< the same when the stroke began
+    std::vector<double> m_strokeCut_mm;  ///< Σa within the stroke
+    std::vector<double> m_strokeCame_mm; ///< radius when the stroke began
+    FeedPoint m_stroke;
+    bool m_open = false;
+};
+
+/// One visit as a point; `before_mm` is t_П at the radius' visit before.
+[[nodiscard]] FeedPoint radiusPoint(const FeedSeries& series, const Pass& pass, const Visit& visit,
+                                    double before_mm, std::size_t k, std::size_t radii);
+
+} // namespace sparkout

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/light_icon.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+namespace sparkout {
+
+QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
+    QPixmap pixmap(QSize(size, size) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setOpacity(grey ? 0.4 : 1);
+    const QRectF box(1, 1, size - 2, size - 2);
+    switch (light) {
+    case Light::holds:
+        painter.setBrush(QColor(0x009E73));
+        painter.drawEllipse(box);
+        break;
+    case Light::close:
+        painter.setBrush(QColor(0xE69F00));
+        painter.drawPolygon(
+            QPolygonF({QPointF(box.center().x(), box.top()), box.bottomRight(), box.bottomLeft()}));
+        break;
+    case Light::fails:
+        painter.setBrush(QColor(0xD55E00));
+        painter.drawRect(box.adjusted(1, 1, -1, -1));
+        break;
+    }
+    return pixmap;
+}
+
+} // namespace sparkout

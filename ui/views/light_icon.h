@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/verdict_model.h"
+
+#include <QPixmap>
+
+namespace sparkout {
+
+/// Circle, triangle or square in the light's colour, told apart without colour too.
+[[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
+
+} // namespace sparkout

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/names.h"
+
+#include "ui/session/texts.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+/// The current locale without group separators, which read as decimal ones in another language.
+QLocale numbers() {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
+} // namespace
+
+StrokeStep strokeStep(Zone zone, Step step) {
+    using enum StrokeStep;
+    constexpr StrokeStep rz1[] = {none,          plungeIn,     entryDwell,
+                                  workingStroke, returnStroke, entryDwell};
+    constexpr StrokeStep nz[] = {none, workingStroke, returnStroke, none, none, none};
+    constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, none, none};
+    const int i = std::clamp(static_cast<int>(step), 0, 5);
+    switch (zone) {
+    case Zone::rz1: return rz1[i];
+    case Zone::nz: return nz[i];
+    case Zone::rz2: return rz2[i];
+    case Zone::section: break;
+    }
+    return none;
+}
+
+QString Names::zone(Zone zone, int section) {
+    switch (zone) {
+    case Zone::rz1: return tr("RZ1", "entry reversal zone, short");
+    case Zone::nz: return tr("NZ", "zone between reversals, short");
+    case Zone::rz2: return tr("RZ2", "exit reversal zone, short");
+    case Zone::section: break;
+    }
+    return tr("Section %1").arg(section + 1);
+}
+
+QString Names::zoneFull(Zone zone, int section) {
+    switch (zone) {
+    case Zone::rz1: return tr("Entry reversal zone RZ1");
+    case Zone::nz: return tr("Zone between reversals NZ");
+    case Zone::rz2: return tr("Exit reversal zone RZ2");
+    case Zone::section: break;
+    }
+    return tr("Section %1").arg(section + 1);
+}
+
+QString Names::step(Step step) {
+    return step == Step::none ? QString()
+                              : tr("E%1", "step of a double stroke").arg(static_cast<int>(step));
+}
+
+QString Names::stepMeaning(Zone zone, Step step) {
+    switch (strokeStep(zone, step)) {
+    case StrokeStep::plungeIn: return tr("plunge-in");
+    case StrokeStep::entryDwell: return tr("entry dwell");
+    case StrokeStep::workingStroke: return tr("working stroke");
+    case StrokeStep::exitDwell: return tr("exit dwell");
+    case StrokeStep::returnStroke: return tr("return stroke");
+    case StrokeStep::none: break;
+    }
+    return {};
+}
+
+QString Names::place(const Place& place, Operation operation) {
+    QStringList parts{zone(place.zone, place.section)};
+    if (place.step != Step::none) {
+        parts << step(place.step);
+    }
+    parts << tr("stage %1").arg(place.stage);
+    parts << (operation == Operation::traverse ? tr("double stroke %1").arg(place.cycleCount)
+                                               : tr("revolution %1").arg(place.cycleCount));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString Names::status(RunStatus status) {
+    switch (status) {
+    case RunStatus::completed: return tr("Completed");
+    case RunStatus::cannotReachSize: return tr("Cannot reach size");
+    case RunStatus::tooLong: return tr("Too long: the run was ended");
+    case RunStatus::stopped: return tr("Stopped");
+    }
+    return {};
+}
+
+QString Names::constraint(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::diameterMin: return tr("Smallest diameter");
+    case ConstraintKind::diameterMax: return tr("Largest diameter");
+    case ConstraintKind::radialRunout: return tr("Radial runout");
+    }
+    return {};
+}
+
+QString Names::issue(const Issue& issue) {
+    const QString text = issueText(issue);
+    return issue.path.empty() ? text : locationText(issue.path) + QStringLiteral(": ") + text;
+}
+
+QString Names::refusal(const Issues& issues, int most) {
+    QStringList lines;
+    int left = 0;
+    for (const Issue& i : issues) {
+        if (i.severity != Severity::error) {
+            continue;
+        }
+        if (lines.size() < most) {
+            lines << issue(i);
+        } else {
+            ++left;
+        }
+    }
+    if (left > 0) {
+        lines << tr("and %1 more").arg(left);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString Names::micrometres(double value_um) {
+    return numbers().toString(std::abs(value_um) < 0.005 ? 0.0 : value_um, 'f', 2);
+}
+
+QString Names::signedMicrometres(double value_um) {
+    return (value_um >= 0.005 ? QStringLiteral("+") : QString()) + micrometres(value_um);
+}
+
+QString Names::millimetres(double value_mm) {
+    return numbers().toString(std::abs(value_mm) < 0.00005 ? 0.0 : value_mm, 'f', 4);
+}
+
+QString Names::significant(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    const double size = std::abs(value);
+    const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+    return numbers().toString(value, 'f', std::clamp(digits - before, 0, 9));
+}
+
+} // namespace sparkout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/result.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace sparkout {
+
+/// The translated names and number forms that every view uses, in one place.
+class Names {
+    Q_DECLARE_TR_FUNCTIONS(Names)
+public:
+    static QString zone(Zone zone, int section = 0);     ///< "RZ1", or "Section 2" (counted from 1)
+    static QString zoneFull(Zone zone, int section = 0); ///< "Entry reversal zone RZ1"
+    static QString step(Step step);                      ///< "E1"; empty for none
+    /// What a step E1…E5 is in a zone: "plunge-in", "entry dwell", "working stroke", …
+    static QString stepMeaning(Zone zone, Step step);
+    static QString place(const Place& place, Operation operation);
+    static QString status(RunStatus status);
+    static QString constraint(ConstraintKind kind); ///< "Largest diameter"
+    static QString issue(const Issue& issue);       ///< the sentence after its place in words
+    /// The first errors of a refused input, at most `most` of them, one a line.
+    static QString refusal(const Issues& issues, int most = 3);
+
+    static QString micrometres(double value_um);              ///< 2 decimals, current locale
+    static QString signedMicrometres(double value_um);        ///< the same, with its sign
+    static QString millimetres(double value_mm);              ///< 4 decimals
+    static QString significant(double value, int digits = 3); ///< never an exponent
+};
+
+/// The physical step of a double stroke behind a zone's E1…E5.
+enum class StrokeStep { plungeIn, entryDwell, workingStroke, exitDwell, returnStroke, none };
+
+[[nodiscard]] StrokeStep strokeStep(Zone zone, Step step);
+
+} // namespace sparkout

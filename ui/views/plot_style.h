@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+
+class QCPAxis;
+class QCustomPlot;
+
+/// Colours and safe ranges that the plots share. The set of colours is Okabe and Ito's, told apart
+/// by colour-blind readers too; text and lines of the axes follow the palette.
+namespace sparkout::style {
+
+enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
+
+[[nodiscard]] bool isDark(const QPalette& palette);
+
+/// A colour of the set, in the shade that stands out from the palette's background.
+[[nodiscard]] QColor colour(Hue hue, const QPalette& palette);
+
+[[nodiscard]] QColor dimmed(QColor colour, bool dim); ///< mostly transparent when dim
+
+void applyPalette(QCustomPlot& plot, const QPalette& palette);
+void applyPalette(QCPAxis& axis, const QPalette& palette);
+
+/// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
+/// ranges are ignored.
+void setSafeRange(QCPAxis& axis, double low, double high);
+
+} // namespace sparkout::style

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/verdict_model.h"
+
+#include "ui/views/names.h"
+
+#include <QCoreApplication>
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace sparkout {
+
+Light lightOf(const ConstraintResult& constraint) {
+    if (!constraint.holds) {
+        return Light::fails;
+    }
+    return constraint.relativeMargin < closeMargin ? Light::close : Light::holds;
+}
+
+QString lightName(Light light) {
+    switch (light) {
+    case Light::holds: return VerdictModel::tr("holds");
+    case Light::close: return VerdictModel::tr("close to the limit");
+    case Light::fails: return VerdictModel::tr("fails");
+    }
+    return {};
+}
+
+VerdictModel::VerdictModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void VerdictModel::setOutcome(OutcomePtr outcome) {
+    beginResetModel();
+    m_outcome = std::move(outcome);
+    m_rows.clear();
+    if (m_outcome) {
+        std::vector<const ConstraintResult*> sorted;
+        for (const ConstraintResult& c : m_outcome->constraints) {
+            sorted.push_back(&c);
+        }
+        std::ranges::stable_sort(sorted, {}, [](const ConstraintResult* c) { return c->section; });
+        for (const ConstraintResult* c : sorted) {
+            if (m_rows.empty() || m_rows.back().section != c->section) {
+                m_rows.push_back({nullptr, c->zone, c->section});
+            }
+            m_rows.push_back({c, c->zone, c->section});
+        }
+    }
+    endResetModel();
+}
+
+void VerdictModel::setGreyed(bool grey) {
+    if (m_grey != grey) {
+        beginResetModel();
+        m_grey = grey;
+        endResetModel();
+    }
+}
+
+void VerdictModel::setIcons(const std::array<QIcon, 3>& icons) {
+    m_icons = icons;
+    retranslate();
+}
+
+void VerdictModel::retranslate() {
+    beginResetModel();
+    endResetModel();
+}
+
+bool VerdictModel::isZoneRow(int row) const {
+    return m_rows.at(static_cast<std::size_t>(row)).constraint == nullptr;
+}
+
+int VerdictModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int VerdictModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnCount_;
+}
+
+QString VerdictModel::text(const ConstraintResult& c, int column) const {
+    const bool deviation = c.kind != ConstraintKind::radialRunout;
+    const auto number = [deviation](double v) {
+        return deviation ? Names::signedMicrometres(v) : Names::micrometres(v);
+    };
+    switch (column) {
+    case requirement: return Names::constraint(c.kind);
+    case value: return number(c.value);
+    case limit: return number(c.limit);
+    case margin: return Names::signedMicrometres(c.margin);
+    default: return {};
+    }
+}
+
+QVariant VerdictModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Row& row = m_rows.at(static_cast<std::size_t>(index.row()));
+    const bool first = index.column() == requirement;
+    if (role == Qt::ForegroundRole && m_grey) {
+        return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+    }
+    if (role == Qt::TextAlignmentRole && !first) {
+        return static_cast<int>(Qt::AlignRight | Qt::AlignTop);
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>(Qt::AlignLeft | Qt::AlignTop);
+    }
+    return row.constraint ? requirementData(row, index.column(), role) : zoneData(row, first, role);
+}
+
+QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
+    if (first && (role == Qt::DisplayRole || role == Qt::AccessibleTextRole)) {
+        return tr("%1, µm").arg(Names::zoneFull(row.zone, row.section));
+    }
+    if (role == Qt::FontRole) {
+        QFont font;
+        font.setBold(true);
+        return font;
+    }
+    return {};
+}
+
+QVariant VerdictModel::requirementData(const Row& row, int column, int role) const {
+    const bool first = column == requirement;
+    const Light light = lightOf(*row.constraint);
+    const QString shown = text(*row.constraint, column);
+    switch (role) {
+    case Qt::DisplayRole: return first ? shown + QLatin1Char('\n') + lightName(light) : shown;
+    case Qt::DecorationRole:
+        return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return QStringLiteral("%1, %2: %3")
+            .arg(Names::zone(row.zone, row.section), Names::constraint(row.constraint->kind),
+                 first ? lightName(light) : shown);
+    default: return {};
+    }
+}
+
+QVariant VerdictModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((section == requirement ? Qt::AlignLeft : Qt::AlignRight)
+                                | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+    case requirement: return tr("Requirement");
+    case value: return tr("Value");
+    case limit: return tr("Limit");
+    case margin: return tr("Margin");
+    default: return {};
+    }
+}
+
+Qt::ItemFlags VerdictModel::flags(const QModelIndex& index) const {
+    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+}
+
+QString VerdictModel::asTsv() const {
+    QStringList lines;
+    QStringList head{tr("Zone or section")};
+    for (int c = 0; c < columnCount_; ++c) {
+        const QString name = headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+        head << (c == requirement ? name : tr("%1, µm").arg(name));
+    }
+    lines << (head << tr("Verdict")).join(QLatin1Char('\t'));
+    for (const Row& row : m_rows) {
+        if (!row.constraint) {
+            continue;
+        }
+        QStringList cells{Names::zone(row.zone, row.section)};
+        for (int c = 0; c < columnCount_; ++c) {
+            cells << text(*row.constraint, c);
+        }
+        lines << (cells << lightName(lightOf(*row.constraint))).join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+} // namespace sparkout
