@@ -39,9 +39,6 @@ Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach s
 4 a requirement fails (--check).
 )";
 
-/// A trace is built in memory: at most about 1 GB.
-constexpr long long mostTraceRows = 8'000'000;
-
 struct Options {
     std::string command, operand, trace;
     bool json = false, check = false;
@@ -110,10 +107,10 @@ int runSimulate(const Options& options) {
     SimulationResult result = simulate(*project);
     Trajectory trajectory;
     if (!options.trace.empty()) { // a second run: now the trace's size is known
-        if (result.visits > mostTraceRows) {
+        if (result.visits > maxRecordedVisits) {
             print(stderr, options.operand + ": the trace would have "
                               + std::to_string(result.visits) + " rows; allowed: at most "
-                              + std::to_string(mostTraceRows) + '\n');
+                              + std::to_string(maxRecordedVisits) + '\n');
             return refused;
         }
         result = simulate(*project, &trajectory);

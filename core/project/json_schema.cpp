@@ -27,7 +27,9 @@ ordered_json withRange(ordered_json schema, const Range& range) {
     return schema;
 }
 
-ordered_json numberSchema(const Field& field) { return withRange({{"type", "number"}}, field.hard); }
+ordered_json numberSchema(const Field& field) {
+    return withRange({{"type", "number"}}, field.hard);
+}
 ordered_json integerSchema(const Field& field) {
     return withRange({{"type", "integer"}}, field.hard);
 }
@@ -111,8 +113,7 @@ ordered_json kindSchema(const Field& field) {
         return anyOf({numbersByName(field, {"rz1", "nz", "rz2"}), numbersSchema(field), null});
     case Kind::levels:
         return anyOf({numbersSchema(field), numbersByName(field, {"from", "to", "step"}), null});
-    case Kind::numberRows:
-        return orNull({{"type", "array"}, {"items", numbersSchema(field)}});
+    case Kind::numberRows: return orNull({{"type", "array"}, {"items", numbersSchema(field)}});
     case Kind::jsonText: return {{"type", "object"}};
     }
     return {};
@@ -132,7 +133,9 @@ std::string description(const Field& field) {
     return text;
 }
 
-bool alwaysRequired(const Field& field) { return field.required == conditions::always; }
+bool alwaysRequired(const Field& field) {
+    return field.required == conditions::always;
+}
 
 ordered_json fieldSchema(const Field& field, const ordered_json& defaults) {
     ordered_json schema = {{"title", field.label}};

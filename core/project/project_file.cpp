@@ -6,6 +6,7 @@
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
 #include "core/project/validate.h"
+#include "core/text.h"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ constexpr const char* formatName = "sparkout-project";
 /// The header decides whether the rest is worth reading.
 Issues checkHeader(const json& root) {
     if (!root.is_object()) {
-        return {{IssueCode::wrongType, Severity::error, {}, quoted(root), "object"}};
+        return {{IssueCode::wrongType, Severity::error, {}, quoted(root), SPARKOUT_NOOP("Limit", "object")}};
     }
     Issues issues;
     const auto add = [&](IssueCode code, const char* path, std::string value, std::string limit) {
@@ -36,7 +37,7 @@ Issues checkHeader(const json& root) {
     if (!root.contains("version")) {
         add(IssueCode::missingKey, "/version", {}, versions);
     } else if (const json& version = root.at("version"); !version.is_number_integer()) {
-        add(IssueCode::wrongType, "/version", quoted(version), "whole number");
+        add(IssueCode::wrongType, "/version", quoted(version), SPARKOUT_NOOP("Limit", "whole number"));
     } else if (version.get<double>() > projectVersion) {
         add(IssueCode::newerVersion, "/version", quoted(version), versions);
     } else if (version.get<double>() < 1) {

@@ -3,6 +3,7 @@
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
+#include "core/text.h"
 
 #include <charconv>
 #include <cmath>
@@ -186,9 +187,9 @@ std::string allowedText(const Field& field) {
     case Kind::optionalNumber:
     case Kind::integer:
     case Kind::optionalInteger:
-        return field.hard.unbounded() ? "number" : rangeText(field.hard, field.unit);
+        return field.hard.unbounded() ? SPARKOUT_NOOP("Limit", "number") : rangeText(field.hard, field.unit);
     case Kind::boolean: return "true, false";
-    case Kind::text: return "text";
+    case Kind::text: return SPARKOUT_NOOP("Limit", "text");
     case Kind::choice: {
         std::string text;
         for (const Choice& choice : field.choices) {
@@ -196,10 +197,10 @@ std::string allowedText(const Field& field) {
         }
         return text;
     }
-    case Kind::objectList: return "list of objects";
+    case Kind::objectList: return SPARKOUT_NOOP("Limit", "list of objects");
     case Kind::object:
     case Kind::optionalObject:
-    case Kind::jsonText: return "object";
+    case Kind::jsonText: return SPARKOUT_NOOP("Limit", "object");
     default: return rangeText(field.hard, field.unit);
     }
 }

@@ -109,7 +109,8 @@ const char* typeText(Kind kind) {
     case Kind::optionalObject: return "object";
     case Kind::objectList: return "list of objects";
     case Kind::sparkOut: return "whole number or `\"until_size\"`";
-    case Kind::compliance: return "object with rz1, nz, rz2 (traverse), or list of numbers (plunge)";
+    case Kind::compliance:
+        return "object with rz1, nz, rz2 (traverse), or list of numbers (plunge)";
     case Kind::levels: return "list of numbers, or object with from, to, step";
     case Kind::numberRows: return "list of rows of numbers";
     case Kind::jsonText: return "object";

@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "core/project/strict_json.h"
 #include "core/project/validate.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ public:
     void readObject(const json& object, const StructInfo& table, void* owner,
                     const std::string& path, const std::vector<std::string>& skip) {
         if (!object.is_object()) {
-            refuse(path, object, "object");
+            refuse(path, object, SPARKOUT_NOOP("Limit", "object"));
             return;
         }
         for (const auto& [key, value] : object.items()) {
@@ -70,7 +71,7 @@ private:
 
     std::optional<double> number(const json& value, const std::string& path) {
         if (!value.is_number()) {
-            refuse(path, value, "number");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "number"));
             return std::nullopt;
         }
         return value.get<double>() + 0.0; // −0 becomes 0
@@ -80,7 +81,7 @@ private:
                                    const std::string& path) {
         const double number = value.is_number() ? value.get<double>() : 0.5;
         if (number != std::floor(number)) {
-            refuse(path, value, "whole number");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "whole number"));
             return std::nullopt;
         }
         if (std::abs(number) > std::numeric_limits<int>::max()) {
@@ -92,7 +93,7 @@ private:
 
     std::optional<std::vector<double>> numbers(const json& value, const std::string& path) {
         if (!value.is_array()) {
-            refuse(path, value, "list of numbers");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "list of numbers"));
             return std::nullopt;
         }
         std::vector<double> list;
@@ -105,7 +106,7 @@ private:
 
     void readChoice(const json& value, const Field& field, void* owner, const std::string& path) {
         if (!value.is_string()) {
-            refuse(path, value, "text");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "text"));
             return;
         }
         for (std::size_t i = 0; i < field.choices.size(); ++i) {
@@ -119,13 +120,13 @@ private:
 
     void readList(const json& value, const Field& field, void* owner, const std::string& path) {
         if (!value.is_array()) {
-            refuse(path, value, "list of objects");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "list of objects"));
             return;
         }
         constexpr std::size_t mostItems = 1000;
         if (value.size() > mostItems) {
             report(IssueCode::wrongCount, path, value.size(),
-                   "at most " + std::to_string(mostItems));
+                   "≤ " + std::to_string(mostItems));
             return;
         }
         field.resize(owner, value.size());
@@ -146,7 +147,7 @@ private:
                 sparkOut = {SparkOut::Mode::count, *count};
             }
         } else {
-            refuse(path, value, "whole number or \"until_size\"");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "whole number or \"until_size\""));
         }
     }
 
@@ -160,7 +161,7 @@ private:
         } else if (value.is_object()) {
             compliance = readZones(value, path);
         } else {
-            refuse(path, value, "object with rz1, nz, rz2, or list of numbers, or null");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "object with rz1, nz, rz2, or list of numbers, or null"));
         }
     }
 
@@ -173,7 +174,7 @@ private:
                 *target = number(value.at(key), path + "/" + key).value_or(0);
             } else {
                 m_issues.push_back({IssueCode::missingKey, Severity::error,
-                                    path + "/" + key, {}, "number, mm/N"});
+                                    path + "/" + key, {}, SPARKOUT_NOOP("Limit", "number, mm/N")});
             }
         }
         for (const auto& [key, item] : value.items()) {
@@ -197,7 +198,7 @@ private:
                                    number(value.at("to"), path + "/to").value_or(0),
                                    number(value.at("step"), path + "/step").value_or(0)};
         } else {
-            refuse(path, value, "list of numbers, or object with from, to, step");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "list of numbers, or object with from, to, step"));
         }
     }
 
@@ -208,7 +209,7 @@ private:
             return;
         }
         if (!value.is_array()) {
-            refuse(path, value, "list of rows of numbers, or null");
+            refuse(path, value, SPARKOUT_NOOP("Limit", "list of rows of numbers, or null"));
             return;
         }
         rows.emplace();
@@ -253,11 +254,11 @@ private:
             break;
         case Kind::boolean:
             value.is_boolean() ? void(field.as<bool>(owner) = value.get<bool>())
-                               : refuse(path, value, "true or false");
+                               : refuse(path, value, SPARKOUT_NOOP("Limit", "true or false"));
             break;
         case Kind::text:
             value.is_string() ? void(field.as<std::string>(owner) = value.get<std::string>())
-                              : refuse(path, value, "text");
+                              : refuse(path, value, SPARKOUT_NOOP("Limit", "text"));
             break;
         case Kind::choice: readChoice(value, field, owner, path); break;
         case Kind::numberList:
@@ -278,7 +279,7 @@ private:
         case Kind::numberRows: readRows(value, field, owner, path); break;
         case Kind::jsonText:
             value.is_object() ? void(field.as<JsonText>(owner).text = value.dump())
-                              : refuse(path, value, "object");
+                              : refuse(path, value, SPARKOUT_NOOP("Limit", "object"));
             break;
         }
     }

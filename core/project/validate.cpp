@@ -2,6 +2,7 @@
 #include "core/project/validate.h"
 
 #include "core/project/range_check.h"
+#include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ private:
             }
             if (project().wheel.diameter_mm >= part.diameter_mm) {
                 add(IssueCode::wheelTooLarge, "/wheel/diameter_mm",
-                    mm(project().wheel.diameter_mm), "below " + mm(part.diameter_mm));
+                    mm(project().wheel.diameter_mm), "< " + mm(part.diameter_mm) + " (d)");
             }
         }
     }
@@ -126,7 +127,7 @@ private:
         const Machine& machine = project().machine;
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
         const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
-        const std::string below = "0… below " + mm(wheel.width_mm) + " (wheel width)";
+        const std::string below = "< " + mm(wheel.width_mm) + " (B)";
         if (rz1 <= 0) {
             add(IssueCode::outOfRange, "/machine/overrun_entry_mm", mm(machine.overrun_entry_mm),
                 below);
@@ -137,7 +138,7 @@ private:
         }
         if (rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
             add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
-                "above " + mm(rz1 + rz2) + " (2·B − o1 − o2)");
+                "> " + mm(rz1 + rz2) + " (2·B − o1 − o2)");
         }
         if (project().gauge.position_mm) {
             warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge.position_mm),
@@ -154,7 +155,7 @@ private:
         const Gauge& gauge = project().gauge;
         if (project().wheel.width_mm < part.length_mm) {
             add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
-                "at least " + mm(part.length_mm) + " (ground length)");
+                "≥ " + mm(part.length_mm) + " (L_p)");
         }
         if (gauge.section && *gauge.section >= project().sections) {
             add(IssueCode::outOfRange, "/gauge/section", std::to_string(*gauge.section),
@@ -162,7 +163,7 @@ private:
         }
         if (gauge.position_mm && *gauge.position_mm > part.length_mm) {
             add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
-                "0…" + mm(part.length_mm) + " (ground length)");
+                "0…" + mm(part.length_mm) + " (L_p)");
         }
     }
 
@@ -174,11 +175,11 @@ private:
             checkStiffness();
         } else if (project().operation == Operation::traverse) {
             if (sections) {
-                add(IssueCode::wrongType, path, "a list", "object with rz1, nz, rz2 (traverse)");
+                add(IssueCode::wrongType, path, "[…]", "{ rz1, nz, rz2 }");
             }
         } else if (!sections) {
-            add(IssueCode::wrongType, path, "an object",
-                "list of " + std::to_string(project().sections) + " numbers (plunge)");
+            add(IssueCode::wrongType, path, "{…}",
+                "[γ × " + std::to_string(project().sections) + "]");
         } else if (sections->size() != static_cast<std::size_t>(project().sections)) {
             add(IssueCode::wrongCount, path, std::to_string(sections->size()),
                 std::to_string(project().sections) + " (sections)");
@@ -209,7 +210,7 @@ private:
                 "length_mm and diameter_mm of each step of the shaft");
         } else if (length < needed - 1e-9) {
             add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length),
-                "at least " + mm(needed));
+                "≥ " + mm(needed));
         }
         for (std::size_t i = 0; i < shaft.steady_rests.size(); ++i) {
             if (shaft.steady_rests[i].position_mm > length) {
@@ -256,13 +257,13 @@ private:
             warn(IssueCode::feedUnused, feedPath, numberText(*feed) + unit, {});
         }
         if (!sparks && !feed) {
-            add(IssueCode::missingKey, feedPath, {}, "above 0" + unit);
+            add(IssueCode::missingKey, feedPath, {}, "> 0" + unit);
         } else if (!sparks && *feed < 1e-6) {
             add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit,
-                "at least 0.000001" + unit);
+                "≥ 0.000001" + unit);
         }
         if (traverse && !stage.axial_feed_mm_min) {
-            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {}, "above 0 mm/min");
+            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {}, "> 0 mm/min");
         }
     }
 
@@ -274,7 +275,7 @@ private:
         for (std::size_t i = 0; i < stages.size(); ++i) {
             if (stages[i] != std::floor(stages[i])) {
                 add(IssueCode::wrongType, "/optimisation/stages/" + std::to_string(i),
-                    numberText(stages[i]), "whole number");
+                    numberText(stages[i]), SPARKOUT_NOOP("Limit", "whole number"));
             }
         }
     }

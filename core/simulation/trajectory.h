@@ -29,7 +29,7 @@ struct Visit {
     double normalForce_n = 0;  ///< P_y(a)
 };
 
-/// Runs beyond this many visits are not recorded (48 bytes a visit).
+/// Runs beyond this many visits are not recorded: 48 bytes each, and as a trace 130 more.
 inline constexpr long long maxRecordedVisits = 2'000'000;
 
 /// Everything that happened, pass by pass; recorded only when asked for.
