@@ -43,7 +43,8 @@ constexpr const char* usage =
     "  --version          print the version\n"
     "  --help             print this text\n"
     "\n"
-    "Exit status: 0 done, 1 the file is refused or the picture cannot be written, 2 wrong usage or\n"
+    "Exit status: 0 done, 1 the file is refused or the picture cannot be written, 2 wrong usage "
+    "or\n"
     "no display. sparkout-cli does without a display.\n";
 
 struct Options {
@@ -205,8 +206,8 @@ int main(int argc, char** argv) {
     }
     const Options options = readOptions(words);
     if (!options.fault.isEmpty()) {
-        say(stderr, QStringLiteral("sparkout: %1\n\n%2").arg(options.fault,
-                                                             QString::fromUtf8(usage)));
+        say(stderr,
+            QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, QString::fromUtf8(usage)));
         return exitUsage;
     }
     if (options.help || options.version) {

@@ -53,11 +53,11 @@
         </message>
         <message>
             <source>external (shaft)</source>
-            <translation>наружная (вал)</translation>
+            <translation>наружная</translation>
         </message>
         <message>
             <source>internal (bore)</source>
-            <translation>внутренняя (отверстие)</translation>
+            <translation>внутренняя</translation>
         </message>
         <message>
             <source>ellipse</source>
@@ -99,34 +99,6 @@
     <context>
         <name>Detail</name>
         <message>
-            <source>at least</source>
-            <translation>не менее</translation>
-        </message>
-        <message>
-            <source>at most</source>
-            <translation>не более</translation>
-        </message>
-        <message>
-            <source>below</source>
-            <translation>меньше</translation>
-        </message>
-        <message>
-            <source>above</source>
-            <translation>больше</translation>
-        </message>
-        <message>
-            <source>wheel width</source>
-            <translation>высота круга</translation>
-        </message>
-        <message>
-            <source>ground length</source>
-            <translation>длина шлифования</translation>
-        </message>
-        <message>
-            <source>visits</source>
-            <translation>проходов радиусов</translation>
-        </message>
-        <message>
             <source>plunge</source>
             <translation>врезному шлифованию</translation>
         </message>
@@ -144,7 +116,7 @@
         </message>
         <message>
             <source>length_mm and diameter_mm of the quill</source>
-            <translation>длина (length_mm) и диаметр (diameter_mm) шпинделя круга</translation>
+            <translation>длина (length_mm) и диаметр (diameter_mm) оправки круга</translation>
         </message>
         <message>
             <source>length_mm and diameter_mm of each step of the shaft</source>
@@ -155,20 +127,8 @@
             <translation>податливость (compliance_mm_per_n) либо жёсткость (stiffness_n_um) вместе с валом (part.shaft)</translation>
         </message>
         <message>
-            <source>list of objects</source>
-            <translation>список объектов</translation>
-        </message>
-        <message>
-            <source>a list</source>
-            <translation>список</translation>
-        </message>
-        <message>
-            <source>an object</source>
-            <translation>объект</translation>
-        </message>
-        <message>
-            <source>text</source>
-            <translation>текст</translation>
+            <source>of runout</source>
+            <translation>биения</translation>
         </message>
     </context>
     <context>
@@ -320,8 +280,8 @@
             <translation>Файл «%1» записан, но диск этого не подтвердил: %2. Сохраните ещё раз или на другой диск.</translation>
         </message>
         <message>
-            <source>“%1” was not saved: %2. The file still holds what it held before.</source>
-            <translation>Файл «%1» не сохранён: %2. В файле осталось прежнее содержимое.</translation>
+            <source>“%1” was not saved: %2. Nothing on the disk was changed.</source>
+            <translation>Файл «%1» не сохранён: %2. На диске ничего не изменилось.</translation>
         </message>
     </context>
     <context>
@@ -1040,19 +1000,19 @@
         </message>
         <message>
             <source>Quill length</source>
-            <translation>Вылет шпинделя круга</translation>
+            <translation>Вылет оправки</translation>
         </message>
         <message>
             <source>Overhang of the wheel's spindle in internal grinding.</source>
-            <translation>Вылет шпинделя круга при внутреннем шлифовании.</translation>
+            <translation>Вылет оправки круга при внутреннем шлифовании.</translation>
         </message>
         <message>
             <source>Quill diameter</source>
-            <translation>Диаметр шпинделя круга</translation>
+            <translation>Диаметр оправки</translation>
         </message>
         <message>
             <source>Diameter of the wheel's spindle in internal grinding.</source>
-            <translation>Диаметр шпинделя круга при внутреннем шлифовании.</translation>
+            <translation>Диаметр оправки круга при внутреннем шлифовании.</translation>
         </message>
         <message>
             <source>Segments of the shaft</source>
@@ -1096,7 +1056,7 @@
         </message>
         <message>
             <source>Quill</source>
-            <translation>Шпиндель круга</translation>
+            <translation>Оправка круга</translation>
         </message>
         <message>
             <source>none</source>
@@ -1104,7 +1064,7 @@
         </message>
         <message>
             <source>The wheel's spindle in internal grinding, a cantilever.</source>
-            <translation>Шпиндель круга при внутреннем шлифовании, консоль.</translation>
+            <translation>Оправка круга при внутреннем шлифовании, консоль.</translation>
         </message>
         <message>
             <source>Name of the part, as it stands in the drawing.</source>
@@ -1539,6 +1499,57 @@
         </message>
     </context>
     <context>
+        <name>Limit</name>
+        <message>
+            <source>number</source>
+            <translation>число</translation>
+        </message>
+        <message>
+            <source>text</source>
+            <translation>текст</translation>
+        </message>
+        <message>
+            <source>list of objects</source>
+            <translation>список объектов</translation>
+        </message>
+        <message>
+            <source>object</source>
+            <translation>объект</translation>
+        </message>
+        <message>
+            <source>whole number</source>
+            <translation>целое число</translation>
+        </message>
+        <message>
+            <source>list of numbers</source>
+            <translation>список чисел</translation>
+        </message>
+        <message>
+            <source>whole number or "until_size"</source>
+            <translation>целое число или "until_size"</translation>
+        </message>
+        <message>
+            <source>object with rz1, nz, rz2, or list of numbers, or null</source>
+            <translation>объект с rz1, nz, rz2, или список чисел, или null</translation>
+        </message>
+        <message>
+            <source>number, mm/N</source>
+            <translation>число, мм/Н</translation>
+        </message>
+        <message>
+            <source>list of numbers, or object with from, to, step</source>
+            <translation>список чисел или объект с from, to, step</translation>
+        </message>
+        <message>
+            <source>list of rows of numbers, or null</source>
+            <translation>список строк чисел или null</translation>
+        </message>
+        <message>
+            <source>true or false</source>
+            <translation>true или false</translation>
+        </message>
+    </context>
+    <context>
         <name>Location</name>
         <message>
             <source>%1 %2</source>
@@ -1731,7 +1742,7 @@
         </message>
         <message>
             <source>Quill</source>
-            <translation>Шпиндель круга</translation>
+            <translation>Оправка круга</translation>
         </message>
         <message>
             <source>Shaft</source>
@@ -1841,15 +1852,15 @@
         <name>VerdictText</name>
         <message>
             <source>diameter in %1 is %2 µm below the lower limit</source>
-            <translation>диаметр в %1 на %2 мкм меньше нижнего предела</translation>
+            <translation>диаметр (%1) на %2 мкм меньше нижнего предела</translation>
         </message>
         <message>
             <source>diameter in %1 is %2 µm above the upper limit</source>
-            <translation>диаметр в %1 на %2 мкм больше верхнего предела</translation>
+            <translation>диаметр (%1) на %2 мкм больше верхнего предела</translation>
         </message>
         <message>
             <source>radial runout in %1 is %2 µm above its limit</source>
-            <translation>радиальное биение в %1 на %2 мкм больше допуска</translation>
+            <translation>радиальное биение (%1) на %2 мкм больше допуска</translation>
         </message>
         <message>
             <source>%1 min</source>
@@ -1909,7 +1920,7 @@
         </message>
         <message>
             <source>Holds the drawing, but close to the limit: %1 in %2</source>
-            <translation>Чертёж выдержан, но близко к пределу: %1 в %2</translation>
+            <translation>Чертёж выдержан, но близко к пределу: %1 (%2)</translation>
         </message>
         <message>
             <source>Holds the drawing</source>
@@ -1929,6 +1940,10 @@
         <message>
             <source>RZ2</source>
             <translation>РЗ2</translation>
+        </message>
+        <message>
+            <source>Section %1</source>
+            <translation>Сечение %1</translation>
         </message>
     </context>
     <context>
@@ -2546,6 +2561,14 @@ target, µm</source>
         <message>
             <source>Computing time</source>
             <translation>Время расчёта</translation>
+        </message>
+        <message>
+            <source>Detach or attach the panel</source>
+            <translation>Отделить или вернуть панель</translation>
+        </message>
+        <message>
+            <source>Close the panel</source>
+            <translation>Закрыть панель</translation>
         </message>
     </context>
     <context>

@@ -86,7 +86,9 @@ void Actions::buildToolBar(QMainWindow& window) {
     }
 }
 
-void Actions::addDocks(const QList<QAction*>& toggles) { m_view->addActions(toggles); }
+void Actions::addDocks(const QList<QAction*>& toggles) {
+    m_view->addActions(toggles);
+}
 
 void Actions::follow(const Document& document) {
     undo->setEnabled(document.canUndo());

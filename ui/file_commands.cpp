@@ -53,9 +53,9 @@ void FileCommands::open() {
     if (!mayDiscard()) {
         return;
     }
-    const QString path = QFileDialog::getOpenFileName(
-        m_window, tr("Open a project"), m_settings.lastFolder(),
-        tr("Sparkout projects (*.sparkout);;All files (*)"));
+    const QString path =
+        QFileDialog::getOpenFileName(m_window, tr("Open a project"), m_settings.lastFolder(),
+                                     tr("Sparkout projects (*.sparkout);;All files (*)"));
     if (!path.isEmpty()) {
         openFile(path);
     }
@@ -120,8 +120,7 @@ QString FileCommands::suggestedPath() const {
     static const QRegularExpression unfit(QStringLiteral("[\\\\/:*?\"<>|\\x00-\\x1f]+"));
     QString name = QString::fromStdString(m_document.project().title).simplified();
     name.replace(unfit, QStringLiteral("_")).truncate(80);
-    return m_settings.lastFolder() + u'/' + (name.isEmpty() ? tr("Untitled") : name)
-           + suffix;
+    return m_settings.lastFolder() + u'/' + (name.isEmpty() ? tr("Untitled") : name) + suffix;
 }
 
 bool FileCommands::mayDiscard() {

@@ -9,6 +9,7 @@
 #include "ui/views/feeds_view.h"
 #include "ui/views/verdict_panel.h"
 
+#include <QAbstractButton>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -28,6 +29,19 @@ constexpr QSize usualSize(1366, 768);
 constexpr int inputsWidth = 360;
 constexpr int verdictWidth = 320;
 constexpr int messagesHeight = 96;
+
+/// The buttons Qt puts into a dock's title, which Qt names once and in one language.
+void nameDockButtons(const QDockWidget& dock) {
+    const auto name = [&dock](const QString& object, const QString& text) {
+        if (auto* button = dock.findChild<QAbstractButton*>(object)) {
+            button->setAccessibleName(text);
+            button->setAccessibleDescription(text);
+            button->setToolTip(text);
+        }
+    };
+    name(QStringLiteral("qt_dockwidget_floatbutton"), MainWindow::tr("Detach or attach the panel"));
+    name(QStringLiteral("qt_dockwidget_closebutton"), MainWindow::tr("Close the panel"));
+}
 
 } // namespace
 
@@ -168,9 +182,9 @@ void MainWindow::showStatus() {
         return;
     }
     if (!m_outcome->ran()) {
-        const auto faults = std::count_if(
-            m_outcome->issues.begin(), m_outcome->issues.end(),
-            [](const Issue& issue) { return issue.severity == Severity::error; });
+        const auto faults =
+            std::count_if(m_outcome->issues.begin(), m_outcome->issues.end(),
+                          [](const Issue& issue) { return issue.severity == Severity::error; });
         m_status->setText(tr("Not computed: %n faults in the inputs. The curves show the last "
                              "good run.",
                              nullptr, static_cast<int>(faults)));
@@ -214,6 +228,9 @@ void MainWindow::retranslate() {
     m_inputsDock->setWindowTitle(tr("Inputs"));
     m_verdictDock->setWindowTitle(tr("Verdict"));
     m_messagesDock->setWindowTitle(tr("Messages"));
+    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
+        nameDockButtons(*dock);
+    }
     m_views->setTabText(0, tr("Feeds by stage"));
     m_views->setAccessibleName(tr("Views"));
     m_inputs->setAccessibleName(tr("Inputs"));

@@ -54,7 +54,7 @@ template <> const StructInfo& tableOf<Gauge>() {
                        .hint = SPARKOUT_NOOP("Input", "Position along the ground length from its headstock end."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(Gauge, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance at the gauge"),
-                       .symbol = "γ", .unit = "mm/N", .hard = {0, 1, true}, .soft = {1e-6, 1e-3},
+                       .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
                        .nullMeaning = SPARKOUT_NOOP("Input", "from the shaft, or between the sections"),
                        .relevant = gaugeFree, .page = Page::gauge,
                        .hint = SPARKOUT_NOOP("Input", "Compliance at the gauge's free position."),

@@ -122,7 +122,7 @@ template <> const StructInfo& tableOf<Machine>() {
                                     "whole revolutions of the part."),
                        .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance"), .symbol = "γ",
-                       .unit = "mm/N", .hard = {0, 1, true}, .soft = {1e-6, 1e-3},
+                       .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
                        .nullMeaning = SPARKOUT_NOOP("Input", "from stiffness and shaft"), .slider = true,
                        .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Deflection of the technological system for one newton at the "

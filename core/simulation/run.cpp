@@ -30,7 +30,8 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     m_result.engineVersion = version;
     m_result.timeByStage_s.assign(project.cycle.stages.size(), 0.0);
     if (m_trajectory) {
-        *m_trajectory = {};
+        m_trajectory->passes.clear(); // keeps what the caller has reserved
+        m_trajectory->visits.clear();
         m_trajectory->radii = m_radii;
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/compliance.h"
+#include "tests/core/rapidcheck_runs.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -104,8 +105,7 @@ class TestCompliance : public QObject {
 private slots:
     void initTestCase()
     {
-        if (!qEnvironmentVariableIsSet("RC_PARAMS")) // rapidcheck reads it at its first check
-            qputenv("RC_PARAMS", "max_success=10000");
+        setRapidcheckRuns(10000);
     }
 
     // shared/vectors: shaft on centres

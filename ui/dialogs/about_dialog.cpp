@@ -4,8 +4,8 @@
 #include "core/version.h"
 
 #include <QDialogButtonBox>
-#include <QIcon>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QSysInfo>
 #include <QVBoxLayout>

@@ -44,8 +44,8 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     scroll->setWidget(m_notes);
     scroll->setWidgetResizable(true);
     scroll->setAccessibleName(tr("Notes of the example"));
-    auto* hint = new QLabel(tr("The example is opened as a copy; the shipped one stays as it is."),
-                            this);
+    auto* hint =
+        new QLabel(tr("The example is opened as a copy; the shipped one stays as it is."), this);
     hint->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(this);
     auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);

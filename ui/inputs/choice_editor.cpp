@@ -9,7 +9,9 @@
 
 namespace sparkout {
 
-void StillComboBox::wheelEvent(QWheelEvent* event) { event->ignore(); }
+void StillComboBox::wheelEvent(QWheelEvent* event) {
+    event->ignore();
+}
 
 ChoiceEditor::ChoiceEditor(const std::string& path, const Field& field, Document& document,
                            QWidget* parent)
@@ -67,8 +69,12 @@ BooleanEditor::BooleanEditor(const std::string& path, const Field& field, Docume
     });
 }
 
-void BooleanEditor::show(bool) { m_box->setChecked(field().as<bool>(owner())); }
+void BooleanEditor::show(bool) {
+    m_box->setChecked(field().as<bool>(owner()));
+}
 
-void BooleanEditor::retranslate() { m_box->setText(tr("yes")); }
+void BooleanEditor::retranslate() {
+    m_box->setText(tr("yes"));
+}
 
 } // namespace sparkout

@@ -43,8 +43,7 @@ class BooleanEditor : public FieldEditor {
     Q_OBJECT
 
 public:
-    BooleanEditor(const std::string& path, const Field& field, Document& document,
-                  QWidget* parent);
+    BooleanEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
 
     [[nodiscard]] QWidget* widget() const override { return m_box; }
     void show(bool replaced) override;

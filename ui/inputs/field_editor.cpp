@@ -34,7 +34,9 @@ void FieldEditor::change(const std::function<void(void*)>& set) {
     m_document.edit(std::move(after), {"Input", m_field.label}, QString::fromStdString(m_path));
 }
 
-const void* FieldEditor::owner() const { return findMember(m_document.project(), m_path).owner; }
+const void* FieldEditor::owner() const {
+    return findMember(m_document.project(), m_path).owner;
+}
 
 std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& field,
                                         Document& document, QWidget* parent) {

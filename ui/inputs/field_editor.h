@@ -32,7 +32,7 @@ public:
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< of a text not taken
     virtual void setIssue(const Remark& issue);
-    [[nodiscard]] virtual bool wide() const { return false; } ///< takes the place of the unit too
+    [[nodiscard]] virtual bool wide() const { return false; }  ///< takes the place of the unit too
     [[nodiscard]] virtual bool empty() const { return false; } ///< not given
 
 signals:

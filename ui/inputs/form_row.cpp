@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/form_row.h"
 
+#include "ui/inputs/number_field.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
 
@@ -103,24 +104,27 @@ void FormRow::setIssues(const Issues& issues) {
     m_editor->setIssue(remarkFor(issues, m_editor->path()));
 }
 
+bool FormRow::meaningIsLong() const {
+    const QString meaning = inputText(m_editor->field().nullMeaning);
+    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning) > fieldWidth - 12;
+}
+
 QString FormRow::emptyCaption() const {
     const auto* line = qobject_cast<QLineEdit*>(m_editor->widget());
     if (!line || !m_editor->empty()) {
         return {};
     }
-    const QString meaning = line->placeholderText();
-    const bool cut = line->fontMetrics().horizontalAdvance(meaning) > fieldWidth - 12;
-    return cut ? tr("empty: %1").arg(meaning) : QString();
+    return meaningIsLong() ? tr("empty: %1").arg(inputText(m_editor->field().nullMeaning))
+                           : QString();
 }
 
 void FormRow::showRemark() {
     const Remark remark = m_editor->remark();
     const QString text = remark.mark == Mark::none ? emptyCaption() : remark.reason;
     QPalette colors = m_label->palette();
-    colors.setColor(QPalette::WindowText,
-                    remark.mark == Mark::none
-                        ? colors.color(QPalette::Disabled, QPalette::WindowText)
-                        : markColor(remark.mark, colors));
+    colors.setColor(QPalette::WindowText, remark.mark == Mark::none
+                                              ? colors.color(QPalette::PlaceholderText)
+                                              : markColor(remark.mark, colors));
     m_reason->setPalette(colors);
     m_reason->setText(text);
     m_reason->setVisible(m_relevant && !text.isEmpty());
@@ -135,9 +139,12 @@ void FormRow::retranslate() {
     m_label->setToolTip(hint);
     QWidget* const widget = m_editor->widget();
     widget->setToolTip(hint);
-    widget->setAccessibleName(*field.unit ? tr("%1, %2").arg(inputText(field.label),
-                                                             unitText(field.unit))
-                                          : inputText(field.label));
+    widget->setAccessibleName(*field.unit
+                                  ? tr("%1, %2").arg(inputText(field.label), unitText(field.unit))
+                                  : inputText(field.label));
+    if (auto* line = qobject_cast<NumberField*>(widget); line && meaningIsLong()) {
+        line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
+    }
     showRemark();
 }
 

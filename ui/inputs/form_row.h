@@ -30,6 +30,7 @@ public:
 private:
     void addTo(QGridLayout& grid);
     void showRemark();
+    [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
     [[nodiscard]] QString emptyCaption() const;
 
     std::unique_ptr<FieldEditor> m_editor;

@@ -46,6 +46,8 @@ void NumberEditor::show(bool replaced) {
     replaced ? m_field->reset(stored()) : m_field->setValue(stored());
 }
 
-QString NumberEditor::refusal() const { return m_field->refused() ? m_field->refusal() : QString(); }
+QString NumberEditor::refusal() const {
+    return m_field->refused() ? m_field->refusal() : QString();
+}
 
 } // namespace sparkout

@@ -190,7 +190,9 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-void NumberField::wheelEvent(QWheelEvent* event) { event->ignore(); } // the page scrolls
+void NumberField::wheelEvent(QWheelEvent* event) {
+    event->ignore();
+} // the page scrolls
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
     settle();

@@ -39,14 +39,14 @@ public:
 
     [[nodiscard]] bool refused() const { return m_own.mark == Mark::error; }
     [[nodiscard]] const QString& refusal() const { return m_own.reason; }
-    [[nodiscard]] Remark remark() const; ///< as shown: while typing a refusal waits a moment
-    void setIssue(const Remark& issue);  ///< what the rules between fields say of the value
+    [[nodiscard]] Remark remark() const;    ///< as shown: while typing a refusal waits a moment
+    void setIssue(const Remark& issue);     ///< what the rules between fields say of the value
     void setShownText(const QString& text); ///< as if typed: a text kept from before
 
     void retranslate();
 
 signals:
-    void valueEdited();   ///< the user entered another good value
+    void valueEdited(); ///< the user entered another good value
     void remarkChanged();
 
 protected:

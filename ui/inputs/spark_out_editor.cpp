@@ -51,7 +51,9 @@ void SparkOutEditor::setValue(const SparkOut& value) {
     showCount();
 }
 
-bool SparkOutEditor::refused() const { return m_count->refused(); }
+bool SparkOutEditor::refused() const {
+    return m_count->refused();
+}
 
 void SparkOutEditor::showCount() {
     m_count->setVisible(m_mode->currentData().toInt() == int(SparkOut::Mode::count));

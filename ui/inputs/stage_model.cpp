@@ -33,7 +33,9 @@ std::vector<const Field*> StageModel::relevantColumns() const {
     return columns;
 }
 
-int StageModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : m_rows; }
+int StageModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : m_rows;
+}
 
 int StageModel::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
@@ -70,8 +72,7 @@ void StageModel::setNumber(const QModelIndex& index, std::optional<double> value
     } else {
         row.as<std::optional<double>>(&to) = value;
     }
-    m_document.edit(std::move(project), {"Input", row.label},
-                    QString::fromStdString(path(index)));
+    m_document.edit(std::move(project), {"Input", row.label}, QString::fromStdString(path(index)));
 }
 
 void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
@@ -159,16 +160,16 @@ QVariant StageModel::data(const QModelIndex& index, int role) const {
         if (mark.mark != Mark::none) {
             return markColor(mark.mark, QGuiApplication::palette());
         }
-        return relevant(index) ? QVariant()
-                               : QVariant(QGuiApplication::palette().color(QPalette::Disabled,
-                                                                           QPalette::Text));
+        return relevant(index)
+                   ? QVariant()
+                   : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
     case Qt::ToolTipRole:
-        return mark.mark == Mark::none ? hintMarkup(field(index))
-                                       : QStringLiteral("<p>%1</p>").arg(
-                                             mark.reason.toHtmlEscaped());
+        return mark.mark == Mark::none
+                   ? hintMarkup(field(index))
+                   : QStringLiteral("<p>%1</p>").arg(mark.reason.toHtmlEscaped());
     case Qt::AccessibleTextRole:
-        return tr("Stage %1, %2: %3").arg(QString::number(index.row() + 1),
-                                          inputText(field(index).label), shown(index));
+        return tr("Stage %1, %2: %3")
+            .arg(QString::number(index.row() + 1), inputText(field(index).label), shown(index));
     case Qt::AccessibleDescriptionRole: return mark.reason;
     default: return {};
     }
@@ -214,9 +215,9 @@ QString StageModel::refusedText(const QModelIndex& index) const {
 std::vector<Refusal> StageModel::refusals() const {
     std::vector<Refusal> list;
     for (auto it = m_refused.cbegin(); it != m_refused.cend(); ++it) {
-        list.push_back({stagesPath + "/" + std::to_string(it.key().first) + "/"
-                            + it.key().second->key,
-                        it->reason});
+        list.push_back(
+            {stagesPath + "/" + std::to_string(it.key().first) + "/" + it.key().second->key,
+             it->reason});
     }
     return list;
 }

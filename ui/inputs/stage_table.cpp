@@ -26,23 +26,26 @@ constexpr int shownRows = 8;
 constexpr int headerMargin = 10; ///< of a title, both sides
 
 /// Sums of stocks stay free of last bits such as 0.30000000000000004.
-double tidy(double stock_mm) { return std::round(stock_mm * 1e9) / 1e9; }
+double tidy(double stock_mm) {
+    return std::round(stock_mm * 1e9) / 1e9;
+}
 
-bool sparksOut(const Stage& stage) { return stage.spark_out.mode != SparkOut::Mode::none; }
+bool sparksOut(const Stage& stage) {
+    return stage.spark_out.mode != SparkOut::Mode::none;
+}
 
 void setUpView(QTableView& view) {
     view.setSelectionBehavior(QAbstractItemView::SelectItems);
     view.setSelectionMode(QAbstractItemView::SingleSelection);
     view.setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::DoubleClicked
-                         | QAbstractItemView::EditKeyPressed
-                         | QAbstractItemView::SelectedClicked);
+                         | QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
     view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     view.setTabKeyNavigation(true);
     view.setWordWrap(false);
     view.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view.horizontalHeader()->setMinimumSectionSize(20);
-    view.horizontalHeader()->setDefaultAlignment(Qt::Alignment(
-        int(Qt::AlignCenter) | int(Qt::TextWordWrap)));
+    view.horizontalHeader()->setDefaultAlignment(
+        Qt::Alignment(int(Qt::AlignCenter) | int(Qt::TextWordWrap)));
     view.horizontalHeader()->setSectionsClickable(false);
     view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view.verticalHeader()->setDefaultSectionSize(view.fontMetrics().height() + 10);
@@ -114,7 +117,9 @@ void StageTable::buildButtons(QHBoxLayout& into) {
     m_down = button(u"down", [this] { moveStage(1); });
 }
 
-int StageTable::currentStage() const { return m_view->currentIndex().row(); }
+int StageTable::currentStage() const {
+    return m_view->currentIndex().row();
+}
 
 void StageTable::select(int stage) {
     const int row = std::min(stage, m_model->rowCount() - 1);
@@ -241,7 +246,9 @@ void StageTable::retranslate() {
     fitHeight();
 }
 
-std::vector<Refusal> StageTable::refusals() const { return m_model->refusals(); }
+std::vector<Refusal> StageTable::refusals() const {
+    return m_model->refusals();
+}
 
 bool StageTable::focusPath(const std::string& path) {
     const QModelIndex index = m_model->indexAt(path);
@@ -259,18 +266,19 @@ void StageTable::fitColumns() {
     const int count = m_model->columnCount();
     std::vector<int> widths(std::size_t(count), 0);
     for (int column = 0; column < count; ++column) {
-        const QString text = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const QString text =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         for (const QString& word : text.split(QRegularExpression(QStringLiteral("\\s")))) {
-            widths[std::size_t(column)] = std::max(widths[std::size_t(column)],
-                                                   header.fontMetrics().horizontalAdvance(word));
+            widths[std::size_t(column)] =
+                std::max(widths[std::size_t(column)], header.fontMetrics().horizontalAdvance(word));
         }
         widths[std::size_t(column)] += headerMargin;
     }
     const int used = std::accumulate(widths.begin(), widths.end(), 0);
     const int spare = std::max(0, m_view->viewport()->width() - used);
     for (int column = 0; column < count; ++column) {
-        header.resizeSection(column, widths[std::size_t(column)]
-                                         + spare * (column + 1) / count - spare * column / count);
+        header.resizeSection(column, widths[std::size_t(column)] + spare * (column + 1) / count
+                                         - spare * column / count);
     }
 }
 
@@ -280,17 +288,16 @@ void StageTable::fitHeight() {
     int height = 0;
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const QRect room(0, 0, header.sectionSize(column) - 10, 1000);
-        const QString text = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        height = std::max(height, header.fontMetrics()
-                                      .boundingRect(room, Qt::TextWordWrap, text)
-                                      .height());
+        const QString text =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        height = std::max(height,
+                          header.fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
     }
     header.setFixedHeight(height + 8);
     const int rows = std::clamp(m_model->rowCount(), 1, shownRows);
     m_view->setFixedHeight(height + 8 + rows * m_view->verticalHeader()->defaultSectionSize()
                            + 2 * m_view->frameWidth() + 2);
 }
-
 
 bool StageTable::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_view->viewport() && event->type() == QEvent::Resize) {

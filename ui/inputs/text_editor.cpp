@@ -11,6 +11,8 @@ namespace sparkout {
 
 namespace {
 
+constexpr int longestLine = 20'000; // in UTF-8 still below what a file may hold
+
 /// Whether an event is undo or redo, which belong to the document and not to one field.
 bool takesHistoryKey(QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride) {
@@ -25,19 +27,16 @@ bool takesHistoryKey(QEvent* event) {
 TextEditor::TextEditor(const std::string& path, const Field& field, Document& document,
                        QWidget* parent)
     : FieldEditor(path, field, document), m_line(new QLineEdit(parent)) {
-    m_line->setMaxLength(1000);
+    m_line->setMaxLength(longestLine);
     m_line->installEventFilter(this);
     connect(m_line, &QLineEdit::textEdited, this, [this](const QString& text) {
-        change([this, &text](void* to) {
-            this->field().as<std::string>(to) = text.toStdString();
-        });
+        change([this, &text](void* to) { this->field().as<std::string>(to) = text.toStdString(); });
     });
     connect(m_line, &QLineEdit::editingFinished, this, [this] { this->document().endMerge(); });
 }
 
 void TextEditor::show(bool) {
     const QString text = QString::fromStdString(field().as<std::string>(owner()));
-    m_line->setMaxLength(qMax(1000, static_cast<int>(text.size())));
     if (m_line->text() != text) {
         m_line->setText(text);
         m_line->setCursorPosition(0);

@@ -19,7 +19,9 @@ std::filesystem::path systemPath(const QString& path) {
 
 } // namespace
 
-QString EditText::shown() const { return QCoreApplication::translate(context, text); }
+QString EditText::shown() const {
+    return QCoreApplication::translate(context, text);
+}
 
 /// One step of the history: the whole value before and after.
 class Document::Edit : public QUndoCommand {
@@ -69,7 +71,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     m_history.push(new Edit(*this, std::move(changed), text, key));
 }
 
-void Document::endMerge() { ++m_mergeRound; }
+void Document::endMerge() {
+    ++m_mergeRound;
+}
 
 QString Document::undoText() const {
     const auto* edit = static_cast<const Edit*>(m_history.command(m_history.index() - 1));
@@ -91,7 +95,9 @@ void Document::redo() {
     m_history.redo();
 }
 
-void Document::startUntitled(Project project) { replace(std::move(project), {}); }
+void Document::startUntitled(Project project) {
+    replace(std::move(project), {});
+}
 
 OpenResult Document::open(const QString& path) {
     OpenResult result;
@@ -116,7 +122,9 @@ Issues Document::openCopy(const QByteArray& text) {
     return parsed.issues;
 }
 
-std::optional<FileError> Document::save() { return saveAs(m_filePath); }
+std::optional<FileError> Document::save() {
+    return saveAs(m_filePath);
+}
 
 std::optional<FileError> Document::saveAs(const QString& path) {
     auto error = writeFileSafely(systemPath(path), writeProject(m_project));

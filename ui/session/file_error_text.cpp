@@ -40,8 +40,7 @@ QString saveErrorText(const FileError& error) {
             .arg(path, details(error));
     }
     return QCoreApplication::translate("FileError",
-                                       "“%1” was not saved: %2. The file still holds what it "
-                                       "held before.")
+                                       "“%1” was not saved: %2. Nothing on the disk was changed.")
         .arg(path, details(error));
 }
 

@@ -31,7 +31,7 @@ QByteArray plain(const QString& text) {
         case u'\u2013': out += '-'; break;
         case u'e':
         case u'E':
-        case u'\u0435':   // Cyrillic letters that look the same
+        case u'\u0435': // Cyrillic letters that look the same
         case u'\u0415': out += 'e'; break;
         case u'+': out += '+'; break;
         default:
@@ -90,8 +90,8 @@ QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
     digits += steps;
     QString shown = QString::number(std::abs(digits)).rightJustified(decimals + 1, u'0');
     if (decimals > 0) {
-        shown.insert(shown.size() - decimals, comma || separator < 0 ? QLocale().decimalPoint()
-                                                                     : QStringLiteral("."));
+        shown.insert(shown.size() - decimals,
+                     comma || separator < 0 ? QLocale().decimalPoint() : QStringLiteral("."));
         if (comma) {
             shown.replace(u'.', u',');
         }

@@ -30,8 +30,8 @@ double between(const ZoneCompliance& zones, double share) {
 
 /// The listed compliance at a share of the ground length.
 double between(const std::vector<double>& sections, double share) {
-    const double at = std::clamp(share * double(sections.size()) - 0.5, 0.0,
-                                 double(sections.size() - 1));
+    const double at =
+        std::clamp(share * double(sections.size()) - 0.5, 0.0, double(sections.size() - 1));
     const auto low = static_cast<std::size_t>(at);
     const std::size_t high = std::min(low + 1, sections.size() - 1);
     return sections[low] + (sections[high] - sections[low]) * (at - double(low));
@@ -62,11 +62,15 @@ ZoneCompliance zoneCompliance(const Project& project) {
             rounded(complianceAt(project, turned ? 0 : 1))};
 }
 
+bool feeds(const Stage& stage) {
+    return stage.spark_out.mode == SparkOut::Mode::none;
+}
+
 void makePlunge(Project& project) {
     for (Stage& stage : project.cycle.stages) {
-        if (stage.radial_feed_mm) {
-            stage.radial_feed_mm_min = rounded(
-                std::clamp(*stage.radial_feed_mm * plungePerTraverseFeed, 0.02, 5.0));
+        if (stage.radial_feed_mm && feeds(stage)) {
+            stage.radial_feed_mm_min =
+                rounded(std::clamp(*stage.radial_feed_mm * plungePerTraverseFeed, 0.02, 5.0));
         }
         stage.radial_feed_mm.reset();
         stage.axial_feed_mm_min.reset();
@@ -83,7 +87,8 @@ void fitZones(Project& project) {
     const auto zones = [&] {
         return 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm;
     };
-    if (zones() >= length || machine.overrun_entry_mm >= width || machine.overrun_exit_mm >= width) {
+    if (zones() >= length || machine.overrun_entry_mm >= width
+        || machine.overrun_exit_mm >= width) {
         width = rounded(std::min(width, length / 2));
         machine.overrun_entry_mm = rounded(width / 4);
         machine.overrun_exit_mm = rounded(width / 4);
@@ -94,7 +99,7 @@ void makeTraverse(Project& project) {
     auto& stages = project.cycle.stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         Stage& stage = stages[i];
-        if (stage.radial_feed_mm_min) {
+        if (stage.radial_feed_mm_min && feeds(stage)) {
             stage.radial_feed_mm = rounded(
                 std::clamp(*stage.radial_feed_mm_min / plungePerTraverseFeed, 0.0005, 0.02));
         }
@@ -109,6 +114,11 @@ void makeTraverse(Project& project) {
     project.gauge.position_mm.reset();
     project.gauge.compliance_mm_per_n.reset();
     fitZones(project);
+    const bool computed =
+        std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    if (computed && !complianceComputable(project)) { // a bore has no shaft
+        project.machine.compliance_mm_per_n = zoneCompliance(project);
+    }
 }
 
 } // namespace
@@ -124,8 +134,7 @@ Project withOperation(Project project, Operation operation) {
     if (project.operation == operation) {
         return project;
     }
-    const bool given =
-        !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
     if (operation == Operation::plunge) {
         if (given) {
             project.machine.compliance_mm_per_n = sectionCompliance(project, project.sections);

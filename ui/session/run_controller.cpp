@@ -18,6 +18,7 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
     // trajectory of the longest ones would not fit into memory.
     outcome->result = simulate(project, nullptr, stop);
     if (!stop.stop_requested() && outcome->result.visits <= maxRecordedVisits) {
+        outcome->trajectory.visits.reserve(static_cast<std::size_t>(outcome->result.visits));
         outcome->result = simulate(project, &outcome->trajectory, stop);
     }
     if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {

@@ -23,7 +23,9 @@ Settings::Settings()
 Settings::Settings(const QString& iniFile)
     : Settings(std::make_unique<QSettings>(iniFile, QSettings::IniFormat)) {}
 
-Settings Settings::transient() { return Settings(std::unique_ptr<QSettings>()); }
+Settings Settings::transient() {
+    return Settings(std::unique_ptr<QSettings>());
+}
 
 QString Settings::language() const {
     const QString chosen = value(languageKey).toString();
@@ -34,15 +36,25 @@ QString Settings::language() const {
                                                             : QStringLiteral("en");
 }
 
-void Settings::setLanguage(const QString& code) { set(languageKey, code); }
+void Settings::setLanguage(const QString& code) {
+    set(languageKey, code);
+}
 
-QString Settings::lastFolder() const { return value(folderKey, QDir::homePath()).toString(); }
+QString Settings::lastFolder() const {
+    return value(folderKey, QDir::homePath()).toString();
+}
 
-void Settings::setLastFolder(const QString& folder) { set(folderKey, folder); }
+void Settings::setLastFolder(const QString& folder) {
+    set(folderKey, folder);
+}
 
-QByteArray Settings::windowGeometry() const { return value(geometryKey).toByteArray(); }
+QByteArray Settings::windowGeometry() const {
+    return value(geometryKey).toByteArray();
+}
 
-QByteArray Settings::windowState() const { return value(stateKey).toByteArray(); }
+QByteArray Settings::windowState() const {
+    return value(stateKey).toByteArray();
+}
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     set(geometryKey, geometry);

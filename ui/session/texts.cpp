@@ -35,13 +35,6 @@ constexpr std::array units{
 
 /// Words the core uses in the values and limits of its issues.
 constexpr std::array words{
-    QT_TRANSLATE_NOOP("Detail", "at least"),
-    QT_TRANSLATE_NOOP("Detail", "at most"),
-    QT_TRANSLATE_NOOP("Detail", "below"),
-    QT_TRANSLATE_NOOP("Detail", "above"),
-    QT_TRANSLATE_NOOP("Detail", "wheel width"),
-    QT_TRANSLATE_NOOP("Detail", "ground length"),
-    QT_TRANSLATE_NOOP("Detail", "visits"),
     QT_TRANSLATE_NOOP("Detail", "plunge"),
     QT_TRANSLATE_NOOP("Detail", "traverse"),
     QT_TRANSLATE_NOOP("Detail", "internal"),
@@ -49,29 +42,30 @@ constexpr std::array words{
     QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of the quill"),
     QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of each step of the shaft"),
     QT_TRANSLATE_NOOP("Detail", "compliance_mm_per_n, or stiffness_n_um with part.shaft"),
-    QT_TRANSLATE_NOOP("Detail", "list of objects"),
-    QT_TRANSLATE_NOOP("Detail", "a list"),
-    QT_TRANSLATE_NOOP("Detail", "an object"),
-    QT_TRANSLATE_NOOP("Detail", "text"),
+    QT_TRANSLATE_NOOP("Detail", "of runout"),
 };
 
 /// A value or limit of an issue in the present language. What quotes the file stays as it is.
 std::string localised(const std::string& detail) {
     QString text = QString::fromStdString(detail);
+    if (const QString whole = translated("Limit", detail.c_str()); whole != text) {
+        return whole.toStdString();
+    }
     if (text.contains(u'"')) {
         return detail;
     }
     for (const char* word : words) {
-        text.replace(QRegularExpression(QStringLiteral("(?<![\\w])%1(?![\\w])").arg(
-                         QRegularExpression::escape(QString::fromUtf8(word)))),
-                     translated("Detail", word));
+        text.replace(
+            QRegularExpression(QStringLiteral("(?<![\\w])%1(?![\\w])")
+                                   .arg(QRegularExpression::escape(QString::fromUtf8(word)))),
+            translated("Detail", word));
     }
     for (const char* unit : units) {
-        text.replace(QRegularExpression(
-                         QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])")
-                             .arg(QRegularExpression::escape(QString::fromUtf8(unit))),
-                         QRegularExpression::UseUnicodePropertiesOption),
-                     u' ' + translated("Unit", unit));
+        text.replace(
+            QRegularExpression(QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])")
+                                   .arg(QRegularExpression::escape(QString::fromUtf8(unit))),
+                               QRegularExpression::UseUnicodePropertiesOption),
+            u' ' + translated("Unit", unit));
     }
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
     return text.replace(point, QLocale().decimalPoint()).toStdString();
@@ -79,10 +73,18 @@ std::string localised(const std::string& detail) {
 
 } // namespace
 
-QString inputText(const char* text) { return translated("Input", text); }
-QString choiceText(const char* text) { return translated("Choice", text); }
-QString structText(const char* text) { return translated("Struct", text); }
-QString unitText(const char* unit) { return translated("Unit", unit); }
+QString inputText(const char* text) {
+    return translated("Input", text);
+}
+QString choiceText(const char* text) {
+    return translated("Choice", text);
+}
+QString structText(const char* text) {
+    return translated("Struct", text);
+}
+QString unitText(const char* unit) {
+    return translated("Unit", unit);
+}
 
 QString zoneText(const char* key) {
     const QLatin1StringView name(key);
@@ -134,7 +136,10 @@ QString locationText(const std::string& path) {
         const Field* field = table ? table->find(key.toStdString()) : nullptr;
         if (isIndex && list && list->nested) {
             words += QCoreApplication::translate("Location", "%1 %2")
-                         .arg(structText(list->nested->name)).arg(index + 1);
+                         .arg(structText(list->nested->name))
+                         .arg(index + 1);
+        } else if (isIndex && list && list->kind == Kind::compliance) {
+            words += QCoreApplication::translate("Zone", "Section %1").arg(index + 1);
         } else if (field) {
             words += inputText(field->label);
             table = field->nested;

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the engine is, against what this processor can do at all: the floor of a pass is the
+// bare vectorised square root over as many doubles, measured in the same run. The last lines are
+// `BENCH name value target ratio`: value in ns (of a pass, of a visit, …), ratio to the floor or –.
+// Minima over interleaved repetitions, so that a busy machine does not matter much. The exit status
+// is 1 when a ratio is beyond four times its target.
+#include "core/process/pass_kernel.h"
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+#include "core/simulation/simulate.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace sparkout;
+
+namespace {
+
+// --- the floor -----------------------------------------------------------------------------------
+
+[[gnu::always_inline]] inline void squareRoots(const double* __restrict in, double* __restrict out,
+                                               std::size_t count) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = std::sqrt(in[i]);
+    }
+}
+[[gnu::noinline]] void rootsBaseline(const double* in, double* out, std::size_t count) {
+    squareRoots(in, out, count);
+}
+[[gnu::noinline, gnu::target("avx2")]] void rootsAvx2(const double* in, double* out,
+                                                      std::size_t count) {
+    squareRoots(in, out, count);
+}
+[[gnu::noinline, gnu::target("avx512f,avx512vl,avx512dq,prefer-vector-width=512")]] void
+rootsAvx512(const double* in, double* out, std::size_t count) {
+    squareRoots(in, out, count);
+}
+
+using RootFunction = void (*)(const double*, double*, std::size_t);
+
+RootFunction rootFunction(VectorUnit unit) {
+    switch (unit) {
+    case VectorUnit::avx512: return rootsAvx512;
+    case VectorUnit::avx2: return rootsAvx2;
+    case VectorUnit::baseline: break;
+    }
+    return rootsBaseline;
+}
+
+const char* unitName(VectorUnit unit) {
+    switch (unit) {
+    case VectorUnit::avx512: return "avx512";
+    case VectorUnit::avx2: return "avx2";
+    case VectorUnit::baseline: break;
+    }
+    return "baseline";
+}
+
+VectorUnit widestUnit() {
+    return isSupported(VectorUnit::avx512) ? VectorUnit::avx512
+           : isSupported(VectorUnit::avx2) ? VectorUnit::avx2
+                                           : VectorUnit::baseline;
+}
+
+void floorOfRoots(benchmark::State& state, VectorUnit unit, std::size_t count) {
+    const RootFunction roots = rootFunction(unit);
+    std::vector<double> in(count), out(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        in[i] = 1.234567e-3 * (1 + 0.01 * static_cast<double>(i)); // as C² + 4Ah is
+    }
+    for (auto _ : state) {
+        roots(in.data(), out.data(), count);
+        benchmark::DoNotOptimize(out.data());
+        benchmark::ClobberMemory();
+    }
+}
+
+// --- a pass --------------------------------------------------------------------------------------
+
+// The feed goes on with every pass, so that each lane keeps cutting about as deep as in a real one.
+void pass(benchmark::State& state, PassFunction cut, std::size_t radii, std::size_t scenarios) {
+    const std::size_t count = radii * scenarios;
+    Lanes lanes(count);
+    LaneCoefficients coefficients(count);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const double scenario = static_cast<double>(lane % scenarios);
+        lanes.share[lane] = static_cast<double>(lane / scenarios + 1) / static_cast<double>(radii);
+        coefficients.set(lane, 2e-5 * (1 + 0.1 * scenario), 1228, 2851 * (1 + 0.05 * scenario));
+    }
+    PassFeed feed{0, 0, 0.005, 0.005};
+    const PassRange range{0, count, 1228, 2851};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(cut(lanes, coefficients, feed, range));
+        benchmark::ClobberMemory();
+        feed.base += 0.005;
+    }
+}
+
+// --- a whole cycle -------------------------------------------------------------------------------
+
+const char* const shaft30h6 = R"({
+  "format": "sparkout-project", "version": 1, "title": "Shaft 30h6", "operation": "traverse",
+  "part": { "diameter_mm": 30, "upper_deviation_um": 0, "lower_deviation_um": -16,
+    "length_mm": 92, "stock_mm": 0.15, "initial_runout_mm": 0.02 },
+  "material": { "flow_stress_mpa": 2000 },
+  "wheel": { "diameter_mm": 500, "width_mm": 50, "dullness": 0.02 },
+  "machine": { "wheel_speed_m_s": 30, "work_speed_rpm": 180, "plunge_feed_mm_min": 0.5,
+    "overrun_entry_mm": 12, "overrun_exit_mm": 12, "dwell_entry_s": 0.333, "dwell_exit_s": 0,
+    "compliance_mm_per_n": { "rz1": 1.2e-4, "nz": 1.7e-4, "rz2": 1.5e-4 } },
+  "cycle": { "stages": [
+    { "radial_feed_mm": 0.004, "axial_feed_mm_min": 1800, "stock_mm": 0.110 },
+    { "radial_feed_mm": 0.001, "axial_feed_mm_min": 300, "stock_mm": 0.040 } ] } })";
+
+void cycle(benchmark::State& state, bool traced) {
+    const ReadResult read = readProject(shaft30h6);
+    if (!read.project) {
+        state.SkipWithError("the project is refused");
+        return;
+    }
+    Trajectory trajectory;
+    long long visits = 0;
+    for (auto _ : state) {
+        const SimulationResult result = simulate(*read.project, traced ? &trajectory : nullptr);
+        visits = result.visits;
+        benchmark::DoNotOptimize(visits);
+    }
+    state.counters["visits"] = static_cast<double>(visits);
+}
+
+void readAndValidate(benchmark::State& state) {
+    for (auto _ : state) {
+        const ReadResult read = readProject(shaft30h6); // validates too
+        benchmark::DoNotOptimize(read.project.has_value());
+    }
+}
+
+void validateAlone(benchmark::State& state) {
+    const ReadResult read = readProject(shaft30h6);
+    if (!read.project) {
+        state.SkipWithError("the project is refused");
+        return;
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(validate(*read.project).size());
+    }
+}
+
+// --- the summary ---------------------------------------------------------------------------------
+
+/// Keeps the shortest time of each benchmark [ns], and its visits.
+class Minima : public benchmark::ConsoleReporter {
+public:
+    Minima() : ConsoleReporter(OO_None) {}
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration) {
+                continue;
+            }
+            failed |= run.error_occurred;
+            const std::string name = run.run_name.function_name;
+            const double ns = run.cpu_accumulated_time / static_cast<double>(run.iterations) * 1e9;
+            const auto found = shortest.find(name);
+            if (found == shortest.end() || ns < found->second) {
+                shortest[name] = ns;
+            }
+            const auto visits = run.counters.find("visits");
+            if (visits != run.counters.end()) {
+                visitsOf[name] = visits->second;
+            }
+        }
+    }
+    std::map<std::string, double> shortest;
+    std::map<std::string, double> visitsOf;
+    bool failed = false;
+};
+
+std::string floorName(VectorUnit unit, std::size_t count) {
+    return std::string("roots_") + std::to_string(count) + "_" + unitName(unit);
+}
+
+struct PassCase {
+    const char* name;
+    std::size_t radii, scenarios;
+    double target; ///< most times the floor; 0: reported only
+};
+
+constexpr PassCase passCases[] = {{"pass_36_radii", 36, 1, 2.0},
+                                  {"pass_4_radii", 4, 1, 0},
+                                  {"pass_4_radii_8_scenarios", 4, 8, 2.5}};
+constexpr VectorUnit units[] = {VectorUnit::baseline, VectorUnit::avx2, VectorUnit::avx512};
+
+/// One line; true when it is beyond four times its target.
+bool report(const std::string& name, double ns, double target, double ratio) {
+    std::printf("BENCH %s %.4g ", name.c_str(), ns);
+    target > 0 ? std::printf("%.2f ", target) : std::printf("- ");
+    ratio > 0 ? std::printf("%.2f\n", ratio) : std::printf("-\n");
+    return target > 0 && ratio > 4 * target;
+}
+
+bool summary(const Minima& minima) {
+    bool beyond = false;
+    const auto time = [&](const std::string& name) {
+        const auto found = minima.shortest.find(name);
+        return found == minima.shortest.end() ? std::numeric_limits<double>::quiet_NaN()
+                                              : found->second;
+    };
+    for (const VectorUnit unit : units) {
+        if (!isSupported(unit)) {
+            continue;
+        }
+        for (const PassCase& c : passCases) {
+            const std::string name = std::string(c.name) + "_" + unitName(unit);
+            const double floor = time(floorName(unit, c.radii * c.scenarios));
+            report(floorName(unit, c.radii * c.scenarios), floor, 0, 0);
+            // The target is the engine's: it holds for the unit the engine takes.
+            const double target = unit == widestUnit() ? c.target : 0;
+            beyond |= report(name, time(name), target, time(name) / floor);
+        }
+    }
+    for (const char* name : {"simulate_plain", "simulate_traced"}) {
+        const auto visits = minima.visitsOf.find(name);
+        if (visits != minima.visitsOf.end()) {
+            report(std::string(name) + "_per_visit", time(name) / visits->second, 0, 0);
+        }
+        report(name, time(name), 0, 0);
+    }
+    report("read_project", time("read_project"), 0, 0);
+    report("validate", time("validate"), 0, 0);
+    return beyond;
+}
+
+void registerAll() {
+    for (const VectorUnit unit : units) {
+        if (!isSupported(unit)) {
+            continue;
+        }
+        for (const PassCase& c : passCases) {
+            const std::size_t count = c.radii * c.scenarios;
+            benchmark::RegisterBenchmark(floorName(unit, count).c_str(), floorOfRoots, unit, count);
+            benchmark::RegisterBenchmark((std::string(c.name) + "_" + unitName(unit)).c_str(), pass,
+                                         unit == widestUnit() ? widestPassFunction()
+                                                              : passFunction(unit),
+                                         c.radii, c.scenarios);
+        }
+    }
+    benchmark::RegisterBenchmark("simulate_plain", cycle, false);
+    benchmark::RegisterBenchmark("simulate_traced", cycle, true);
+    benchmark::RegisterBenchmark("read_project", readAndValidate);
+    benchmark::RegisterBenchmark("validate", validateAlone);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    // Short repetitions, shuffled: every figure sees the machine's quiet moments. Options given on
+    // the command line come last and win.
+    std::vector<std::string> defaults{"--benchmark_min_time=0.01", "--benchmark_repetitions=12",
+                                      "--benchmark_enable_random_interleaving=true"};
+    std::vector<char*> arguments{argv[0]};
+    for (std::string& option : defaults) {
+        arguments.push_back(option.data());
+    }
+    arguments.insert(arguments.end(), argv + 1, argv + argc);
+    int count = static_cast<int>(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) {
+        return 2;
+    }
+    registerAll();
+    Minima minima;
+    benchmark::RunSpecifiedBenchmarks(&minima);
+    const bool beyond = summary(minima);
+    return beyond || minima.failed ? 1 : 0;
+}

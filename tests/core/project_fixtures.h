@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/profile.h"
+#include "core/project/project.h"
+#include "core/project/project_file.h"
+#include "core/simulation/simulate.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// Projects and small measures that the engine's tests share. The formulas here are written a
+/// second time on purpose: a test must not ask the engine for the law it holds the engine against.
+namespace fixtures {
+
+using namespace sparkout;
+
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// |a − b| ≤ tolerance; false for NaN.
+inline bool within(double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+}
+
+/// |a − b| ≤ relative·max(|a|, |b|); false for NaN.
+inline bool close(double a, double b, double relative) {
+    return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
+}
+
+/// What a depth counted from first touch can be off by after so many passes: t_П and Σa are each
+/// rounded once a pass, each rounding is at most half an ε of the largest t_П [mm].
+inline double rounding(double programmed_mm, double passes) {
+    return 2 * epsilon * programmed_mm * (passes + 2);
+}
+
+inline Project read(const nlohmann::json& json) {
+    const ReadResult result = readProject(json.dump());
+    if (!result.project) {
+        const Issue issue = result.issues.empty() ? Issue{} : result.issues.front();
+        throw std::runtime_error("refused: " + issue.path + " " + issue.value);
+    }
+    return *result.project;
+}
+
+/// A stage of a plunge cycle.
+inline Stage plungeStage(double feed_mm_min, double stock_mm) {
+    Stage stage;
+    stage.radial_feed_mm_min = feed_mm_min;
+    stage.stock_mm = stock_mm;
+    return stage;
+}
+
+/// A stage of a traverse cycle.
+inline Stage strokeStage(double radialFeed_mm, double axialFeed_mm_min, double stock_mm) {
+    Stage stage;
+    stage.radial_feed_mm = radialFeed_mm;
+    stage.axial_feed_mm_min = axialFeed_mm_min;
+    stage.stock_mm = stock_mm;
+    return stage;
+}
+
+inline SparkOut count(int passes) {
+    return {SparkOut::Mode::count, passes};
+}
+inline SparkOut untilSize() {
+    return {SparkOut::Mode::untilSize, 0};
+}
+
+/// A last stage that feeds nothing; with an axial feed for traverse.
+inline Stage sparkStage(SparkOut end, double stock_mm = 0,
+                        std::optional<double> axialFeed_mm_min = std::nullopt) {
+    Stage stage;
+    stage.axial_feed_mm_min = axialFeed_mm_min;
+    stage.stock_mm = stock_mm;
+    stage.spark_out = end;
+    return stage;
+}
+
+/// The full-law case of the vectors' page: σ_i 2000, η 0.02, B 40, d 30, D 600, n 180, V_k 35;
+/// one section, a round blank, fed 5 µm a revolution; ends by the gauge.
+inline Project plunge() {
+    Project project;
+    project.operation = Operation::plunge;
+    project.part.diameter_mm = 30;
+    project.part.length_mm = 40;
+    project.part.stock_mm = 0.2;
+    project.part.initial_runout_mm = 0;
+    project.part.radii_per_section = 4;
+    project.material.flow_stress_mpa = 2000;
+    project.wheel.diameter_mm = 600;
+    project.wheel.width_mm = 40;
+    project.wheel.dullness = 0.02;
+    project.machine.wheel_speed_m_s = 35;
+    project.machine.work_speed_rpm = 180;
+    project.machine.compliance_mm_per_n = std::vector<double>{2e-5};
+    project.sections = 1;
+    project.cycle.stages = {plungeStage(0.9, 0.2)};
+    return project;
+}
+
+/// The shaft 30h6 of the project file's page: three zones, two stages.
+inline Project traverse() {
+    Project project;
+    project.operation = Operation::traverse;
+    project.part.radii_per_section = 12;
+    project.machine.dwell_entry_s = 0.333;
+    project.machine.dwell_exit_s = 0.667;
+    project.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    project.cycle.stages = {strokeStage(0.004, 1800, 0.11), strokeStage(0.001, 300, 0.04)};
+    return project;
+}
+
+/// The coefficients of P_y(a) = b·(k_s·a + k_r·√a), MODEL-2 written out.
+struct Law {
+    double ks = 0, kr = 0;
+
+    explicit Law(const Project& p) {
+        const double d = p.part.diameter_mm;
+        const double D = p.wheel.diameter_mm;
+        const double De = p.part.surface == Surface::external ? d * D / (D + d) : d * D / (d - D);
+        const double speeds =
+            std::numbers::pi * d * p.machine.work_speed_rpm / (p.machine.wheel_speed_m_s * 60e3);
+        ks = p.material.shear_factor * p.material.flow_stress_mpa * speeds;
+        kr = p.wheel.dullness * p.material.flow_stress_mpa * std::sqrt(De) / 3;
+    }
+    [[nodiscard]] double force(double b, double a) const {
+        return b * (ks * a + kr * std::sqrt(a));
+    }
+};
+
+/// A result with everything that happened.
+struct Traced {
+    SimulationResult result;
+    Trajectory trajectory;
+
+    explicit Traced(const Project& project) { result = simulate(project, &trajectory); }
+    [[nodiscard]] const Visit& visit(const Pass& pass, int k) const {
+        return trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
+    }
+    /// The passes of one zone or section, in order.
+    [[nodiscard]] std::vector<Pass> passesOf(int section) const {
+        std::vector<Pass> passes;
+        for (const Pass& pass : trajectory.passes) {
+            if (pass.place.section == section) {
+                passes.push_back(pass);
+            }
+        }
+        return passes;
+    }
+};
+
+/// Depth of a radius below first touch before anything is cut, from the blank [mm].
+inline std::vector<double> blankDepths(const Project& project) {
+    return makeBlank(project.part).depth_mm;
+}
+
+/// Whether two runs came out the same to the last bit.
+inline bool sameBits(const SimulationResult& a, const SimulationResult& b) {
+    bool same = a.status == b.status && a.time_s == b.time_s && a.cycleCount == b.cycleCount
+                && a.countsByStage == b.countsByStage && a.timeByStage_s == b.timeByStage_s
+                && a.gaugeReading_mm == b.gaugeReading_mm
+                && a.remainingStock_mm == b.remainingStock_mm
+                && a.peakNormalForce_n == b.peakNormalForce_n && a.peakPower_w == b.peakPower_w
+                && a.visits == b.visits && a.sections.size() == b.sections.size();
+    for (std::size_t i = 0; same && i < a.sections.size(); ++i) {
+        same = a.sections[i].radii_mm == b.sections[i].radii_mm
+               && a.sections[i].radialRunout_mm == b.sections[i].radialRunout_mm
+               && a.sections[i].diameterDeviationMin_mm == b.sections[i].diameterDeviationMin_mm
+               && a.sections[i].diameterDeviationMax_mm == b.sections[i].diameterDeviationMax_mm
+               && a.sections[i].peakNormalForce_n == b.sections[i].peakNormalForce_n
+               && a.sections[i].compliance_mm_per_n == b.sections[i].compliance_mm_per_n;
+    }
+    return same;
+}
+
+} // namespace fixtures

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/constraints.h"
+
+#include "tests/core/project_fixtures.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace sparkout;
+using fixtures::within;
+
+namespace {
+
+// Values are some µm and come out of two or three operations.
+constexpr double um = 1e-13;
+
+/// Two sections within the field 0/−16 µm, runouts 3 and 5 µm.
+SimulationResult result() {
+    SimulationResult r;
+    r.project = fixtures::plunge();
+    r.project.part.upper_deviation_um = 0;
+    r.project.part.lower_deviation_um = -16;
+    r.project.part.tolerance.radial_runout_um = 6;
+    SectionResult section;
+    section.diameterDeviationMin_mm = -0.010;
+    section.diameterDeviationMax_mm = -0.004;
+    section.radialRunout_mm = 0.003;
+    r.sections.push_back(section);
+    section.diameterDeviationMin_mm = -0.012;
+    section.diameterDeviationMax_mm = -0.007;
+    section.radialRunout_mm = 0.005;
+    r.sections.push_back(section);
+    return r;
+}
+
+const ConstraintResult& find(const std::vector<ConstraintResult>& all, ConstraintKind kind,
+                             int section) {
+    for (const ConstraintResult& c : all) {
+        if (c.kind == kind && c.section == section) {
+            return c;
+        }
+    }
+    static const ConstraintResult none{};
+    return none;
+}
+
+} // namespace
+
+class TestConstraints : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everySectionIsHeldAgainstEveryLimit() {
+        const auto all = evaluateConstraints(result());
+        QCOMPARE(all.size(), std::size_t(6));
+        for (int j = 0; j < 2; ++j) {
+            for (const ConstraintKind kind :
+                 {ConstraintKind::diameterMin, ConstraintKind::diameterMax,
+                  ConstraintKind::radialRunout}) {
+                QVERIFY(find(all, kind, j).kind == kind && find(all, kind, j).holds);
+            }
+        }
+    }
+
+    // A margin is the way to the limit, positive inside, in µm.
+    void marginIsTheDistanceToTheLimitFromInside_data() {
+        QTest::addColumn<ConstraintKind>("kind");
+        QTest::addColumn<int>("section");
+        QTest::addColumn<double>("limit");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<double>("margin");
+        QTest::addColumn<double>("relative");
+        QTest::newRow("min 0") << ConstraintKind::diameterMin << 0 << -16.0 << -10.0 << 6.0
+                               << 6.0 / 16;
+        QTest::newRow("min 1") << ConstraintKind::diameterMin << 1 << -16.0 << -12.0 << 4.0
+                               << 4.0 / 16;
+        QTest::newRow("max 0") << ConstraintKind::diameterMax << 0 << 0.0 << -4.0 << 4.0
+                               << 4.0 / 16;
+        QTest::newRow("max 1") << ConstraintKind::diameterMax << 1 << 0.0 << -7.0 << 7.0
+                               << 7.0 / 16;
+        QTest::newRow("runout 0") << ConstraintKind::radialRunout << 0 << 6.0 << 3.0 << 3.0
+                                  << 3.0 / 6;
+        QTest::newRow("runout 1") << ConstraintKind::radialRunout << 1 << 6.0 << 5.0 << 1.0
+                                  << 1.0 / 6;
+    }
+    void marginIsTheDistanceToTheLimitFromInside() {
+        QFETCH(ConstraintKind, kind);
+        QFETCH(int, section);
+        QFETCH(double, limit);
+        QFETCH(double, value);
+        QFETCH(double, margin);
+        QFETCH(double, relative);
+        const auto all = evaluateConstraints(result());
+        const ConstraintResult& c = find(all, kind, section);
+        QVERIFY(c.holds);
+        QCOMPARE(c.section, section);
+        QVERIFY(within(c.limit, limit, um) && within(c.value, value, um));
+        QVERIFY(within(c.margin, margin, um) && within(c.relativeMargin, relative, um));
+    }
+
+    void marginIsNegativeBeyondTheLimit() {
+        SimulationResult r = result();
+        r.sections[0].diameterDeviationMin_mm = -0.018;
+        r.sections[0].diameterDeviationMax_mm = 0.003;
+        r.sections[0].radialRunout_mm = 0.0065;
+        const auto all = evaluateConstraints(r);
+        const std::pair<ConstraintKind, double> expected[] = {{ConstraintKind::diameterMin, -2},
+                                                              {ConstraintKind::diameterMax, -3},
+                                                              {ConstraintKind::radialRunout, -0.5}};
+        for (const auto& [kind, margin] : expected) {
+            QVERIFY(!find(all, kind, 0).holds);
+            QVERIFY(within(find(all, kind, 0).margin, margin, um));
+            QVERIFY(find(all, kind, 1).holds);
+        }
+    }
+
+    // MODEL-8: each diameter within [lower, upper] + 1e-9 mm
+    void slackOfAMillionthOfAMicrometreFailsNobody_data() {
+        QTest::addColumn<double>("beyond_mm");
+        QTest::addColumn<bool>("holds");
+        QTest::newRow("on the limit") << 0.0 << true;
+        QTest::newRow("inside the slack") << 0.9e-9 << true;
+        QTest::newRow("outside the slack") << 1.1e-9 << false;
+    }
+    void slackOfAMillionthOfAMicrometreFailsNobody() {
+        QFETCH(double, beyond_mm);
+        QFETCH(bool, holds);
+        SimulationResult r = result();
+        r.sections[0].diameterDeviationMin_mm = -0.016 - beyond_mm;
+        r.sections[1].diameterDeviationMax_mm = 0.0 + beyond_mm;
+        r.sections[1].radialRunout_mm = 0.006 + beyond_mm;
+        const auto all = evaluateConstraints(r);
+        QCOMPARE(find(all, ConstraintKind::diameterMin, 0).holds, holds);
+        QCOMPARE(find(all, ConstraintKind::diameterMax, 1).holds, holds);
+        QCOMPARE(find(all, ConstraintKind::radialRunout, 1).holds, holds);
+    }
+
+    // A tolerance that is not given is not required, so it is not listed.
+    void toleranceThatIsNotGivenIsNotListed() {
+        SimulationResult r = result();
+        r.project.part.tolerance.radial_runout_um.reset();
+        const auto all = evaluateConstraints(r);
+        QCOMPARE(all.size(), std::size_t(4));
+        for (const ConstraintResult& c : all) {
+            QVERIFY(c.kind != ConstraintKind::radialRunout);
+        }
+        QCOMPARE(worstByKind(all).size(), std::size_t(2));
+    }
+
+    void zoneAndSectionSayWhere() {
+        Project p = fixtures::traverse();
+        const auto all = evaluateConstraints(simulate(p));
+        for (int j = 0; j < 3; ++j) {
+            QCOMPARE(find(all, ConstraintKind::diameterMin, j).zone, Zone(j));
+        }
+        for (const ConstraintResult& c : evaluateConstraints(simulate(fixtures::plunge()))) {
+            QCOMPARE(c.zone, Zone::section);
+        }
+    }
+
+    void worstOfEachKindIsListedInTheOrderOfTheKinds() {
+        const auto worst = worstByKind(evaluateConstraints(result()));
+        QCOMPARE(worst.size(), std::size_t(3));
+        QVERIFY(worst[0].kind == ConstraintKind::diameterMin && worst[0].section == 1);
+        QVERIFY(worst[1].kind == ConstraintKind::diameterMax && worst[1].section == 0);
+        QVERIFY(worst[2].kind == ConstraintKind::radialRunout && worst[2].section == 1);
+        QVERIFY(worstByKind({}).empty());
+    }
+
+    void namesAreThoseOfTheFile() {
+        QCOMPARE(std::string(constraintName(ConstraintKind::diameterMin)), "diameter_min");
+        QCOMPARE(std::string(constraintName(ConstraintKind::diameterMax)), "diameter_max");
+        QCOMPARE(std::string(constraintName(ConstraintKind::radialRunout)), "radial_runout");
+    }
+
+    // One whole way from the cycle: the machine's own runout counts against the tolerance.
+    void machinesRunoutCountsAgainstTheTolerance() {
+        Project p = fixtures::plunge();
+        p.part.tolerance.radial_runout_um = 3;
+        const auto alone = evaluateConstraints(simulate(p));
+        p.machine.geometric_runout_um = 2;
+        const auto together = evaluateConstraints(simulate(p));
+        const double difference = find(together, ConstraintKind::radialRunout, 0).value
+                                  - find(alone, ConstraintKind::radialRunout, 0).value;
+        QVERIFY(within(difference, 2, 1e-12));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestConstraints)
+#include "test_constraints.moc"

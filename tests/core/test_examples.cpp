@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shipped example projects: well formed, in the writer's own form, and what their notes say.
+#include "core/project/project_file.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace sparkout;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string contentOf(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// Name without the ending, and text.
+std::map<std::string, std::string> exampleTexts() {
+    std::map<std::string, std::string> texts;
+    for (const auto& entry : fs::directory_iterator(SPARKOUT_SOURCE_DIR "/resources/examples")) {
+        texts[entry.path().stem().string()] = contentOf(entry.path());
+    }
+    return texts;
+}
+
+std::string statusWord(RunStatus status) {
+    switch (status) {
+    case RunStatus::completed: return "completed";
+    case RunStatus::cannotReachSize: return "cannot_reach_size";
+    case RunStatus::tooLong: return "too_long";
+    case RunStatus::stopped: return "stopped";
+    }
+    return {};
+}
+
+std::string namesOf(const std::vector<ConstraintResult>& constraints, bool holding) {
+    std::string names;
+    for (const ConstraintResult& constraint : worstByKind(constraints)) {
+        if (constraint.holds == holding) {
+            names += (names.empty() ? "" : ", ") + std::string(constraintName(constraint.kind));
+        }
+    }
+    return names.empty() ? "none" : names;
+}
+
+/// The last line of an example's notes, as the engine would write it.
+std::string verdictOf(const SimulationResult& result) {
+    const auto constraints = evaluateConstraints(result);
+    const bool traverse = result.project.operation == Operation::traverse;
+    return "Verdict: " + statusWord(result.status) + "; holds: " + namesOf(constraints, true)
+           + "; fails: " + namesOf(constraints, false)
+           + (traverse ? "; double strokes: " : "; revolutions: ")
+           + std::to_string(result.cycleCount)
+           + "; time: " + QString::number(result.time_s / 60, 'f', 3).toStdString() + " min";
+}
+
+std::string lastLine(const std::string& text) { return text.substr(text.rfind('\n') + 1); }
+
+bool holdsDrawing(const SimulationResult& result) {
+    const auto constraints = evaluateConstraints(result);
+    return result.status == RunStatus::completed && !constraints.empty()
+           && std::all_of(constraints.begin(), constraints.end(),
+                          [](const ConstraintResult& constraint) { return constraint.holds; });
+}
+
+double largestRunout(const SimulationResult& result) {
+    double largest = 0;
+    for (const SectionResult& section : result.sections) {
+        largest = std::max(largest, section.radialRunout_mm);
+    }
+    return largest;
+}
+
+/// Largest less smallest diameter over the sections.
+double spread(const SimulationResult& result) {
+    double low = result.sections.front().diameterDeviationMin_mm;
+    double high = result.sections.front().diameterDeviationMax_mm;
+    for (const SectionResult& section : result.sections) {
+        low = std::min(low, section.diameterDeviationMin_mm);
+        high = std::max(high, section.diameterDeviationMax_mm);
+    }
+    return high - low;
+}
+
+} // namespace
+
+class TestExamples : public QObject {
+    Q_OBJECT
+
+    std::map<std::string, SimulationResult> m_results;
+
+    static void eachExample() {
+        QTest::addColumn<QByteArray>("text");
+        for (const auto& [name, text] : exampleTexts()) {
+            QTest::newRow(name.c_str()) << QByteArray::fromStdString(text);
+        }
+    }
+
+    const SimulationResult& result(const std::string& name) const { return m_results.at(name); }
+
+    static Project project(const char* name) {
+        return *readProject(exampleTexts().at(name)).project;
+    }
+
+private slots:
+    void initTestCase() {
+        for (const auto& [name, text] : exampleTexts()) {
+            const ReadResult read = readProject(text);
+            QVERIFY2(read.project.has_value(), name.c_str());
+            m_results.emplace(name, simulate(*read.project));
+        }
+    }
+
+    void theExamplesArePresent() {
+        for (const char* name :
+             {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
+              "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft", "spark-out-until-size",
+              "wheel-dull", "wheel-sharp"}) {
+            QVERIFY2(m_results.contains(name), name);
+        }
+    }
+
+    void everyExampleIsReadWithoutErrorOrWarning_data() { eachExample(); }
+    void everyExampleIsReadWithoutErrorOrWarning() {
+        QFETCH(QByteArray, text);
+        const ReadResult read = readProject(text.toStdString());
+        QVERIFY2(read.issues.empty(), read.issues.empty() ? "" : read.issues.front().path.c_str());
+        QVERIFY(read.project.has_value());
+    }
+
+    void everyExampleIsInTheWritersOwnForm_data() { eachExample(); }
+    void everyExampleIsInTheWritersOwnForm() {
+        QFETCH(QByteArray, text);
+        const ReadResult read = readProject(text.toStdString());
+        QVERIFY(read.project.has_value());
+        QCOMPARE(QByteArray::fromStdString(writeProject(*read.project)), text);
+    }
+
+    void everyExampleExplainsItselfInBothLanguages_data() { eachExample(); }
+    void everyExampleExplainsItselfInBothLanguages() {
+        QFETCH(QByteArray, text);
+        const ReadResult read = readProject(text.toStdString());
+        QVERIFY(read.project.has_value());
+        QVERIFY(!read.project->title.empty());
+        QCOMPARE(read.project->author, std::string("Sparkout"));
+        const QStringList paragraphs =
+            QString::fromStdString(read.project->notes).split(QStringLiteral("\n\n"));
+        QCOMPARE(paragraphs.size(), 3); // English, Russian, verdict
+        const auto cyrillic = [](const QString& paragraph) {
+            return std::count_if(paragraph.begin(), paragraph.end(),
+                                 [](QChar c) { return c.script() == QChar::Script_Cyrillic; });
+        };
+        QVERIFY(cyrillic(paragraphs[0]) * 20 < paragraphs[0].size());
+        QVERIFY(cyrillic(paragraphs[1]) * 2 > paragraphs[1].size());
+    }
+
+    void everyVerdictIsWhatTheEngineSays_data() { eachExample(); }
+    void everyVerdictIsWhatTheEngineSays() {
+        const SimulationResult& run = result(QTest::currentDataTag());
+        QCOMPARE(lastLine(run.project.notes), verdictOf(run));
+    }
+
+    void aTraverseAndAPlungeHoldTheirDrawing() {
+        int traverse = 0;
+        int plunge = 0;
+        for (const auto& [name, run] : m_results) {
+            if (holdsDrawing(run)) {
+                ++(run.project.operation == Operation::traverse ? traverse : plunge);
+            }
+        }
+        QVERIFY(traverse >= 1);
+        QVERIFY(plunge >= 1);
+    }
+
+    void sharpAndDullWheelDifferInDullnessAndTextsOnly() {
+        Project sharp = project("wheel-sharp");
+        const Project dull = project("wheel-dull");
+        QVERIFY(sharp.wheel.dullness < dull.wheel.dullness);
+        sharp.wheel.dullness = dull.wheel.dullness;
+        sharp.title = dull.title;
+        sharp.notes = dull.notes;
+        QVERIFY(sameProject(sharp, dull));
+    }
+
+    void theDullWheelIsSlowerPressesHarderAndIsLessAccurate() {
+        const SimulationResult& sharp = result("wheel-sharp");
+        const SimulationResult& dull = result("wheel-dull");
+        QVERIFY(sharp.time_s < dull.time_s);
+        QVERIFY(sharp.peakNormalForce_n < dull.peakNormalForce_n);
+        QVERIFY(sharp.peakPower_w < dull.peakPower_w);
+        QVERIFY(largestRunout(sharp) < largestRunout(dull));
+        QVERIFY(spread(sharp) < spread(dull));
+        QVERIFY(holdsDrawing(sharp));
+        QVERIFY(!holdsDrawing(dull));
+    }
+
+    void theOptimalCycleOfTheThesisIsFasterThanTheFactoryCycle() {
+        const double factory = result("shaft-30h6-factory").time_s;
+        const double optimal = result("shaft-30h6-optimal").time_s;
+        qInfo("30h6: %.3f min -> %.3f min, a gain of %.1f %% (the thesis states 20.8 %%)",
+              factory / 60, optimal / 60, 100 * (1 - optimal / factory));
+        QVERIFY(optimal < factory);
+    }
+
+    void theZonesOf30h6EndInTheOrderOfTheSource() {
+        for (const char* name : {"shaft-30h6-factory", "shaft-30h6-optimal"}) {
+            const auto& zones = result(name).sections; // РЗ1, НЗ, РЗ2
+            QCOMPARE(zones.size(), std::size_t(3));
+            QVERIFY(zones[1].diameterDeviationMin_mm > zones[2].diameterDeviationMax_mm);
+            QVERIFY(zones[2].diameterDeviationMin_mm > zones[0].diameterDeviationMax_mm);
+        }
+    }
+
+    // What the notes of the other examples say.
+
+    void theSofterASectionOfThePlungedShaftTheLargerItEnds() {
+        const auto& sections = result("plunge-shaft-two-stage").sections;
+        QCOMPARE(sections.size(), std::size_t(4));
+        for (std::size_t j = 1; j < sections.size(); ++j) {
+            QVERIFY(sections[j].compliance_mm_per_n > sections[j - 1].compliance_mm_per_n);
+            QVERIFY(sections[j].diameterDeviationMin_mm > sections[j - 1].diameterDeviationMin_mm);
+        }
+        Project faster = project("plunge-shaft-two-stage");
+        faster.cycle.stages[1].radial_feed_mm_min = 0.3;
+        QVERIFY(spread(simulate(faster)) > spread(result("plunge-shaft-two-stage")));
+    }
+
+    void aSteadyRestBringsTheSlenderShaftIntoItsField() {
+        const SimulationResult& bare = result("slender-shaft");
+        QVERIFY(!holdsDrawing(bare));
+        QVERIFY(bare.sections[1].compliance_mm_per_n > 3 * bare.sections[0].compliance_mm_per_n);
+        Project rested = project("slender-shaft");
+        rested.part.shaft.steady_rests = {{185, 30}};
+        QVERIFY(holdsDrawing(simulate(rested)));
+    }
+
+    void sparkOutBeatsFeedToTheEndAndHasItsLimit() {
+        const SimulationResult& sparked = result("spark-out-until-size");
+        Project other = project("spark-out-until-size");
+        auto& stages = other.cycle.stages;
+        stages[1].stock_mm -= 0.012;
+        stages[2].stock_mm += 0.012;
+        QCOMPARE(simulate(other).status, RunStatus::cannotReachSize);
+        stages[1].stock_mm += stages[2].stock_mm;
+        stages.pop_back();
+        const SimulationResult fed = simulate(other);
+        QCOMPARE(fed.status, RunStatus::completed);
+        QVERIFY(largestRunout(sparked) < largestRunout(fed));
+        QVERIFY(spread(sparked) < spread(fed));
+    }
+
+    void aSlowSecondFeedMakesTheDullWheelsCycleTheShorterOne() {
+        Project sharp = project("wheel-sharp");
+        Project dull = project("wheel-dull");
+        sharp.cycle.stages[1].radial_feed_mm_min = 0.1;
+        dull.cycle.stages[1].radial_feed_mm_min = 0.1;
+        const SimulationResult ofSharp = simulate(sharp);
+        const SimulationResult ofDull = simulate(dull);
+        QCOMPARE(ofSharp.status, RunStatus::completed);
+        QCOMPARE(ofDull.status, RunStatus::completed);
+        QVERIFY(ofDull.time_s < ofSharp.time_s);
+        QVERIFY(spread(ofDull) > spread(ofSharp));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExamples)
+#include "test_examples.moc"

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine against the second implementation, on random projects that cover every option.
+// SPARKOUT_QUICK=1: every tenth project (sanitizers). SPARKOUT_LONG=1: 20,000 projects.
+#include "core/simulation/simulate.h"
+
+#include "tests/core/project_fixtures.h"
+#include "tests/core/random_project.h"
+#include "tests/core/reference_simulation.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace sparkout;
+using nlohmann::json;
+
+namespace {
+
+constexpr int rowLength = 100;
+
+int projects() {
+    return qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 20'000 : 1'000;
+}
+int stride() {
+    return qEnvironmentVariableIsSet("SPARKOUT_QUICK") ? 10 : 1;
+}
+
+std::string statusName(RunStatus status) {
+    switch (status) {
+    case RunStatus::completed: return "completed";
+    case RunStatus::cannotReachSize: return "cannot_reach_size";
+    case RunStatus::tooLong: return "too_long";
+    case RunStatus::stopped: break;
+    }
+    return "stopped";
+}
+
+/// What differs, in words; empty when nothing does.
+QString difference(const SimulationResult& engine, const reference::Result& second,
+                   double diameter_mm) {
+    const auto differs = [](const char* what, double a, double b) {
+        return QString("%1: engine %2, reference %3")
+            .arg(what)
+            .arg(a, 0, 'g', 17)
+            .arg(b, 0, 'g', 17);
+    };
+    if (statusName(engine.status) != second.status) {
+        return QString("status: engine %1, reference %2")
+            .arg(statusName(engine.status).c_str(), second.status.c_str());
+    }
+    if (engine.cycleCount != second.passes) {
+        return differs("count", engine.cycleCount, static_cast<double>(second.passes));
+    }
+    if (!std::equal(engine.countsByStage.begin(), engine.countsByStage.end(),
+                    second.passes_by_stage.begin(), second.passes_by_stage.end())) {
+        return "counts by stage";
+    }
+    // Times are sums of at most some 10,000 durations.
+    if (!fixtures::close(engine.time_s / 60, second.time_min, 1e-12)) {
+        return differs("time", engine.time_s / 60, second.time_min);
+    }
+    if (!fixtures::close(engine.peakNormalForce_n, second.peak_normal_force_n, 1e-9)) {
+        return differs("peak force", engine.peakNormalForce_n, second.peak_normal_force_n);
+    }
+    if (!fixtures::close(engine.peakPower_w, second.peak_power_w, 1e-9)) {
+        return differs("peak power", engine.peakPower_w, second.peak_power_w);
+    }
+    if (engine.sections.size() != second.places.size()) {
+        return "number of sections";
+    }
+    constexpr double um = 1e-6; // the agreement the vectors' page asks for
+    for (std::size_t i = 0; i < second.places.size(); ++i) {
+        const SectionResult& section = engine.sections[i];
+        const reference::Place& place = second.places[i];
+        const std::pair<double, double> lengths[] = {
+            {section.diameterDeviationMin_mm, place.diameter_deviation_min_um},
+            {section.diameterDeviationMax_mm, place.diameter_deviation_max_um},
+            {section.radialRunout_mm, place.radial_runout_um}};
+        for (const auto& [mm, expected] : lengths) {
+            if (!fixtures::within(mm * 1000, expected, um)) {
+                return differs("deviation or runout", mm * 1000, expected);
+            }
+        }
+        if (section.radii_mm.size() != place.radii_um.size()) {
+            return "number of radii";
+        }
+        for (std::size_t k = 0; k < place.radii_um.size(); ++k) {
+            const double radius = (section.radii_mm[k] - diameter_mm / 2) * 1000;
+            if (!fixtures::within(radius, static_cast<double>(place.radii_um[k]), um)) {
+                return QString("section %1 radius %2, ").arg(i).arg(k)
+                       + differs("µm", radius, static_cast<double>(place.radii_um[k]));
+            }
+        }
+    }
+    return {};
+}
+
+/// The features of a project, as words to count.
+std::set<std::string> features(const json& p) {
+    std::set<std::string> found;
+    const std::string operation = p["operation"];
+    const json& part = p["part"];
+    const json gauge = p.value("gauge", json::object());
+    const std::string surface = part.value("surface", "external");
+    found.insert(operation);
+    found.insert(operation + ", " + surface);
+    found.insert(surface + ", profile " + part.value("profile", "ellipse"));
+    found.insert(surface + ", rule " + gauge.value("rule", "min"));
+    found.insert(operation + ", control " + gauge.value("control", "gauge"));
+    found.insert(part.contains("target_diameter_mm") ? "target given" : "target by the field");
+    found.insert(p["wheel"]["dullness"] == 0 ? "sharp wheel" : "dull wheel");
+    found.insert(part["initial_runout_mm"] == 0 ? "round blank" : "blank with runout");
+    found.insert(p["machine"].contains("geometric_runout_um") ? "machine runout"
+                                                              : "no machine runout");
+    if (operation == "plunge") {
+        found.insert(gauge.contains("compliance_mm_per_n") ? "free gauge, own compliance"
+                     : gauge.contains("position_mm")       ? "free gauge, interpolated"
+                     : gauge.contains("section")           ? "gauge in a section"
+                                                           : "gauge in the middle");
+    }
+    const json& stages = p["cycle"]["stages"];
+    found.insert(std::to_string(stages.size()) + " stages");
+    double stock = 0;
+    for (const json& stage : stages) {
+        stock += stage.value("stock_mm", 0.0);
+    }
+    found.insert(std::abs(stock - part["stock_mm"].get<double>()) > 1e-9
+                     ? "stocks that do not sum up"
+                     : "stocks that sum up");
+    const json last = stages.back().value("spark_out", json());
+    found.insert(operation
+                 + (last.is_null()     ? ", no spark-out"
+                    : last.is_string() ? ", spark-out until size"
+                                       : ", spark-out by count"));
+    return found;
+}
+
+} // namespace
+
+class TestReferenceAgreement : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Only the projects are made here, so this checks all of them even in a quick run.
+    void projectsCoverEveryOption() {
+        std::map<std::string, int> counts;
+        for (int seed = 1; seed <= 1'000; ++seed) {
+            for (const std::string& feature : features(randomProject(std::uint64_t(seed)))) {
+                ++counts[feature];
+            }
+        }
+        const char* const options[] = {"traverse, external",
+                                       "plunge, external",
+                                       "plunge, internal",
+                                       "external, profile ellipse",
+                                       "external, profile eccentric",
+                                       "external, profile lobes",
+                                       "external, profile measured",
+                                       "internal, profile ellipse",
+                                       "internal, profile eccentric",
+                                       "internal, profile lobes",
+                                       "internal, profile measured",
+                                       "external, rule min",
+                                       "external, rule mean",
+                                       "external, rule max",
+                                       "internal, rule min",
+                                       "internal, rule mean",
+                                       "internal, rule max",
+                                       "traverse, control gauge",
+                                       "traverse, control position",
+                                       "plunge, control gauge",
+                                       "plunge, control position",
+                                       "target given",
+                                       "target by the field",
+                                       "sharp wheel",
+                                       "dull wheel",
+                                       "round blank",
+                                       "blank with runout",
+                                       "machine runout",
+                                       "no machine runout",
+                                       "free gauge, own compliance",
+                                       "free gauge, interpolated",
+                                       "gauge in a section",
+                                       "gauge in the middle",
+                                       "1 stages",
+                                       "2 stages",
+                                       "3 stages",
+                                       "4 stages",
+                                       "5 stages",
+                                       "stocks that do not sum up",
+                                       "stocks that sum up",
+                                       "traverse, no spark-out",
+                                       "traverse, spark-out until size",
+                                       "traverse, spark-out by count",
+                                       "plunge, no spark-out",
+                                       "plunge, spark-out until size",
+                                       "plunge, spark-out by count"};
+        for (const char* const option : options) {
+            QVERIFY2(counts[option] >= 10,
+                     qPrintable(QString("%1: %2").arg(option).arg(counts[option])));
+        }
+    }
+
+    void engineAgreesWithTheSecondImplementation_data() {
+        QTest::addColumn<int>("first");
+        for (int first = 1; first <= projects(); first += rowLength) {
+            QTest::addRow("seeds %d to %d", first, first + rowLength - 1) << first;
+        }
+    }
+    void engineAgreesWithTheSecondImplementation() {
+        QFETCH(int, first);
+        for (int seed = first; seed < first + rowLength; seed += stride()) {
+            const json project = randomProject(std::uint64_t(seed));
+            const SimulationResult engine = simulate(fixtures::read(project));
+            const reference::Result second = reference::simulate(project);
+            const QString found =
+                difference(engine, second, project["part"]["diameter_mm"].get<double>());
+            QVERIFY2(found.isEmpty(), qPrintable(QString("seed %1, %2").arg(seed).arg(found)));
+            ++m_statuses[second.status];
+            const auto& counts = second.passes_by_stage;
+            m_skippedStages += std::find(counts.begin(), counts.end(), 0) != counts.end();
+        }
+    }
+
+    // What comes out must vary too: cycles that reach size and that do not, stages that are over
+    // before they begin.
+    void outcomesOfEveryKindWereCompared() {
+        if (m_statuses.empty()) {
+            QSKIP("nothing was compared in this run");
+        }
+        const int least = projects() / stride() / 100;
+        QVERIFY2(m_statuses["completed"] >= least,
+                 qPrintable(QString::number(m_statuses["completed"])));
+        QVERIFY2(m_statuses["cannot_reach_size"] >= least,
+                 qPrintable(QString::number(m_statuses["cannot_reach_size"])));
+        QVERIFY2(m_skippedStages >= least, qPrintable(QString::number(m_skippedStages)));
+    }
+
+private:
+    std::map<std::string, int> m_statuses;
+    int m_skippedStages = 0; ///< cycles in which several stages ended at one reading
+};
+
+QTEST_APPLESS_MAIN(TestReferenceAgreement)
+#include "test_reference_agreement.moc"

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/document.h"
+#include "ui/session/operation.h"
+
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace sparkout;
+
+namespace {
+
+constexpr EditText editText{"Input", "Diameter"};
+
+Project withDiameter(Project project, double diameter_mm) {
+    project.part.diameter_mm = diameter_mm;
+    return project;
+}
+
+QByteArray hashOf(const Document& document) {
+    return QCryptographicHash::hash(QByteArray::fromStdString(writeProject(document.project())),
+                                    QCryptographicHash::Sha256);
+}
+
+QStringList examplePaths() {
+    const QDir folder(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples"));
+    QStringList list;
+    for (const QString& name : folder.entryList({QStringLiteral("*.sparkout")})) {
+        list += folder.filePath(name);
+    }
+    return list;
+}
+
+} // namespace
+
+class TestDocument : public QObject {
+    Q_OBJECT
+
+private slots:
+    void undoAndRedoAcrossASaveGiveTheSameTextAndModifiedState() {
+        const QTemporaryDir folder;
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        QVERIFY(!document.modified());
+        const QByteArray first = hashOf(document);
+        document.edit(withDiameter(document.project(), 31), editText);
+        const QByteArray second = hashOf(document);
+        QVERIFY(!document.saveAs(folder.filePath(QStringLiteral("a.sparkout"))));
+        QVERIFY(!document.modified());
+        document.edit(withDiameter(document.project(), 32), editText);
+        const QByteArray third = hashOf(document);
+        QVERIFY(document.modified());
+
+        document.undo();
+        QCOMPARE(hashOf(document), second);
+        QVERIFY(!document.modified());
+        document.undo();
+        QCOMPARE(hashOf(document), first);
+        QVERIFY(document.modified());
+        QVERIFY(!document.canUndo());
+        document.redo();
+        document.redo();
+        QCOMPARE(hashOf(document), third);
+        QVERIFY(!document.canRedo());
+    }
+
+    void typingInOneFieldIsOneStepUntilTheFieldIsLeft() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        const QString key = QStringLiteral("/part/diameter_mm");
+        document.edit(withDiameter(document.project(), 4), editText, key);
+        document.edit(withDiameter(document.project(), 45), editText, key);
+        document.endMerge();
+        document.edit(withDiameter(document.project(), 46), editText, key);
+        document.undo();
+        QCOMPARE(document.project().part.diameter_mm, 45.0);
+        document.undo();
+        QCOMPARE(document.project().part.diameter_mm, 30.0);
+        QVERIFY(!document.canUndo());
+    }
+
+    void typingAndTypingBackLeavesNothingToUndo() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        const QString key = QStringLiteral("/part/diameter_mm");
+        document.edit(withDiameter(document.project(), 3), editText, key);
+        document.edit(withDiameter(document.project(), 30), editText, key);
+        QVERIFY(!document.canUndo());
+        QVERIFY(!document.modified());
+    }
+
+    void anEditThatChangesNothingIsNoStep() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        QSignalSpy changed(&document, &Document::changed);
+        document.edit(document.project(), editText);
+        QCOMPARE(changed.count(), 0);
+        QVERIFY(!document.canUndo());
+    }
+
+    void everyExampleSurvivesOpenSaveOpen_data() {
+        QTest::addColumn<QString>("path");
+        for (const QString& path : examplePaths()) {
+            QTest::newRow(path.section(u'/', -1).toUtf8().constData()) << path;
+        }
+    }
+
+    void everyExampleSurvivesOpenSaveOpen() {
+        QFETCH(QString, path);
+        const QTemporaryDir folder;
+        const QString copy = folder.filePath(QStringLiteral("копия.sparkout"));
+        Document document;
+        QVERIFY(document.open(path).opened());
+        QCOMPARE(document.filePath(), path);
+        const Project before = document.project();
+        QVERIFY(!document.saveAs(copy));
+        Document again;
+        QVERIFY(again.open(copy).opened());
+        QVERIFY(sameProject(before, again.project()));
+    }
+
+    void aRefusedFileListsItsFaultsAndLeavesTheDocumentAlone() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("bad.sparkout"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            R"({"format":"sparkout-project","version":1,"nonsense":2,"operation":"traverse"})");
+        file.close();
+        Document document;
+        document.startUntitled(newProject(Operation::plunge));
+        document.edit(withDiameter(document.project(), 33), editText);
+        const QByteArray before = hashOf(document);
+        const OpenResult result = document.open(path);
+        QVERIFY(!result.opened());
+        QVERIFY(result.issues.size() > 1);
+        QCOMPARE(hashOf(document), before);
+        QVERIFY(document.canUndo());
+        QVERIFY(document.filePath().isEmpty());
+    }
+
+    void aFileThatIsNotThereIsAnError() {
+        Document document;
+        const OpenResult result = document.open(QStringLiteral("/nowhere/at/all.sparkout"));
+        QVERIFY(result.error.has_value());
+        QVERIFY(!result.opened());
+    }
+
+    void aFailedSaveKeepsTheDocumentModifiedAndItsPath() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        document.edit(withDiameter(document.project(), 33), editText);
+        QVERIFY(document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
+        QVERIFY(document.modified());
+        QVERIFY(document.filePath().isEmpty());
+    }
+
+    void newProjectsOfBothOperationsAreInOrder() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            const Issues issues = validate(newProject(operation));
+            QVERIFY2(issues.empty(), issues.empty() ? "" : issueTemplate(issues.front().code));
+        }
+    }
+
+    void everyExampleCanBeTurnedToTheOtherOperationAndBack_data() {
+        everyExampleSurvivesOpenSaveOpen_data();
+    }
+
+    void everyExampleCanBeTurnedToTheOtherOperationAndBack() {
+        QFETCH(QString, path);
+        Document document;
+        QVERIFY(document.open(path).opened());
+        const Project& project = document.project();
+        const bool traverse = project.operation == Operation::traverse;
+        const Operation other = traverse ? Operation::plunge : Operation::traverse;
+        const Project turned = withOperation(project, other);
+        const Issues there = validate(turned);
+        const auto describe = [](const Issues& issues) {
+            std::string text;
+            for (const Issue& issue : issues) {
+                text += issue.path + ": " + fillTemplate(issueTemplate(issue.code), issue) + "; ";
+            }
+            return text;
+        };
+        QVERIFY2(!hasErrors(there), describe(there).c_str());
+        const Issues back = validate(withOperation(turned, project.operation));
+        QVERIFY2(!hasErrors(back), describe(back).c_str());
+    }
+
+    void aListedComplianceFollowsTheNumberOfSections() {
+        const Project plunge = newProject(Operation::plunge);
+        const Project more = withSections(plunge, 7);
+        QCOMPARE(std::get<std::vector<double>>(more.machine.compliance_mm_per_n).size(), 7u);
+        QVERIFY(!hasErrors(validate(more)));
+        QVERIFY(!hasErrors(validate(withSections(more, 1))));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "test_document.moc"

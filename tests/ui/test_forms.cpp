@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/choice_editor.h"
+#include "ui/inputs/form_row.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/number_field.h"
+#include "ui/session/document.h"
+#include "ui/session/number_text.h"
+#include "ui/session/operation.h"
+
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QGroupBox>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTest>
+
+#include <clocale>
+
+using namespace sparkout;
+
+namespace {
+
+/// Types into the widget of a row, whatever it is, so that its value changes.
+void changeByHand(QWidget* widget) {
+    widget->setFocus();
+    if (auto* number = qobject_cast<NumberField*>(widget)) {
+        const QString before = number->text();
+        QTest::keyClick(number, Qt::Key_Up);
+        if (number->text() == before) {
+            QTest::keyClick(number, Qt::Key_Down);
+        }
+        if (number->text() == before) { // empty: not given
+            QTest::keyClicks(number, QStringLiteral("3"));
+        }
+        QTest::keyClick(number, Qt::Key_Return);
+    } else if (auto* line = qobject_cast<QLineEdit*>(widget)) {
+        QTest::keyClicks(line, QStringLiteral("x"));
+        QTest::keyClick(line, Qt::Key_Return);
+    } else if (auto* text = qobject_cast<QPlainTextEdit*>(widget)) {
+        QTest::keyClicks(text, QStringLiteral("x"));
+    } else if (auto* choice = qobject_cast<QComboBox*>(widget)) {
+        const bool last = choice->currentIndex() == choice->count() - 1;
+        QTest::keyClick(choice, last ? Qt::Key_Up : Qt::Key_Down);
+    } else if (auto* tick = qobject_cast<QCheckBox*>(widget)) {
+        QTest::keyClick(tick, Qt::Key_Space);
+    } else {
+        QFAIL("no way to edit this widget");
+    }
+}
+
+} // namespace
+
+class TestForms : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone_data() {
+        QTest::addColumn<int>("operation");
+        QTest::newRow("traverse") << int(Operation::traverse);
+        QTest::newRow("plunge") << int(Operation::plunge);
+    }
+
+    void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone() {
+        QFETCH(int, operation);
+        Document document;
+        Project project = newProject(static_cast<Operation>(operation));
+        project.machine.stiffness_n_um.emplace();
+        document.startUntitled(project);
+        InputsPanel panel(document);
+        panel.resize(360, 640);
+        panel.show();
+        document.startUntitled(project);
+        int edited = 0;
+        for (int page = 0; page < static_cast<int>(panel.pages().size()); ++page) {
+            panel.showPage(page);
+            for (const FormRow* row : panel.pages()[std::size_t(page)]->rows()) {
+                QWidget* widget = row->editor().widget();
+                if (!widget->isVisible()) {
+                    continue;
+                }
+                ++edited;
+                const QByteArray name = QByteArray::fromStdString(row->editor().path());
+                const std::string before = writeProject(document.project());
+                changeByHand(widget);
+                QVERIFY2(writeProject(document.project()) != before, name);
+                document.undo();
+                QVERIFY2(writeProject(document.project()) == before, name);
+                QVERIFY2(!widget->accessibleName().isEmpty(), name);
+                QVERIFY2(!widget->toolTip().isEmpty(), name);
+            }
+        }
+        QVERIFY2(edited > 30, qPrintable(QString::number(edited)));
+    }
+
+    void typingInTheMiddleOfATextStaysThere() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(0);
+        Project project = newProject(Operation::traverse);
+        project.title = "Shaft";
+        document.startUntitled(project);
+        auto* title = panel.findChild<QLineEdit*>(QStringLiteral("/title"));
+        title->setFocus();
+        QTest::keyClick(title, Qt::Key_Home);
+        QTest::keyClicks(title, QStringLiteral("My "));
+        QCOMPARE(document.project().title, std::string("My Shaft"));
+        document.undo();
+        QCOMPARE(title->text(), QStringLiteral("Shaft"));
+    }
+
+    void rowsOfTheOtherOperationAreHidden() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        document.startUntitled(newProject(Operation::plunge));
+        panel.showPage(3);
+        QVERIFY(!panel.findChild<QWidget*>(QStringLiteral("/machine/dwell_entry_s"))->isVisible());
+        document.startUntitled(newProject(Operation::traverse));
+        QVERIFY(panel.findChild<QWidget*>(QStringLiteral("/machine/dwell_entry_s"))->isVisible());
+    }
+
+    void switchingTheOperationIsOneUndoableEditThatGivesAValidProject() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        document.startUntitled(newProject(Operation::traverse));
+        panel.showPage(5);
+        const std::string before = writeProject(document.project());
+        auto* box = panel.findChild<QComboBox*>(QStringLiteral("/operation"));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Down);
+        QCOMPARE(document.project().operation, Operation::plunge);
+        QVERIFY(!hasErrors(validate(document.project())));
+        document.undo();
+        QVERIFY(!document.canUndo());
+        QCOMPARE(writeProject(document.project()), before);
+    }
+
+    void eachValueOfTheComplianceIsEditable() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(3);
+        document.startUntitled(newProject(Operation::traverse));
+        auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
+        QVERIFY(nz && nz->isVisible());
+        nz->setFocus();
+        nz->selectAll();
+        QTest::keyClicks(nz, QStringLiteral("2,5e-4"));
+        const auto zones = std::get<ZoneCompliance>(document.project().machine.compliance_mm_per_n);
+        QCOMPARE(zones.nz, 2.5e-4);
+        document.startUntitled(withSections(newProject(Operation::plunge), 6));
+        for (int section = 0; section < 6; ++section) {
+            auto* field = panel.findChild<NumberField*>(
+                QStringLiteral("/machine/compliance_mm_per_n/%1").arg(section));
+            QVERIFY(field && field->isVisible());
+        }
+    }
+
+    void theComplianceCanBeLeftToStiffnessAndShaftAndTakenBack() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(3);
+        Project project = newProject(Operation::traverse);
+        project.machine.stiffness_n_um.emplace();
+        project.part.shaft.segments = {{200, 30}};
+        document.startUntitled(project);
+        auto* nz = panel.findChild<NumberField*>(QStringLiteral("/machine/compliance_mm_per_n/nz"));
+        auto* tick = nz->parentWidget()->parentWidget()->findChild<QCheckBox*>();
+        QVERIFY(tick && tick->isVisible());
+        QTest::keyClick(tick, Qt::Key_Space);
+        QVERIFY(
+            std::holds_alternative<std::monostate>(document.project().machine.compliance_mm_per_n));
+        QVERIFY(!hasErrors(validate(document.project())));
+        QTest::keyClick(tick, Qt::Key_Space);
+        QVERIFY(
+            std::holds_alternative<ZoneCompliance>(document.project().machine.compliance_mm_per_n));
+    }
+
+    void anOptionalStructIsGivenAndTakenAwayByItsTick() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(3);
+        document.startUntitled(newProject(Operation::traverse));
+        auto* field =
+            panel.findChild<QWidget*>(QStringLiteral("/machine/stiffness_n_um/headstock"));
+        QVERIFY(field && !field->isEnabled());
+        auto* box = qobject_cast<QGroupBox*>(field->parentWidget());
+        QVERIFY(box && box->isCheckable());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(document.project().machine.stiffness_n_um.has_value());
+        QVERIFY(field->isEnabled());
+        document.undo();
+        QVERIFY(!document.project().machine.stiffness_n_um.has_value());
+        QVERIFY(!box->isChecked());
+    }
+
+    void issuesMarkTheirFieldAndRefusedTextsAreListed() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(0);
+        Project project = newProject(Operation::traverse);
+        project.part.radii_per_section = 35;
+        document.startUntitled(project);
+        auto outcome = std::make_shared<Outcome>();
+        outcome->issues = validate(project);
+        panel.setOutcome(outcome);
+        auto* radii = panel.findChild<NumberField*>(QStringLiteral("/part/radii_per_section"));
+        QCOMPARE(radii->remark().mark, Mark::error);
+        auto* diameter = panel.findChild<NumberField*>(QStringLiteral("/part/diameter_mm"));
+        diameter->setFocus();
+        diameter->selectAll();
+        QTest::keyClicks(diameter, QStringLiteral("abc"));
+        QCOMPARE(panel.refusals().size(), 1u);
+        QCOMPARE(panel.refusals().front().path, std::string("/part/diameter_mm"));
+        QCOMPARE(document.project().part.diameter_mm, project.part.diameter_mm);
+        panel.focusPath("/cycle/stages/1/stock_mm");
+        QVERIFY(!diameter->isVisible());
+        panel.focusPath("/part/diameter_mm");
+        QVERIFY(diameter->isVisible());
+        document.startUntitled(project); // another document: the refused text goes
+        QVERIFY(panel.refusals().empty());
+        QCOMPARE(diameter->text(), QStringLiteral("30"));
+    }
+};
+
+int main(int argc, char** argv) {
+    QApplication app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");
+    TestForms test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_forms.moc"

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/number_text.h"
+
+#include "core/project/validate.h"
+
+#include <QTest>
+
+#include <bit>
+#include <cmath>
+#include <random>
+
+using namespace sparkout;
+
+namespace {
+
+const QList<QLocale> locales{QLocale(QLocale::English, QLocale::UnitedStates),
+                             QLocale(QLocale::Russian, QLocale::Russia),
+                             QLocale(QLocale::German, QLocale::Germany)};
+
+} // namespace
+
+class TestNumberText : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anyDoubleReadsBackTheSameInEitherSeparatorAndEveryLocale() {
+        std::mt19937_64 random(20240601);
+        for (int i = 0; i < 20'000; ++i) {
+            const auto value = std::bit_cast<double>(random());
+            if (!std::isfinite(value)) {
+                continue;
+            }
+            const QString point = QString::fromStdString(numberText(value));
+            QString comma = point;
+            comma.replace(u'.', u',');
+            QCOMPARE(parseNumber(point).value(), value);
+            QCOMPARE(parseNumber(comma).value(), value);
+            for (const QLocale& locale : locales) {
+                QCOMPARE(parseNumber(showNumber(value, locale)).value(), value);
+            }
+        }
+    }
+
+    void whatPeopleTypeIsRead_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("value");
+        const auto row = [](const char16_t* text, double value) {
+            const QString shown = QString::fromUtf16(text);
+            QTest::newRow(shown.toUtf8().constData()) << shown << value;
+        };
+        row(u"0.005", 0.005);
+        row(u"0,005", 0.005);
+        row(u"1e-3", 0.001);
+        row(u"1E-3", 0.001);
+        row(u"1е-3", 0.001); // Cyrillic е
+        row(u"  30 ", 30);
+        row(u"\u00a030\t", 30);
+        row(u"-16", -16);
+        row(u"\u221216", -16);
+        row(u"+0,5", 0.5);
+        row(u".5", 0.5);
+        row(u"5,", 5);
+    }
+
+    void whatPeopleTypeIsRead() {
+        QFETCH(QString, text);
+        QFETCH(double, value);
+        const auto read = parseNumber(text);
+        QVERIFY(read.has_value());
+        QCOMPARE(*read, value);
+    }
+
+    void whatIsNoNumberIsRefused_data() {
+        QTest::addColumn<QString>("text");
+        for (const char* text : {"", " ", "abc", "1 000", "1,234.5", "1.234,5", "1..2", "--1",
+                                 "+-1", "1e", "e5", "0x10", "nan", "inf", "1e999", "5 mm", "½"}) {
+            QTest::newRow(*text ? text : "empty") << QString::fromUtf8(text);
+        }
+    }
+
+    void whatIsNoNumberIsRefused() {
+        QFETCH(QString, text);
+        QVERIFY(!parseNumber(text).has_value());
+    }
+
+    void aStepChangesTheLastDigitByOne_data() {
+        QTest::addColumn<QString>("before");
+        QTest::addColumn<int>("steps");
+        QTest::addColumn<bool>("zeroAllowed");
+        QTest::addColumn<QString>("after");
+        const auto row = [](const char* before, int steps, bool zero, const char* after) {
+            QTest::addRow("%s by %d", before, steps)
+                << QString::fromUtf8(before) << steps << zero << QString::fromUtf8(after);
+        };
+        row("0.005", 1, true, "0.006");
+        row("0,110", 1, true, "0,111");
+        row("30", -1, true, "29");
+        row("0.99", 1, true, "1.00");
+        row("1.2e-4", 1, true, "1.3e-4");
+        row("-16", 1, true, "-15");
+        row("-0.1", 1, true, "0.0");
+        row("0.1", -1, true, "0.0");
+        row("0.0", -1, true, "-0.1");
+        row("0.01", -1, false, "0.009");
+        row("abc", 1, true, "abc");
+    }
+
+    void aStepChangesTheLastDigitByOne() {
+        QFETCH(QString, before);
+        QFETCH(int, steps);
+        QFETCH(bool, zeroAllowed);
+        QFETCH(QString, after);
+        QCOMPARE(stepNumber(before, steps, zeroAllowed), after);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestNumberText)
+#include "test_number_text.moc"

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/run_controller.h"
+
+#include "ui/session/operation.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <atomic>
+#include <thread>
+
+using namespace sparkout;
+using namespace std::chrono_literals;
+
+namespace {
+
+Project numbered(int number) {
+    Project project = newProject(Operation::traverse);
+    project.part.diameter_mm = 30 + number;
+    return project;
+}
+
+OutcomePtr outcomeOf(const Project& project) {
+    auto outcome = std::make_shared<Outcome>();
+    outcome->result.project = project;
+    return outcome;
+}
+
+/// A run of ten seconds that heeds a stop request.
+OutcomePtr slowRun(const Project& project, const std::stop_token& stop) {
+    for (int i = 0; i < 2000 && !stop.stop_requested(); ++i) {
+        std::this_thread::sleep_for(5ms);
+    }
+    return stop.stop_requested() ? nullptr : outcomeOf(project);
+}
+
+} // namespace
+
+class TestRunController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRunGivesResultTrajectoryAndConstraints() {
+        RunController runs;
+        OutcomePtr got;
+        connect(&runs, &RunController::finished, this,
+                [&got](const OutcomePtr& outcome) { got = outcome; });
+        runs.request(newProject(Operation::traverse));
+        QVERIFY(runs.running());
+        QTRY_VERIFY(got != nullptr);
+        QVERIFY(!runs.running());
+        QVERIFY(got->ran());
+        QCOMPARE(got->result.status, RunStatus::completed);
+        QVERIFY(!got->trajectory.passes.empty());
+        QVERIFY(!got->constraints.empty());
+        QVERIFY(runs.lastRun_ms() > 0);
+    }
+
+    void refusedInputsGiveTheirIssuesAndNoRun() {
+        RunController runs;
+        OutcomePtr got;
+        connect(&runs, &RunController::finished, this,
+                [&got](const OutcomePtr& outcome) { got = outcome; });
+        Project project = newProject(Operation::traverse);
+        project.cycle.stages.front().radial_feed_mm.reset();
+        runs.request(project);
+        QTRY_VERIFY(got != nullptr);
+        QVERIFY(!got->ran());
+        QVERIFY(hasErrors(got->issues));
+        QVERIFY(got->trajectory.passes.empty());
+    }
+
+    void theNewestOfManyRequestsWinsAndTheOthersAreDropped() {
+        std::atomic<int> begun = 0;
+        RunController runs(nullptr, [&begun](const Project& project, const std::stop_token& stop) {
+            ++begun;
+            return project.part.diameter_mm < 129.5 ? slowRun(project, stop) : outcomeOf(project);
+        });
+        std::vector<double> shown;
+        connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
+            shown.push_back(outcome->result.project.part.diameter_mm);
+        });
+        QElapsedTimer clock;
+        clock.start();
+        for (int i = 0; i < 100; ++i) {
+            runs.request(numbered(i));
+        }
+        runs.request(numbered(100));
+        QTRY_VERIFY(!shown.empty());
+        QTest::qWait(50);
+        QCOMPARE(shown, std::vector<double>{130.0});
+        QVERIFY2(clock.elapsed() < 2000, "superseded runs must stop");
+    }
+
+    void aResultThatFinishedBeforeItWasSupersededIsDropped() {
+        RunController runs(nullptr, [](const Project& project, const std::stop_token&) {
+            return outcomeOf(project); // heeds no stop
+        });
+        std::vector<double> shown;
+        connect(&runs, &RunController::finished, this, [&shown](const OutcomePtr& outcome) {
+            shown.push_back(outcome->result.project.part.diameter_mm);
+        });
+        runs.request(numbered(0));
+        std::this_thread::sleep_for(50ms); // done, its delivery is queued
+        runs.request(numbered(1));
+        QTRY_VERIFY(!shown.empty());
+        QTest::qWait(30);
+        QCOMPARE(shown, std::vector<double>{31.0});
+    }
+
+    void closingDuringARunWaitsLessThanATenthOfASecond() {
+        auto runs = std::make_unique<RunController>(nullptr, slowRun);
+        QSignalSpy finished(runs.get(), &RunController::finished);
+        runs->request(numbered(0));
+        std::this_thread::sleep_for(30ms);
+        QElapsedTimer clock;
+        clock.start();
+        runs.reset();
+        QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
+        QTest::qWait(20);
+        QCOMPARE(finished.count(), 0);
+    }
+
+    void closingDuringARealLongRunWaitsLessThanATenthOfASecond() {
+        Project project = newProject(Operation::plunge);
+        project = withSections(project, 200);
+        project.part.radii_per_section = 360;
+        project.cycle.stages.back().radial_feed_mm_min = 0.01;
+        auto runs = std::make_unique<RunController>();
+        runs->request(project);
+        std::this_thread::sleep_for(20ms);
+        QElapsedTimer clock;
+        clock.start();
+        runs.reset();
+        QVERIFY2(clock.elapsed() < 100, qPrintable(QString::number(clock.elapsed())));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRunController)
+#include "test_run_controller.moc"
