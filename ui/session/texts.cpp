@@ -139,7 +139,7 @@ QString locationText(const std::string& path) {
                          .arg(structText(list->nested->name))
                          .arg(index + 1);
         } else if (isIndex && list && list->kind == Kind::compliance) {
-            words += QCoreApplication::translate("Zone", "Section %1").arg(index + 1);
+            words += QCoreApplication::translate("Zone", "Section %1").arg(index);
         } else if (field) {
             words += inputText(field->label);
             table = field->nested;

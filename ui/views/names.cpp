@@ -45,7 +45,7 @@ QString Names::zone(Zone zone, int section) {
     case Zone::rz2: return tr("RZ2", "exit reversal zone, short");
     case Zone::section: break;
     }
-    return tr("Section %1").arg(section + 1);
+    return tr("Section %1").arg(section);
 }
 
 QString Names::zoneFull(Zone zone, int section) {
@@ -55,7 +55,7 @@ QString Names::zoneFull(Zone zone, int section) {
     case Zone::rz2: return tr("Exit reversal zone RZ2");
     case Zone::section: break;
     }
-    return tr("Section %1").arg(section + 1);
+    return tr("Section %1").arg(section);
 }
 
 QString Names::step(Step step) {
