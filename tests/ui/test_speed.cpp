@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the window answers. Prints its figures; fails only at four times the target, so that a
+// busy machine does not turn it red.
+#include "ui/inputs/number_field.h"
+#include "ui/inputs/stage_table.h"
+#include "ui/main_window.h"
+#include "ui/views/feeds_view.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include <algorithm>
+#include <clocale>
+#include <vector>
+
+using namespace sparkout;
+
+class TestSpeed : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { std::setlocale(LC_NUMERIC, "C"); }
+
+    void aKeyPressReachesTheCurvesInUnderFiftyMilliseconds() {
+        constexpr double target_ms = 50;
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.resize(1366, 768);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        auto* view = window.findChild<FeedsView*>();
+        QSignalSpy drawn(view, &FeedsView::updated);
+        QVERIFY(window.document()
+                    .open(QStringLiteral(SPARKOUT_SOURCE_DIR
+                                         "/resources/examples/shaft-30h6-factory.sparkout"))
+                    .opened());
+        QTRY_VERIFY(!drawn.isEmpty());
+
+        auto& table = window.findChild<StageTable*>()->view();
+        table.setFocus();
+        table.setCurrentIndex(table.model()->index(0, 0));
+        table.edit(table.currentIndex());
+        auto* editor = table.findChild<NumberField*>();
+        QVERIFY(editor);
+        std::vector<double> times_ms;
+        for (int press = 0; press < 40; ++press) {
+            QTest::qWait(20); // whatever the last one left to do
+            drawn.clear();
+            QElapsedTimer clock;
+            clock.start();
+            QTest::keyClick(editor, press % 2 == 0 ? Qt::Key_Up : Qt::Key_Down);
+            while (drawn.isEmpty() && clock.elapsed() < 5000) {
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+            }
+            QVERIFY2(!drawn.isEmpty(), "the curves follow each key");
+            times_ms.push_back(double(clock.nsecsElapsed()) * 1e-6);
+        }
+        std::sort(times_ms.begin(), times_ms.end());
+        qInfo("SPEED key to curves of the 30h6 example: median %.1f ms, worst %.1f ms, target %g ms",
+              times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
+        QVERIFY(times_ms[times_ms.size() / 2] <= 4 * target_ms);
+    }
+};
+
+QTEST_MAIN(TestSpeed)
+#include "test_speed.moc"
