@@ -12,10 +12,11 @@ inline void setRapidcheckRuns(int ordinary) {
     if (qEnvironmentVariableIsSet("RC_PARAMS")) {
         return;
     }
-    if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+    const bool quick = qEnvironmentVariableIsSet("SPARKOUT_QUICK");
+    if (qEnvironmentVariableIsSet("SPARKOUT_LONG") && !quick) {
         qputenv("RC_PARAMS", "max_success=" + QByteArray::number(10 * ordinary));
         return;
     }
-    const int runs = qEnvironmentVariableIsSet("SPARKOUT_QUICK") ? ordinary / 10 : ordinary;
-    qputenv("RC_PARAMS", "seed=20261121 max_success=" + QByteArray::number(runs));
+    qputenv("RC_PARAMS",
+            "seed=20261121 max_success=" + QByteArray::number(quick ? ordinary / 10 : ordinary));
 }
