@@ -116,8 +116,7 @@ int runSimulate(const Options& options) {
         result = simulate(*project, &trajectory);
     }
     const auto constraints = evaluateConstraints(result);
-    print(stdout, options.json ? resultJson(result, constraints)
-                               : resultText(result, constraints));
+    print(stdout, options.json ? resultJson(result, constraints) : resultText(result, constraints));
     if (!options.trace.empty()) {
         if (const int failed = save(options.trace, traceCsv(result, trajectory))) {
             return failed;

@@ -6,7 +6,7 @@
 #include "core/units.h"
 
 #include <array>
-#include <cmath>
+#include <charconv>
 #include <cstdio>
 
 namespace sparkout::cli {
@@ -77,9 +77,10 @@ ordered_json constraintJson(const ConstraintResult& constraint) {
 }
 
 std::string fixed(double value, int decimals) {
-    // to_chars, not printf: the decimal point must not follow the locale.
-    const double scale = std::pow(10.0, decimals);
-    return numberText(std::round(value * scale) / scale);
+    char buffer[400]; // the largest double has 309 digits before the point
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0,
+                                            std::chars_format::fixed, decimals);
+    return {buffer, end};
 }
 
 } // namespace
@@ -130,6 +131,11 @@ std::string resultJson(const SimulationResult& result,
         list.push_back(constraintJson(constraint));
     }
     root["constraints"] = std::move(list);
+    ordered_json unchecked = ordered_json::array();
+    for (const Field* field : uncheckedRequirements(result.project)) {
+        unchecked.push_back(field->key);
+    }
+    root["not_checked"] = std::move(unchecked);
     return printJson(root);
 }
 
@@ -180,6 +186,13 @@ std::string resultText(const SimulationResult& result,
                 + fixed(constraint.margin, 3) + "  " + (constraint.holds ? "holds" : "FAILS")
                 + " in " + sectionName(constraint.zone, constraint.section) + '\n';
     }
+    std::string unchecked;
+    for (const Field* field : uncheckedRequirements(result.project)) {
+        unchecked += (unchecked.empty() ? "" : ", ") + std::string(field->key);
+    }
+    if (!unchecked.empty()) {
+        text += "given, not checked   " + unchecked + '\n';
+    }
     return text;
 }
 
@@ -191,8 +204,8 @@ std::string traceCsv(const SimulationResult& result, const Trajectory& trajector
     const double nominal = result.project.part.diameter_mm / 2;
     for (const Pass& pass : trajectory.passes) {
         const Place& place = pass.place;
-        std::string where = ',' + std::to_string(place.cycleCount) + ','
-                            + std::to_string(place.stage) + ',';
+        std::string where =
+            ',' + std::to_string(place.cycleCount) + ',' + std::to_string(place.stage) + ',';
         where += traverse ? std::string(zoneKey(place.zone)) + ',' + stepKey(place.step) + ','
                                 + std::to_string(place.revolution)
                           : std::to_string(place.section);

@@ -30,8 +30,8 @@ struct Range {
         return (lowOpen ? value > low : value >= low) && value <= high;
     }
     [[nodiscard]] bool unbounded() const {
-        return low == -std::numeric_limits<double>::infinity() &&
-               high == std::numeric_limits<double>::infinity();
+        return low == -std::numeric_limits<double>::infinity()
+               && high == std::numeric_limits<double>::infinity();
     }
 };
 
@@ -114,6 +114,7 @@ struct Row {
     Condition relevant = nullptr; ///< is read by the model when it holds; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
     bool slider = false;          ///< one of the numbers one plays with
+    bool unchecked = false;       ///< a requirement that is kept, but not evaluated
     Page page = Page::none;       ///< the form page that shows it
     const char* hint = "";
     const char* source = ""; ///< key of core/SOURCES.md
@@ -127,17 +128,19 @@ struct Field : Row {
     int (*getChoice)(const void* owner) = nullptr;
     void (*setChoice)(void* owner, int value) = nullptr;
     std::span<const Choice> choices;
-    const StructInfo* nested = nullptr;                     ///< object kinds
-    void* (*object)(void* owner, bool create) = nullptr;    ///< object kinds; null if not given
-    void (*reset)(void* owner) = nullptr;                   ///< optional object: not given
-    std::size_t (*size)(const void* owner) = nullptr;       ///< objectList
-    void* (*at)(void* owner, std::size_t index) = nullptr;  ///< objectList
+    const StructInfo* nested = nullptr;                    ///< object kinds
+    void* (*object)(void* owner, bool create) = nullptr;   ///< object kinds; null if not given
+    void (*reset)(void* owner) = nullptr;                  ///< optional object: not given
+    std::size_t (*size)(const void* owner) = nullptr;      ///< objectList
+    void* (*at)(void* owner, std::size_t index) = nullptr; ///< objectList
     void (*resize)(void* owner, std::size_t size) = nullptr;
 
-    template <class T> [[nodiscard]] T& as(void* owner) const {
+    template <class T>
+    [[nodiscard]] T& as(void* owner) const {
         return *static_cast<T*>(member(owner));
     }
-    template <class T> [[nodiscard]] const T& as(const void* owner) const {
+    template <class T>
+    [[nodiscard]] const T& as(const void* owner) const {
         return *static_cast<const T*>(member(const_cast<void*>(owner)));
     }
     [[nodiscard]] const void* objectIn(const void* owner) const {
@@ -150,29 +153,37 @@ struct Field : Row {
 
 /// The table of one struct.
 struct StructInfo {
-    const char* name;             ///< translated in the context "Struct"
+    const char* name; ///< translated in the context "Struct"
     std::span<const Field> fields;
-    const void* defaults;         ///< a value of the struct as its initialisers make it
+    const void* defaults; ///< a value of the struct as its initialisers make it
     [[nodiscard]] const Field* find(std::string_view key) const;
 };
 
 /// The table of T; each struct's .cpp specialises it.
-template <class T> const StructInfo& tableOf();
+template <class T>
+const StructInfo& tableOf();
 
 /// The choices of an enumeration; each enum's .cpp specialises it.
-template <class E> std::span<const Choice> choicesOf();
+template <class E>
+std::span<const Choice> choicesOf();
 
 // --- making rows --------------------------------------------------------------------------------
 
 namespace detail {
 
-template <class T> struct IsOptional : std::false_type {};
-template <class T> struct IsOptional<std::optional<T>> : std::true_type {};
-template <class T> struct IsVector : std::false_type {};
-template <class T> struct IsVector<std::vector<T>> : std::true_type {};
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
 
-template <auto Member> struct MemberOf;
-template <class S, class T, T S::*Member> struct MemberOf<Member> {
+template <auto Member>
+struct MemberOf;
+template <class S, class T, T S::*Member>
+struct MemberOf<Member> {
     using Struct = S;
     using Type = T;
 };
@@ -181,16 +192,16 @@ template <class S, class T, T S::*Member> struct MemberOf<Member> {
 // AnyOptional for an optional (for which Any would be ambiguous).
 struct Any {
     template <class T>
-        requires(!IsOptional<T>::value)
+    requires(!IsOptional<T>::value)
     operator T() const; // NOLINT: implicit by purpose, never defined
 };
 struct AnyOptional {
     template <class T>
-        requires(IsOptional<T>::value)
-    operator T() const; // NOLINT: implicit by purpose, never defined
+    requires(IsOptional<T>::value) operator T() const; // NOLINT: implicit by purpose, never defined
 };
 
-template <class S, class... Probes> consteval std::size_t countMembers() {
+template <class S, class... Probes>
+consteval std::size_t countMembers() {
     if constexpr (requires { S{Probes{}..., Any{}}; }) {
         return countMembers<S, Probes..., Any>();
     } else if constexpr (requires { S{Probes{}..., AnyOptional{}}; }) {
@@ -200,7 +211,8 @@ template <class S, class... Probes> consteval std::size_t countMembers() {
     }
 }
 
-template <auto Member, class S, class Item> void fillList(Field& f) {
+template <auto Member, class S, class Item>
+void fillList(Field& f) {
     f.kind = Kind::objectList;
     f.nested = &tableOf<Item>();
     f.size = [](const void* owner) { return (static_cast<const S*>(owner)->*Member).size(); };
@@ -210,7 +222,8 @@ template <auto Member, class S, class Item> void fillList(Field& f) {
     f.resize = [](void* owner, std::size_t n) { (static_cast<S*>(owner)->*Member).resize(n); };
 }
 
-template <auto Member, class S, class T> void fillOptionalObject(Field& f) {
+template <auto Member, class S, class T>
+void fillOptionalObject(Field& f) {
     f.kind = Kind::optionalObject;
     f.nested = &tableOf<T>();
     f.object = [](void* owner, bool create) -> void* {
@@ -223,13 +236,15 @@ template <auto Member, class S, class T> void fillOptionalObject(Field& f) {
     f.reset = [](void* owner) { (static_cast<S*>(owner)->*Member).reset(); };
 }
 
-template <auto Member, class S, class T> void fillObject(Field& f) {
+template <auto Member, class S, class T>
+void fillObject(Field& f) {
     f.kind = Kind::object;
     f.nested = &tableOf<T>();
     f.object = [](void* owner, bool) -> void* { return &(static_cast<S*>(owner)->*Member); };
 }
 
-template <auto Member, class S, class E> void fillChoice(Field& f) {
+template <auto Member, class S, class E>
+void fillChoice(Field& f) {
     f.kind = Kind::choice;
     f.choices = choicesOf<E>();
     f.getChoice = [](const void* owner) {
@@ -241,7 +256,8 @@ template <auto Member, class S, class E> void fillChoice(Field& f) {
 } // namespace detail
 
 /// Binds a row to a member; the kind follows from the member's type. Use SPARKOUT_FIELD.
-template <auto Member> Field makeField(const char* key, const Row& row) {
+template <auto Member>
+Field makeField(const char* key, const Row& row) {
     using S = typename detail::MemberOf<Member>::Struct;
     using T = typename detail::MemberOf<Member>::Type;
     Field f;

@@ -79,11 +79,13 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::notUsedHere:
         return SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}");
     case IssueCode::internalTraverse:
-        return SPARKOUT_NOOP("Issue", "{value} surfaces are ground by plunge only; allowed: {limit}");
+        return SPARKOUT_NOOP("Issue",
+                             "{value} surfaces are ground by plunge only; allowed: {limit}");
     case IssueCode::shaftTooShort:
         return SPARKOUT_NOOP("Issue", "the shaft is {value} long; needed: {limit}");
     case IssueCode::targetOutsideField:
-        return SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance field {limit}");
+        return SPARKOUT_NOOP("Issue",
+                             "the target {value} lies outside the tolerance field {limit}");
     case IssueCode::notComputed:
         return SPARKOUT_NOOP("Issue", "{value} is kept in the file, but the cycle is computed "
                                       "without it");

@@ -49,9 +49,9 @@ enum class IssueCode {
 struct Issue {
     IssueCode code;
     Severity severity = Severity::error;
-    std::string path;   ///< JSON pointer, e.g. "/wheel/width_mm"; empty for the whole file
-    std::string value;  ///< what was found, as written in the file
-    std::string limit;  ///< what is allowed: a range with its unit, a list, another quantity
+    std::string path;  ///< JSON pointer, e.g. "/wheel/width_mm"; empty for the whole file
+    std::string value; ///< what was found, as written in the file
+    std::string limit; ///< what is allowed: a range with its unit, a list, another quantity
 
     friend bool operator==(const Issue&, const Issue&) = default;
 };

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en_US">
     <context>
+        <name>ProfileCsv</name>
+        <message numerus="yes">
+            <source>it holds %n values; needed: an even number, %1</source>
+            <translation>
+                <numerusform>it holds %n value; needed: an even number, %1</numerusform>
+                <numerusform>it holds %n values; needed: an even number, %1</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::MainWindow</name>
         <message numerus="yes">
             <source>Saved; %n fields hold a refused text, their last good values were saved.</source>
@@ -15,6 +25,16 @@
             <translation>
                 <numerusform>Not computed: %n fault in the inputs. The curves show the last good run.</numerusform>
                 <numerusform>Not computed: %n faults in the inputs. The curves show the last good run.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RadiiEditor</name>
+        <message numerus="yes">
+            <source>%n values, %1…%2 %3</source>
+            <translation>
+                <numerusform>%n value, %1…%2 %3</numerusform>
+                <numerusform>%n values, %1…%2 %3</numerusform>
             </translation>
         </message>
     </context>

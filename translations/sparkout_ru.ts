@@ -126,10 +126,6 @@
             <source>compliance_mm_per_n, or stiffness_n_um with part.shaft</source>
             <translation>податливость (compliance_mm_per_n) либо жёсткость (stiffness_n_um) вместе с валом (part.shaft)</translation>
         </message>
-        <message>
-            <source>of runout</source>
-            <translation>биения</translation>
-        </message>
     </context>
     <context>
         <name>Edit</name>
@@ -1644,11 +1640,11 @@
         </message>
         <message>
             <source>Smallest diameter</source>
-            <translation>Наименьший диаметр</translation>
+            <translation>Мин. диаметр</translation>
         </message>
         <message>
             <source>Largest diameter</source>
-            <translation>Наибольший диаметр</translation>
+            <translation>Макс. диаметр</translation>
         </message>
         <message>
             <source>Radial runout</source>
@@ -1657,6 +1653,25 @@
         <message>
             <source>and %1 more</source>
             <translation>и ещё %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProfileCsv</name>
+        <message>
+            <source>line %1: “%2” cannot be read as a number</source>
+            <translation>строка %1: «%2» не читается как число</translation>
+        </message>
+        <message>
+            <source>line %1: “%2” is out of range; allowed: %3</source>
+            <translation>строка %1: значение «%2» вне допустимых пределов; допускается: %3</translation>
+        </message>
+        <message numerus="yes">
+            <source>it holds %n values; needed: an even number, %1</source>
+            <translation>
+                <numerusform>в нём %n значение; нужно чётное количество: %1</numerusform>
+                <numerusform>в нём %n значения; нужно чётное количество: %1</numerusform>
+                <numerusform>в нём %n значений; нужно чётное количество: %1</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -1904,7 +1919,7 @@
         </message>
         <message>
             <source>Does not hold: %1</source>
-            <translation>Не выдержано: %1</translation>
+            <translation>Не выполнено: %1</translation>
         </message>
         <message>
             <source>; requirements that fail: %1</source>
@@ -1912,7 +1927,7 @@
         </message>
         <message>
             <source>Does not hold: the cycle does not end by itself</source>
-            <translation>Не выдержано: цикл не завершается сам</translation>
+            <translation>Не выполнено: цикл не завершается сам</translation>
         </message>
         <message>
             <source>The drawing requires nothing</source>
@@ -1920,11 +1935,15 @@
         </message>
         <message>
             <source>Holds the drawing, but close to the limit: %1 in %2</source>
-            <translation>Чертёж выдержан, но близко к пределу: %1 (%2)</translation>
+            <translation>Требования чертежа выполнены, но близко к пределу: %1 (%2)</translation>
         </message>
         <message>
             <source>Holds the drawing</source>
-            <translation>Чертёж выдержан</translation>
+            <translation>Требования чертежа выполнены</translation>
+        </message>
+        <message>
+            <source>Given, but not checked: %1</source>
+            <translation>Заданы, но не проверяются: %1</translation>
         </message>
     </context>
     <context>
@@ -2358,6 +2377,10 @@ target, µm</source>
             <source>Evenly chosen</source>
             <translation>Равномерно выбранные</translation>
         </message>
+        <message>
+            <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict is of the whole cycle.</source>
+            <translation>Цикл слишком длинный для построения: %1 прохождений радиусов, записывается не более %2. Помогает меньшее число радиусов или сечений; заключение относится ко всему циклу.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FileCommands</name>
@@ -2482,6 +2505,62 @@ target, µm</source>
         <message>
             <source>%1 (Alt+%2)</source>
             <translation>%1 (Alt+%2)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ListModel</name>
+        <message>
+            <source>%1 %2, %3: %4</source>
+            <translation>%1 %2, %3: %4</translation>
+        </message>
+        <message>
+            <source>%1,
+%2</source>
+            <translation>%1,
+%2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ListTable</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>add a row</source>
+            <translation>добавить строку</translation>
+        </message>
+        <message>
+            <source>remove the row</source>
+            <translation>удалить строку</translation>
+        </message>
+        <message>
+            <source>move the row up</source>
+            <translation>переместить строку вверх</translation>
+        </message>
+        <message>
+            <source>move the row down</source>
+            <translation>переместить строку вниз</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>Ins</source>
+            <translation>Ins</translation>
+        </message>
+        <message>
+            <source>Del</source>
+            <translation>Del</translation>
+        </message>
+        <message>
+            <source>Ctrl+Up</source>
+            <translation>Ctrl+↑</translation>
+        </message>
+        <message>
+            <source>Ctrl+Down</source>
+            <translation>Ctrl+↓</translation>
         </message>
     </context>
     <context>
@@ -2618,6 +2697,49 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::RadiiEditor</name>
+        <message>
+            <source>Read a measured profile</source>
+            <translation>Чтение измеренного профиля</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+            <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>“%1” was not taken: %2</source>
+            <translation>Файл «%1» не принят: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n values, %1…%2 %3</source>
+            <translation>
+                <numerusform>%n значение, %1…%2 %3</numerusform>
+                <numerusform>%n значения, %1…%2 %3</numerusform>
+                <numerusform>%n значений, %1…%2 %3</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Read from CSV…</source>
+            <translation>Прочитать из CSV…</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>Очистить</translation>
+        </message>
+        <message>
+            <source>%1: read from a CSV file</source>
+            <translation>%1: прочитать из файла CSV</translation>
+        </message>
+        <message>
+            <source>%1: clear</source>
+            <translation>%1: очистить</translation>
+        </message>
+        <message>
+            <source>A number a line in µm, or the last column of a table; the number of values becomes the number of radii per section.</source>
+            <translation>По числу в строке, мкм, или последний столбец таблицы; количество значений станет числом радиусов в сечении.</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::SparkOutEditor</name>
         <message>
             <source>Double strokes of spark-out</source>
@@ -2670,23 +2792,9 @@ target, µm</source>
                 <numerusform>%n оборотов</numerusform>
             </translation>
         </message>
-        <message>
-            <source>Stage %1, %2: %3</source>
-            <translation>Ступень %1, %2: %3</translation>
-        </message>
-        <message>
-            <source>%1,
-%2</source>
-            <translation>%1,
-%2</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::StageTable</name>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
-        </message>
         <message>
             <source>Stages</source>
             <translation>Ступени</translation>
@@ -2696,47 +2804,27 @@ target, µm</source>
             <translation>Ступени цикла</translation>
         </message>
         <message>
-            <source>%1 (%2)</source>
-            <translation>%1 (%2)</translation>
-        </message>
-        <message>
             <source>Add a stage</source>
             <translation>Добавить ступень</translation>
-        </message>
-        <message>
-            <source>Ins</source>
-            <translation>Ins</translation>
         </message>
         <message>
             <source>Remove the stage</source>
             <translation>Удалить ступень</translation>
         </message>
         <message>
-            <source>Del</source>
-            <translation>Del</translation>
-        </message>
-        <message>
             <source>Move the stage up</source>
             <translation>Переместить ступень вверх</translation>
         </message>
         <message>
-            <source>Ctrl+Up</source>
-            <translation>Ctrl+↑</translation>
-        </message>
-        <message>
             <source>Move the stage down</source>
             <translation>Переместить ступень вниз</translation>
-        </message>
-        <message>
-            <source>Ctrl+Down</source>
-            <translation>Ctrl+↓</translation>
         </message>
     </context>
     <context>
         <name>sparkout::VerdictModel</name>
         <message>
             <source>holds</source>
-            <translation>выдержано</translation>
+            <translation>выполнено</translation>
         </message>
         <message>
             <source>close to the limit</source>
@@ -2744,7 +2832,7 @@ target, µm</source>
         </message>
         <message>
             <source>fails</source>
-            <translation>не выдержано</translation>
+            <translation>не выполнено</translation>
         </message>
         <message>
             <source>Value</source>
@@ -2824,6 +2912,10 @@ target, µm</source>
         <message>
             <source>Largest force and power</source>
             <translation>Наибольшие сила и мощность</translation>
+        </message>
+        <message>
+            <source>Requirements that are not checked</source>
+            <translation>Требования, которые не проверяются</translation>
         </message>
     </context>
 </TS>

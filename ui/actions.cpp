@@ -59,6 +59,7 @@ void Actions::buildMenus(QMainWindow& window) {
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
+    redo->setShortcuts({QKeySequence(QKeySequence::Redo), QKeySequence(QStringLiteral("Ctrl+Y"))});
     m_edit->addActions({undo, redo});
     m_view = bar.addMenu(QString());
     m_language = m_view->addMenu(QString());

@@ -15,6 +15,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QUrl>
@@ -26,6 +27,7 @@ namespace sparkout {
 namespace {
 
 constexpr QSize usualSize(1366, 768);
+constexpr QSize frameAllowance(8, 40);
 constexpr int inputsWidth = 360;
 constexpr int verdictWidth = 320;
 constexpr int messagesHeight = 96;
@@ -110,7 +112,8 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::restoreWindow() {
-    resize(usualSize);
+    // Frame and title bar need room too: on a small screen the status bar must stay in sight.
+    resize(usualSize.boundedTo(screen()->availableSize() - frameAllowance));
     resetLayout();
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());

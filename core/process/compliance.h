@@ -19,7 +19,8 @@ struct SupportSpring {
     double stiffness_n_mm = 0; ///< k >= 0; infinity: the rest holds its point rigidly [N/mm]
 };
 
-/// The elastic system: wheel head and shaft on its supports. Stiffnesses are > 0; infinity means rigid.
+/// The elastic system: wheel head and shaft on its supports. Stiffnesses are > 0; infinity means
+/// rigid.
 struct ShaftModel {
     std::vector<BeamSegment> segments; ///< from the headstock end; their sum is L_s
     double youngsModulus_n_mm2 = 0;    ///< E; infinity: a rigid shaft [N/mm^2]
@@ -39,16 +40,19 @@ struct ComplianceParts {
     double rests = 0;
 };
 
-/// Influence function of the technological system [MODEL §6]: G(x,s) [mm/N] is how far wheel and shaft move apart at
-/// x under a unit radial force at s. Positions [mm] are counted from the headstock end of the shaft (centre or chuck
-/// face) and lie on the shaft. With M_x(xi) the bending moment from a unit force at x and I = pi d^4/64,
+/// Influence function of the technological system [MODEL §6]: G(x,s) [mm/N] is how far wheel and
+/// shaft move apart at x under a unit radial force at s. Positions [mm] are counted from the
+/// headstock end of the shaft (centre or chuck face) and lie on the shaft. With M_x(xi) the bending
+/// moment from a unit force at x and I = pi d^4/64,
 ///
-///     centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I) over the shaft
-///     chuck:   G = 1/j_w + 1/j_h                               + the same integral, M_x = max(0, x - xi)
+///     centres: G = 1/j_w + (1-x/L)(1-s/L)/j_h + (x/L)(s/L)/j_t + integral of M_x M_s/(E I) over
+///     the shaft chuck:   G = 1/j_w + 1/j_h                               + the same integral, M_x
+///     = max(0, x - xi)
 ///
 /// Each rest (stiffness k at p) then changes the part of the shaft, g = G - 1/j_w, to
-/// g(x,s) - g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is piecewise
-/// quadratic, G piecewise cubic in s, and Simpson's rule is exact for both. Shear is left out (slender shafts).
+/// g(x,s) - g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is
+/// piecewise quadratic, G piecewise cubic in s, and Simpson's rule is exact for both. Shear is left
+/// out (slender shafts).
 class Compliance {
 public:
     explicit Compliance(ShaftModel model);
@@ -62,8 +66,8 @@ public:
     /// gamma(x) = G(x,x) [mm/N].
     double at(double x) const { return between(x, x); }
 
-    /// 1/(to-from) * integral of G(x,s) ds, from <= s <= to [mm/N]: gamma(x) of a plunge cut that bears evenly on
-    /// from...to. An interval without length gives G(x,from).
+    /// 1/(to-from) * integral of G(x,s) ds, from <= s <= to [mm/N]: gamma(x) of a plunge cut that
+    /// bears evenly on from...to. An interval without length gives G(x,from).
     double mean(double x, double from, double to) const;
 
     /// The terms of at(x); they add up to it.
@@ -90,11 +94,12 @@ private:
     std::vector<Rest> m_rests;        // a Cholesky factor of 1/k + g(p,p'), row by row
 };
 
-/// gamma of internal grinding [mm/N]: 1/j_w + 1/j_h + L^3/(3 E I), I = pi d^4/64 [MODEL §6]. The quill is a uniform
-/// cantilever from the wheel head's spindle, the force acts at its free end, where the wheel sits; the part is rigid
-/// and held in a chuck on the headstock. So gamma is the same at each point of the bore, and between any two of them.
-/// Lengths [mm], E [N/mm^2], stiffnesses [N/mm], > 0.
-double quillCompliance(double length_mm, double diameter_mm, double youngsModulus_n_mm2, double wheelHead_n_mm,
-                       double headstock_n_mm);
+/// gamma of internal grinding [mm/N]: 1/j_w + 1/j_h + L^3/(3 E I), I = pi d^4/64 [MODEL §6]. The
+/// quill is a uniform cantilever from the wheel head's spindle, the force acts at its free end,
+/// where the wheel sits; the part is rigid and held in a chuck on the headstock. So gamma is the
+/// same at each point of the bore, and between any two of them. Lengths [mm], E [N/mm^2],
+/// stiffnesses [N/mm], > 0.
+double quillCompliance(double length_mm, double diameter_mm, double youngsModulus_n_mm2,
+                       double wheelHead_n_mm, double headstock_n_mm);
 
 } // namespace sparkout

@@ -16,10 +16,13 @@ void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bk
 
 namespace {
 
+enum class Root { multiplied, divided };
+
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-[[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
-                                              const PassFeed& feed, const PassRange& range) {
+template <Root form>
+[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
+                                                const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
@@ -38,7 +41,9 @@ namespace {
         const double fed = base + (ramp < cap ? ramp : cap);
         const double lag = fed - depth[i];
         const double h = lag > 0 ? lag : 0;
-        const double u = (std::sqrt(C2[i] + A4[i] * h) - C[i]) * inverse2A[i];
+        const double q = std::sqrt(C2[i] + A4[i] * h);
+        const double u =
+            form == Root::multiplied ? (q - C[i]) * inverse2A[i] : (h + h) / (C[i] + q);
         const double a = u * u;
         const double force = bks * a + bkr * u;
         depth[i] += a;
@@ -47,6 +52,13 @@ namespace {
         largest = u > largest ? u : largest;
     }
     return largest;
+}
+
+[[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
+                                              const PassFeed& feed, const PassRange& range) {
+    return range.bkr > multipliedFormLimit * range.bks
+               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
+               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,

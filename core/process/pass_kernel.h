@@ -12,14 +12,19 @@
 ///     √a = ( √(C² + 4·A·h) − C ) / (2·A)
 ///     depth ← depth + a
 ///
-/// The multiplied form of the root loses at most ε·C/A ≤ ε·k_r/k_s in √a, hence ε·√a·k_r/k_s in a:
-/// below the last bit the depth itself can hold, so one form serves all. √(C·C) is C exactly in
-/// binary floating point, so h = 0 gives a = 0 exactly.
+/// This multiplied form loses at most ε·C/A ≤ ε·k_r/k_s in √a, hence 2ε·√a·k_r/k_s in a: with
+/// k_r/k_s up to `multipliedFormLimit` that is below 1e-13 mm. Beyond (a very dull wheel on very
+/// slow work) the pass takes the form that does not cancel, √a = 2h/(C + √(C² + 4·A·h)).
+/// √(C·C) is C exactly in binary floating point, so h = 0 gives a = 0 exactly in both.
 namespace sparkout {
+
+/// Largest k_r/k_s [1/√mm] at which a pass takes the multiplied form; usual cuts have below 1.
+inline constexpr double multipliedFormLimit = 500;
 
 /// The lanes' state.
 struct Lanes {
-    explicit Lanes(std::size_t count) : depth_mm(count), root(count), peakForce_n(count), share(count) {}
+    explicit Lanes(std::size_t count)
+        : depth_mm(count), root(count), peakForce_n(count), share(count) {}
     std::vector<double> depth_mm;    ///< how far the radius stands below first touch
     std::vector<double> root;        ///< u = √a of the last pass [√mm]
     std::vector<double> peakForce_n; ///< largest P_y so far

@@ -39,7 +39,9 @@ std::vector<double> profileRadii(const Part& part, double largestRadius_mm) {
         const double phi = 2 * std::numbers::pi * k / K;
         double& R = radii[static_cast<std::size_t>(k)];
         switch (part.profile) {
-        case ProfileForm::ellipse: R = p * q / std::hypot(q * std::cos(phi), p * std::sin(phi)); break;
+        case ProfileForm::ellipse:
+            R = p * q / std::hypot(q * std::cos(phi), p * std::sin(phi));
+            break;
         case ProfileForm::eccentric: {
             const double across = e * std::sin(phi);
             R = e * std::cos(phi) + std::sqrt(r * r - across * across);

@@ -113,8 +113,7 @@ int gaugeSection(const Project& project) {
     return project.gauge.section.value_or(project.sections / 2);
 }
 
-CompliantPoint freeGaugePoint(const Project& project,
-                              const std::vector<CompliantPoint>& sections) {
+CompliantPoint freeGaugePoint(const Project& project, const std::vector<CompliantPoint>& sections) {
     const double x = *project.gauge.position_mm;
     if (project.gauge.compliance_mm_per_n) {
         return {x, *project.gauge.compliance_mm_per_n};

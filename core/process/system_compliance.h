@@ -16,8 +16,8 @@ struct ZoneLengths {
 
 /// A place along the ground length and the compliance there.
 struct CompliantPoint {
-    double position_mm = 0;  ///< from the headstock end of the ground length [mm]
-    double gamma_mm_n = 0;   ///< γ [mm/N]
+    double position_mm = 0; ///< from the headstock end of the ground length [mm]
+    double gamma_mm_n = 0;  ///< γ [mm/N]
 };
 
 /// The zones РЗ1, НЗ, РЗ2 (at their middles) or the J sections (at the middles of equal slices),

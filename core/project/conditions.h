@@ -6,9 +6,15 @@
 /// When a field of the tables is required or relevant.
 namespace sparkout::conditions {
 
-inline bool always(const Project&, const void*) { return true; }
-inline bool traverse(const Project& p, const void*) { return p.operation == Operation::traverse; }
-inline bool plunge(const Project& p, const void*) { return p.operation == Operation::plunge; }
+inline bool always(const Project&, const void*) {
+    return true;
+}
+inline bool traverse(const Project& p, const void*) {
+    return p.operation == Operation::traverse;
+}
+inline bool plunge(const Project& p, const void*) {
+    return p.operation == Operation::plunge;
+}
 inline bool external(const Project& p, const void*) {
     return p.part.surface == Surface::external;
 }

@@ -17,49 +17,60 @@ bool traverseFeeds(const Project& p, const void* stage) {
 bool plungeFeeds(const Project& p, const void* stage) {
     return conditions::plunge(p, stage) && feeds(stage);
 }
-bool feedsAtAll(const Project&, const void* stage) { return feeds(stage); }
+bool feedsAtAll(const Project&, const void* stage) {
+    return feeds(stage);
+}
 
 } // namespace
 
-template <> const StructInfo& tableOf<Stage>() {
+template <>
+const StructInfo& tableOf<Stage>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
-                       .symbol = "S_t", .unit = "mm", .hard = {0, 1}, .soft = {0.0002, 0.05},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = traverseFeeds,
-                       .relevant = traverseFeeds, .slider = true, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
-                                    "stroke."),
-                       .source = "MODEL-5"),
-        SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"), .symbol = "S_ax",
-                       .unit = "mm/min", .hard = {0, 1e5, true}, .soft = {50, 6000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = conditions::traverse,
-                       .relevant = conditions::traverse, .slider = true, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Table speed; S_ax/n per revolution is the effective width of "
+        SPARKOUT_FIELD(
+            Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
+            .symbol = "S_t", .unit = "mm", .hard = {0, 1}, .soft = {0.0002, 0.05},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = traverseFeeds,
+            .relevant = traverseFeeds, .slider = true, .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
+                                           "stroke."),
+            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
+                       .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
+                       .required = conditions::traverse, .relevant = conditions::traverse,
+                       .slider = true, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Table speed; S_ax/n per revolution is the effective width of "
                                     "cut, at most the wheel width."),
                        .source = "MODEL-5"),
-        SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"), .symbol = "S_p",
-                       .unit = "mm/min", .hard = {0, 100}, .soft = {0.01, 5},
+        SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
+                       .symbol = "S_p", .unit = "mm/min", .hard = {0, 100}, .soft = {0.01, 5},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
                        .relevant = plungeFeeds, .slider = true, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Programmed plunge feed; S_p/n per revolution of the part."),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Programmed plunge feed; S_p/n per revolution of the part."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock of the stage"), .symbol = "Π_z",
-                       .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6}, .required = feedsAtAll,
-                       .slider = true, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Radial stock of the stage. It ends when what remains to size "
+        SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock of the stage"),
+                       .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
+                       .required = feedsAtAll, .slider = true, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Radial stock of the stage. It ends when what remains to size "
                                     "is the later stages' stock."),
                        .source = "MODEL-7"),
-        SPARKOUT_FIELD(Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "The last stage may feed nothing: a number of double strokes or "
-                                    "revolutions, or until size."),
-                       .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "The last stage may feed nothing: a number of double strokes or "
+                                  "revolutions, or until size."),
+            .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Stage>(SPARKOUT_NOOP("Struct", "Stage"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<Cycle>() {
+template <>
+const StructInfo& tableOf<Cycle>() {
     static const std::array rows{
         SPARKOUT_FIELD(Cycle, stages, .label = SPARKOUT_NOOP("Input", "Stages"), .hard = {1, 1000},
                        .required = conditions::always, .page = Page::cycle,

@@ -17,8 +17,7 @@ const char* fileStepText(FileStep step) {
     case FileStep::sync:
     case FileStep::close: return SPARKOUT_NOOP("FileError", "the disk did not take the data");
     case FileStep::backup: return SPARKOUT_NOOP("FileError", "the previous version cannot be kept");
-    case FileStep::rename:
-        return SPARKOUT_NOOP("FileError", "the new file cannot be put in place");
+    case FileStep::rename: return SPARKOUT_NOOP("FileError", "the new file cannot be put in place");
     case FileStep::verify:
         return SPARKOUT_NOOP("FileError", "the disk gave back other data than written");
     case FileStep::read: return SPARKOUT_NOOP("FileError", "it cannot be read");

@@ -17,51 +17,66 @@ bool gaugeFree(const Project& p, const void*) {
 
 } // namespace
 
-template <> std::span<const Choice> choicesOf<Control>() {
-    static const std::array choices{Choice{"gauge", SPARKOUT_NOOP("Choice", "by the in-process gauge")},
-                                    Choice{"position", SPARKOUT_NOOP("Choice", "by wheel head position")}};
+template <>
+std::span<const Choice> choicesOf<Control>() {
+    static const std::array choices{
+        Choice{"gauge", SPARKOUT_NOOP("Choice", "by the in-process gauge")},
+        Choice{"position", SPARKOUT_NOOP("Choice", "by wheel head position")}};
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<GaugeRule>() {
+template <>
+std::span<const Choice> choicesOf<GaugeRule>() {
     static const std::array choices{Choice{"min", SPARKOUT_NOOP("Choice", "smallest diameter")},
                                     Choice{"mean", SPARKOUT_NOOP("Choice", "mean diameter")},
                                     Choice{"max", SPARKOUT_NOOP("Choice", "largest diameter")}};
     return choices;
 }
 
-template <> const StructInfo& tableOf<Gauge>() {
+template <>
+const StructInfo& tableOf<Gauge>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"), .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "By the in-process gauge's reading, or by the position the "
-                                    "wheel head has been fed to."),
-                       .source = "MODEL-7"),
-        SPARKOUT_FIELD(Gauge, rule, .label = SPARKOUT_NOOP("Input", "The gauge reads the"), .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "Which of the diameters of a revolution the gauge reports. In a "
-                                    "bore smallest and largest change places."),
-                       .source = "MODEL-7"),
-        SPARKOUT_FIELD(Gauge, section, .label = SPARKOUT_NOOP("Input", "Gauge at section"), .symbol = "j",
-                       .hard = {0, 199}, .nullMeaning = SPARKOUT_NOOP("Input", "the middle one"),
+        SPARKOUT_FIELD(
+            Gauge, control, .label = SPARKOUT_NOOP("Input", "Stages switch"), .page = Page::gauge,
+            .hint =
+                SPARKOUT_NOOP("Input", "By the in-process gauge's reading, or by the position the "
+                                       "wheel head has been fed to."),
+            .source = "MODEL-7"),
+        SPARKOUT_FIELD(
+            Gauge, rule, .label = SPARKOUT_NOOP("Input", "The gauge reads the"),
+            .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Which of the diameters of a revolution the gauge reports. In a "
+                                  "bore smallest and largest change places."),
+            .source = "MODEL-7"),
+        SPARKOUT_FIELD(Gauge, section, .label = SPARKOUT_NOOP("Input", "Gauge at section"),
+                       .symbol = "j", .hard = {0, 199},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "the middle one"),
                        .relevant = gaugeAtSection, .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "Index of the section the gauge watches, counted from 0 at the "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Index of the section the gauge watches, counted from 0 at the "
                                     "headstock. In traverse grinding the gauge is in the middle "
                                     "of the zone between the reversals."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Gauge, position_mm, .label = SPARKOUT_NOOP("Input", "Gauge at a free position"),
-                       .symbol = "x", .unit = "mm", .hard = {0, 10000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "at a section"), .relevant = conditions::plunge,
-                       .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "Position along the ground length from its headstock end."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(Gauge, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance at the gauge"),
-                       .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "from the shaft, or between the sections"),
-                       .relevant = gaugeFree, .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "Compliance at the gauge's free position."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"), .hard = {1, 5},
-                       .page = Page::gauge,
-                       .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Gauge, position_mm, .label = SPARKOUT_NOOP("Input", "Gauge at a free position"),
+            .symbol = "x", .unit = "mm", .hard = {0, 10000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "at a section"), .relevant = conditions::plunge,
+            .page = Page::gauge,
+            .hint =
+                SPARKOUT_NOOP("Input", "Position along the ground length from its headstock end."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Gauge, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance at the gauge"),
+            .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
+            .nullMeaning = SPARKOUT_NOOP("Input", "from the shaft, or between the sections"),
+            .relevant = gaugeFree, .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input", "Compliance at the gauge's free position."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
+                       .hard = {1, 5}, .page = Page::gauge,
+                       .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),
+                       .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Gauge>(SPARKOUT_NOOP("Struct", "Gauge"), rows);
     return info;

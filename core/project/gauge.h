@@ -14,10 +14,10 @@ enum class GaugeRule { min, mean, max };
 struct Gauge {
     Control control = Control::gauge;
     GaugeRule rule = GaugeRule::min;
-    std::optional<int> section;               ///< 0-based plunge section; not given: the middle one
-    std::optional<double> position_mm;        ///< free position along the ground length [mm]
+    std::optional<int> section;        ///< 0-based plunge section; not given: the middle one
+    std::optional<double> position_mm; ///< free position along the ground length [mm]
     std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
-    int commands = 5;                         ///< stages the gauge can switch
+    int commands = 5;                          ///< stages the gauge can switch
 };
 
 } // namespace sparkout

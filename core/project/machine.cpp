@@ -14,148 +14,186 @@ bool onCentres(const Project& p, const void*) {
 
 } // namespace
 
-template <> std::span<const Choice> choicesOf<EntrySide>() {
+template <>
+std::span<const Choice> choicesOf<EntrySide>() {
     static const std::array choices{Choice{"headstock", SPARKOUT_NOOP("Choice", "headstock")},
                                     Choice{"tailstock", SPARKOUT_NOOP("Choice", "tailstock")}};
     return choices;
 }
 
-template <> const StructInfo& tableOf<Stiffness>() {
+template <>
+const StructInfo& tableOf<Stiffness>() {
     static const std::array rows{
         SPARKOUT_FIELD(Stiffness, headstock, .label = SPARKOUT_NOOP("Input", "Headstock stiffness"),
-                       .symbol = "j_h", .unit = "N/µm", .hard = {0, 1e6, true}, .soft = {5, 1000},
+                       .symbol = "j_h", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
                        .required = conditions::always, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the headstock."),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Force for one micrometre of deflection at the headstock."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(Stiffness, tailstock, .label = SPARKOUT_NOOP("Input", "Tailstock stiffness"),
-                       .symbol = "j_t", .unit = "N/µm", .hard = {0, 1e6, true}, .soft = {5, 1000},
-                       .relevant = onCentres, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the tailstock."),
+                       .symbol = "j_t", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
+                       .required = onCentres, .relevant = onCentres, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Force for one micrometre of deflection at the tailstock."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Stiffness, wheel_head, .label = SPARKOUT_NOOP("Input", "Wheel head stiffness"),
-                       .symbol = "j_w", .unit = "N/µm", .hard = {0, 1e6, true}, .soft = {5, 1000},
-                       .required = conditions::always, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the wheel."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Stiffness, wheel_head, .label = SPARKOUT_NOOP("Input", "Wheel head stiffness"),
+            .symbol = "j_w", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
+            .required = conditions::always, .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the wheel."),
+            .source = "MODEL-6"),
     };
     static const StructInfo info = makeTable<Stiffness>(SPARKOUT_NOOP("Struct", "Stiffness"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<WheelContact>() {
+template <>
+const StructInfo& tableOf<WheelContact>() {
     static const std::array rows{
-        SPARKOUT_FIELD(WheelContact, n_um_at_n, .label = SPARKOUT_NOOP("Input", "Contact stiffness at force"),
-                       .unit = "N, N/µm", .hard = {0, 1e7}, .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"),
-                       .count = 2,
-                       .hint = SPARKOUT_NOOP("Input", "Rows of force and contact stiffness, beyond the sources."),
-                       .source = "HASHIMOTO2020"),
+        SPARKOUT_FIELD(
+            WheelContact, n_um_at_n, .label = SPARKOUT_NOOP("Input", "Contact stiffness at force"),
+            .unit = "N, N/µm", .hard = {0, 1e7},
+            .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"), .count = 2,
+            .hint =
+                SPARKOUT_NOOP("Input", "Rows of force and contact stiffness, beyond the sources."),
+            .source = "HASHIMOTO2020"),
     };
-    static const StructInfo info = makeTable<WheelContact>(SPARKOUT_NOOP("Struct", "Wheel contact"), rows);
+    static const StructInfo info =
+        makeTable<WheelContact>(SPARKOUT_NOOP("Struct", "Wheel contact"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<MachineLimits>() {
+template <>
+const StructInfo& tableOf<MachineLimits>() {
     static const std::array rows{
-        SPARKOUT_FIELD(MachineLimits, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Range of the radial feed"),
-                       .unit = "mm", .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
-        SPARKOUT_FIELD(MachineLimits, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Range of the axial feed"),
-                       .unit = "mm/min", .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(MachineLimits, plunge_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
-                       .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+        SPARKOUT_FIELD(MachineLimits, radial_feed_mm,
+                       .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm",
+                       .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .count = 3, .unchecked = true,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
+        SPARKOUT_FIELD(MachineLimits, axial_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Range of the axial feed"), .unit = "mm/min",
+                       .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .count = 3, .unchecked = true,
                        .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(MachineLimits, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Range of the work speed"),
-                       .unit = "rev/min", .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(
+            MachineLimits, plunge_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
+            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(
+            MachineLimits, work_speed_rpm,
+            .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",
+            .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
     };
-    static const StructInfo info = makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
+    static const StructInfo info =
+        makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<Machine>() {
+template <>
+const StructInfo& tableOf<Machine>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Machine, name, .label = SPARKOUT_NOOP("Input", "Machine"), .page = Page::machine,
+        SPARKOUT_FIELD(Machine, name, .label = SPARKOUT_NOOP("Input", "Machine"),
+                       .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Model of the grinder.")),
-        SPARKOUT_FIELD(Machine, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Wheel speed"), .symbol = "V_k",
-                       .unit = "m/s", .hard = {1, 250}, .soft = {15, 80},
+        SPARKOUT_FIELD(Machine, wheel_speed_m_s, .label = SPARKOUT_NOOP("Input", "Wheel speed"),
+                       .symbol = "V_k", .unit = "m/s", .hard = {1, 250}, .soft = {15, 80},
                        .required = conditions::always, .slider = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Peripheral speed of the wheel."), .source = "MODEL-1"),
-        SPARKOUT_FIELD(Machine, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Work speed"), .symbol = "n",
-                       .unit = "rev/min", .hard = {0.1, 10000}, .soft = {20, 1500},
+                       .hint = SPARKOUT_NOOP("Input", "Peripheral speed of the wheel."),
+                       .source = "MODEL-1"),
+        SPARKOUT_FIELD(Machine, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Work speed"),
+                       .symbol = "n", .unit = "rev/min", .hard = {0.1, 10000}, .soft = {20, 1500},
                        .required = conditions::always, .slider = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Revolutions of the part; V_d = π·d·n."), .source = "MODEL-1"),
-        SPARKOUT_FIELD(Machine, plunge_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"),
+                       .hint = SPARKOUT_NOOP("Input", "Revolutions of the part; V_d = π·d·n."),
+                       .source = "MODEL-1"),
+        SPARKOUT_FIELD(Machine, plunge_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"),
                        .symbol = "S_rad", .unit = "mm/min", .hard = {1e-4, 1000},
                        .soft = {0.05, 10}, .required = conditions::traverse,
                        .relevant = conditions::traverse, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Speed of the infeed at the entry reversal: "
-                                    "N_E1 = ⌈n·S_t/S_rad⌉ revolutions."),
+                                                      "N_E1 = ⌈n·S_t/S_rad⌉ revolutions."),
                        .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
-                       .symbol = "o_1", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
+        SPARKOUT_FIELD(
+            Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
+            .symbol = "o_1", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
+            .required = conditions::traverse, .relevant = conditions::traverse,
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
+                                           "reversal zone is B − o1 long."),
+            .source = "MODEL-5"),
+        SPARKOUT_FIELD(Machine, overrun_exit_mm,
+                       .label = SPARKOUT_NOOP("Input", "Overrun at the exit"), .symbol = "o_2",
+                       .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
                        .required = conditions::traverse, .relevant = conditions::traverse,
                        .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
-                                    "reversal zone is B − o1 long."),
-                       .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
-                       .symbol = "o_2", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
-                       .required = conditions::traverse, .relevant = conditions::traverse,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the exit end; the exit reversal "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "How far the wheel runs past the exit end; the exit reversal "
                                     "zone is B − o2 long."),
                        .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),
-                       .symbol = "τ_1", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
-                       .required = conditions::traverse, .relevant = conditions::traverse,
-                       .slider = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
-                                    "whole revolutions of the part."),
-                       .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),
+            .symbol = "τ_1", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
+            .required = conditions::traverse, .relevant = conditions::traverse, .slider = true,
+            .page = Page::machine,
+            .hint =
+                SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
+                                       "whole revolutions of the part."),
+            .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Dwell at the exit"),
                        .symbol = "τ_2", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
                        .required = conditions::traverse, .relevant = conditions::traverse,
                        .slider = true, .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Spark-out at the exit reversal, once a double stroke, in "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Spark-out at the exit reversal, once a double stroke, in "
                                     "whole revolutions of the part."),
                        .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance"), .symbol = "γ",
-                       .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "from stiffness and shaft"), .slider = true,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Deflection of the technological system for one newton at the "
+        SPARKOUT_FIELD(Machine, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance"),
+                       .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "from stiffness and shaft"),
+                       .slider = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Deflection of the technological system for one newton at the "
                                     "wheel: one value a zone (traverse) or a section (plunge)."),
                        .source = "MODEL-3"),
-        SPARKOUT_FIELD(Machine, stiffness_n_um, .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
+        SPARKOUT_FIELD(Machine, stiffness_n_um,
+                       .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Headstock, tailstock and wheel head, for a compliance that is "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Headstock, tailstock and wheel head, for a compliance that is "
                                     "computed."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Machine, geometric_runout_um, .label = SPARKOUT_NOOP("Input", "Geometric runout"),
-                       .symbol = "Δ_m", .unit = "µm", .hard = {0, 1000}, .soft = {0, 10},
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP("Input", "Runout of centres and spindle; it adds to every runout."),
+        SPARKOUT_FIELD(Machine, geometric_runout_um,
+                       .label = SPARKOUT_NOOP("Input", "Geometric runout"), .symbol = "Δ_m",
+                       .unit = "µm", .hard = {0, 1000}, .soft = {0, 10}, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Runout of centres and spindle; it adds to every runout."),
                        .source = "MODEL-7"),
-        SPARKOUT_FIELD(Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
-                       .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .hint = SPARKOUT_NOOP("Input", "Power of the wheel drive."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
+            .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .unchecked = true,
+            .hint = SPARKOUT_NOOP("Input", "Power of the wheel drive."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, work_drive_kw, .label = SPARKOUT_NOOP("Input", "Work drive power"),
                        .symbol = "N_d", .unit = "kW", .hard = {0, 1000, true},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .hint = SPARKOUT_NOOP("Input", "Power of the work drive."), .source = "MODEL-8"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .unchecked = true,
+                       .hint = SPARKOUT_NOOP("Input", "Power of the work drive."),
+                       .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
                        .relevant = conditions::traverse, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Which end of the part the wheel enters at."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Machine, wheel_contact, .label = SPARKOUT_NOOP("Input", "Wheel contact"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"),
-                       .hint = SPARKOUT_NOOP("Input", "Contact compliance of the wheel in series, beyond the "
-                                    "sources."),
-                       .source = "HASHIMOTO2020"),
-        SPARKOUT_FIELD(Machine, limits, .label = SPARKOUT_NOOP("Input", "Machine ranges"), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Machine, wheel_contact, .label = SPARKOUT_NOOP("Input", "Wheel contact"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"),
+            .hint = SPARKOUT_NOOP("Input", "Contact compliance of the wheel in series, beyond the "
+                                           "sources."),
+            .source = "HASHIMOTO2020"),
+        SPARKOUT_FIELD(Machine, limits, .label = SPARKOUT_NOOP("Input", "Machine ranges"),
+                       .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Machine>(SPARKOUT_NOOP("Struct", "Machine"), rows);
     return info;

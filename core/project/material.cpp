@@ -6,51 +6,63 @@
 
 namespace sparkout {
 
-template <> const StructInfo& tableOf<Material>() {
+template <>
+const StructInfo& tableOf<Material>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Material, grade, .label = SPARKOUT_NOOP("Input", "Grade"), .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Steel or iron grade, as it stands in the drawing.")),
-        SPARKOUT_FIELD(Material, hardness_hrc, .label = SPARKOUT_NOOP("Input", "Hardness"), .symbol = "HRC",
-                       .unit = "HRC", .hard = {0, 75}, .soft = {15, 68},
+        SPARKOUT_FIELD(
+            Material, grade, .label = SPARKOUT_NOOP("Input", "Grade"), .page = Page::material,
+            .hint = SPARKOUT_NOOP("Input", "Steel or iron grade, as it stands in the drawing.")),
+        SPARKOUT_FIELD(Material, hardness_hrc, .label = SPARKOUT_NOOP("Input", "Hardness"),
+                       .symbol = "HRC", .unit = "HRC", .hard = {0, 75}, .soft = {15, 68},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Hardness of the part; for the record, the force law takes the "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Hardness of the part; for the record, the force law takes the "
                                     "flow stress.")),
-        SPARKOUT_FIELD(Material, flow_stress_mpa, .label = SPARKOUT_NOOP("Input", "Flow stress"), .symbol = "σ_i",
-                       .unit = "MPa", .hard = {10, 20000}, .soft = {300, 4000},
+        SPARKOUT_FIELD(Material, flow_stress_mpa, .label = SPARKOUT_NOOP("Input", "Flow stress"),
+                       .symbol = "σ_i", .unit = "MPa", .hard = {10, 20000}, .soft = {300, 4000},
                        .required = conditions::always, .slider = true, .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Stress intensity of the metal in the cutting zone: "
-                                    "k_s = ε_i·tg β·σ_i·V_d/V_k, k_r = η·σ_i·√D_e/3."),
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Stress intensity of the metal in the cutting zone: "
+                                             "k_s = ε_i·tg β·σ_i·V_d/V_k, k_r = η·σ_i·√D_e/3."),
                        .source = "MODEL-2"),
         SPARKOUT_FIELD(Material, shear_factor, .label = SPARKOUT_NOOP("Input", "Shear factor"),
                        .symbol = "ε_i·tg β", .hard = {0.01, 100}, .soft = {1, 4},
                        .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Shear strain intensity times the tangent of the force angle, "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Shear strain intensity times the tangent of the force angle, "
                                     "in the normal force."),
                        .source = "MODEL-1"),
-        SPARKOUT_FIELD(Material, shear_strain, .label = SPARKOUT_NOOP("Input", "Shear strain"), .symbol = "ε_i",
-                       .hard = {0.01, 100}, .soft = {1, 6}, .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Shear strain intensity, in the tangential force "
-                                    "P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·k_r·√a)."),
+        SPARKOUT_FIELD(Material, shear_strain, .label = SPARKOUT_NOOP("Input", "Shear strain"),
+                       .symbol = "ε_i", .hard = {0.01, 100}, .soft = {1, 6}, .page = Page::material,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Shear strain intensity, in the tangential force "
+                                                  "P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·k_r·√a)."),
                        .source = "MODEL-2"),
-        SPARKOUT_FIELD(Material, friction, .label = SPARKOUT_NOOP("Input", "Friction"), .symbol = "μ",
-                       .hard = {0, 2}, .soft = {0.1, 0.6}, .page = Page::material,
-                       .hint = SPARKOUT_NOOP("Input", "Coefficient of friction of wear flats on metal."),
-                       .source = "MODEL-2"),
-        SPARKOUT_FIELD(Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
-                       .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},
-                       .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Material, diffusivity_mm2_s, .label = SPARKOUT_NOOP("Input", "Thermal diffusivity"),
-                       .symbol = "Ω", .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
-                       .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Material, burn_rise_k, .label = SPARKOUT_NOOP("Input", "Burn temperature rise"),
-                       .symbol = "U", .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"),
-                       .hint = SPARKOUT_NOOP("Input", "Temperature rise above which the metal's structure changes."),
+        SPARKOUT_FIELD(
+            Material, friction, .label = SPARKOUT_NOOP("Input", "Friction"), .symbol = "μ",
+            .hard = {0, 2}, .soft = {0.1, 0.6}, .page = Page::material,
+            .hint = SPARKOUT_NOOP("Input", "Coefficient of friction of wear flats on metal."),
+            .source = "MODEL-2"),
+        SPARKOUT_FIELD(
+            Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
+            .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},
+            .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Material, diffusivity_mm2_s, .label = SPARKOUT_NOOP("Input", "Thermal diffusivity"),
+            .symbol = "Ω", .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
+            .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(Material, burn_rise_k,
+                       .label = SPARKOUT_NOOP("Input", "Burn temperature rise"), .symbol = "U",
+                       .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"), .unchecked = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Temperature rise above which the metal's structure changes."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Material, heat_share, .label = SPARKOUT_NOOP("Input", "Heat into the part"), .symbol = "ε_w",
-                       .hard = {0, 1, true}, .soft = {0.05, 1},
-                       .hint = SPARKOUT_NOOP("Input", "Share of the grinding heat that enters the part."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Material, heat_share, .label = SPARKOUT_NOOP("Input", "Heat into the part"),
+            .symbol = "ε_w", .hard = {0, 1, true}, .soft = {0.05, 1},
+            .hint = SPARKOUT_NOOP("Input", "Share of the grinding heat that enters the part."),
+            .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Material>(SPARKOUT_NOOP("Struct", "Material"), rows);
     return info;

@@ -3,7 +3,8 @@
 
 namespace sparkout {
 
-/// How the part is held: between two centres, or overhanging from a chuck that clamps the end x = 0.
+/// How the part is held: between two centres, or overhanging from a chuck that clamps the end x =
+/// 0.
 enum class Mounting { centres, chuck };
 
 } // namespace sparkout

@@ -5,40 +5,52 @@
 
 namespace sparkout {
 
-template <> std::span<const Choice> choicesOf<OptimisationScenarios>() {
+template <>
+std::span<const Choice> choicesOf<OptimisationScenarios>() {
     static const std::array choices{Choice{"nominal", SPARKOUT_NOOP("Choice", "nominal part")},
                                     Choice{"corners", SPARKOUT_NOOP("Choice", "all corners")},
                                     Choice{"batch", SPARKOUT_NOOP("Choice", "the batch")}};
     return choices;
 }
 
-template <> const StructInfo& tableOf<Optimisation>() {
+template <>
+const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"), .hard = {1, 5},
-                       .hint = SPARKOUT_NOOP("Input", "Numbers of stages the search tries."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, stock_step_mm, .label = SPARKOUT_NOOP("Input", "Stock step"), .unit = "mm",
-                       .hard = {0, 5, true}, .soft = {0.001, 0.1},
-                       .hint = SPARKOUT_NOOP("Input", "Stage stocks are multiples of it."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, non_increasing, .label = SPARKOUT_NOOP("Input", "Feeds never rise"),
+        SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"),
+                       .hard = {1, 5},
+                       .hint = SPARKOUT_NOOP("Input", "Numbers of stages the search tries."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, stock_step_mm, .label = SPARKOUT_NOOP("Input", "Stock step"),
+                       .unit = "mm", .hard = {0, 5, true}, .soft = {0.001, 0.1},
+                       .hint = SPARKOUT_NOOP("Input", "Stage stocks are multiples of it."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, non_increasing,
+                       .label = SPARKOUT_NOOP("Input", "Feeds never rise"),
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
-                       .hint = SPARKOUT_NOOP("Input", "The parts the cycle must hold the drawing for."),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "The parts the cycle must hold the drawing for."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"),
-                       .unit = "mm", .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-                       .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
-                       .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Levels of the axial feed"),
-                       .unit = "mm/min", .hard = {0, 1e5, true},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-                       .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Optimisation, radial_feed_mm_min,
-                       .label = SPARKOUT_NOOP("Input", "Levels of the plunge feed"), .unit = "mm/min",
-                       .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-                       .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, radial_feed_mm,
+            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm",
+            .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, axial_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Levels of the axial feed"), .unit = "mm/min",
+            .hard = {0, 1e5, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, radial_feed_mm_min,
+            .label = SPARKOUT_NOOP("Input", "Levels of the plunge feed"), .unit = "mm/min",
+            .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
     };
-    static const StructInfo info = makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);
+    static const StructInfo info =
+        makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);
     return info;
 }
 

@@ -8,209 +8,273 @@ namespace sparkout {
 
 namespace {
 
-bool lobed(const Project& p, const void*) { return p.part.profile == ProfileForm::lobes; }
-bool measured(const Project& p, const void*) { return p.part.profile == ProfileForm::measured; }
-bool notMeasured(const Project& p, const void*) { return !measured(p, nullptr); }
+bool lobed(const Project& p, const void*) {
+    return p.part.profile == ProfileForm::lobes;
+}
+bool measured(const Project& p, const void*) {
+    return p.part.profile == ProfileForm::measured;
+}
+bool notMeasured(const Project& p, const void*) {
+    return !measured(p, nullptr);
+}
 
 } // namespace
 
-template <> std::span<const Choice> choicesOf<Surface>() {
+template <>
+std::span<const Choice> choicesOf<Surface>() {
     static const std::array choices{Choice{"external", SPARKOUT_NOOP("Choice", "external (shaft)")},
                                     Choice{"internal", SPARKOUT_NOOP("Choice", "internal (bore)")}};
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<ProfileForm>() {
-    static const std::array choices{Choice{"ellipse", SPARKOUT_NOOP("Choice", "ellipse")},
-                                    Choice{"eccentric", SPARKOUT_NOOP("Choice", "eccentric circle")},
-                                    Choice{"lobes", SPARKOUT_NOOP("Choice", "lobed")},
-                                    Choice{"measured", SPARKOUT_NOOP("Choice", "measured")}};
+template <>
+std::span<const Choice> choicesOf<ProfileForm>() {
+    static const std::array choices{
+        Choice{"ellipse", SPARKOUT_NOOP("Choice", "ellipse")},
+        Choice{"eccentric", SPARKOUT_NOOP("Choice", "eccentric circle")},
+        Choice{"lobes", SPARKOUT_NOOP("Choice", "lobed")},
+        Choice{"measured", SPARKOUT_NOOP("Choice", "measured")}};
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<Mounting>() {
+template <>
+std::span<const Choice> choicesOf<Mounting>() {
     static const std::array choices{Choice{"centres", SPARKOUT_NOOP("Choice", "between centres")},
                                     Choice{"chuck", SPARKOUT_NOOP("Choice", "in a chuck")}};
     return choices;
 }
 
-template <> const StructInfo& tableOf<Tolerance>() {
+template <>
+const StructInfo& tableOf<Tolerance>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Tolerance, roundness_um, .label = SPARKOUT_NOOP("Input", "Roundness"), .symbol = "Δ_r",
+        SPARKOUT_FIELD(
+            Tolerance, roundness_um, .label = SPARKOUT_NOOP("Input", "Roundness"), .symbol = "Δ_r",
+            .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .unchecked = true,
+            .hint = SPARKOUT_NOOP("Input", "Greatest roundness deviation the drawing allows."),
+            .source = "ISO12181"),
+        SPARKOUT_FIELD(Tolerance, radial_runout_um,
+                       .label = SPARKOUT_NOOP("Input", "Radial runout"), .symbol = "Δ_b",
                        .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
-                       .hint = SPARKOUT_NOOP("Input", "Greatest roundness deviation the drawing allows."),
-                       .source = "ISO12181"),
-        SPARKOUT_FIELD(Tolerance, radial_runout_um, .label = SPARKOUT_NOOP("Input", "Radial runout"),
-                       .symbol = "Δ_b", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Greatest R_max − R_min of a section about the centre axis the "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Greatest R_max − R_min of a section about the centre axis the "
                                     "drawing allows."),
                        .source = "MODEL-7"),
-        SPARKOUT_FIELD(Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"), .symbol = "Δ_c",
-                       .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
-                       .hint = SPARKOUT_NOOP("Input", "Greatest cylindricity deviation the drawing allows."),
-                       .source = "ISO12180"),
-        SPARKOUT_FIELD(Tolerance, total_runout_um, .label = SPARKOUT_NOOP("Input", "Total radial runout"),
-                       .symbol = "Δ_t", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
-                       .hint = SPARKOUT_NOOP("Input", "Greatest radial runout over the whole ground length."),
-                       .source = "MODEL-7"),
-        SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness Ra"), .symbol = "Ra",
-                       .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
-                       .hint = SPARKOUT_NOOP("Input", "Greatest arithmetic mean roughness the drawing allows."),
+        SPARKOUT_FIELD(
+            Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"),
+            .symbol = "Δ_c", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .unchecked = true,
+            .hint = SPARKOUT_NOOP("Input", "Greatest cylindricity deviation the drawing allows."),
+            .source = "ISO12180"),
+        SPARKOUT_FIELD(
+            Tolerance, total_runout_um, .label = SPARKOUT_NOOP("Input", "Total radial runout"),
+            .symbol = "Δ_t", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .unchecked = true,
+            .hint = SPARKOUT_NOOP("Input", "Greatest radial runout over the whole ground length."),
+            .source = "MODEL-7"),
+        SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness Ra"),
+                       .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .unchecked = true,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Greatest arithmetic mean roughness the drawing allows."),
                        .source = "MODEL-8"),
     };
-    static const StructInfo info = makeTable<Tolerance>(SPARKOUT_NOOP("Struct", "Tolerances"), rows);
+    static const StructInfo info =
+        makeTable<Tolerance>(SPARKOUT_NOOP("Struct", "Tolerances"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<ShaftSegment>() {
+template <>
+const StructInfo& tableOf<ShaftSegment>() {
     static const std::array rows{
-        SPARKOUT_FIELD(ShaftSegment, length_mm, .label = SPARKOUT_NOOP("Input", "Segment length"), .symbol = "l",
-                       .unit = "mm", .hard = {0, 20000, true}, .soft = {1, 2000},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Length of one step of the shaft, from the headstock on."),
+        SPARKOUT_FIELD(ShaftSegment, length_mm, .label = SPARKOUT_NOOP("Input", "Segment length"),
+                       .symbol = "l", .unit = "mm", .hard = {0.01, 20000}, .soft = {1, 2000},
+                       .required = conditions::always, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Length of one step of the shaft, from the headstock on."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(ShaftSegment, diameter_mm, .label = SPARKOUT_NOOP("Input", "Segment diameter"), .symbol = "d",
-                       .unit = "mm", .hard = {0, 3000, true}, .soft = {3, 500},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Diameter of one step of the shaft."), .source = "MODEL-6"),
-    };
-    static const StructInfo info = makeTable<ShaftSegment>(SPARKOUT_NOOP("Struct", "Shaft segment"), rows);
-    return info;
-}
-
-template <> const StructInfo& tableOf<SteadyRest>() {
-    static const std::array rows{
-        SPARKOUT_FIELD(SteadyRest, position_mm, .label = SPARKOUT_NOOP("Input", "Position of the steady rest"),
-                       .symbol = "x", .unit = "mm", .hard = {0, 20000},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(SteadyRest, stiffness_n_um, .label = SPARKOUT_NOOP("Input", "Stiffness of the steady rest"),
-                       .symbol = "j", .unit = "N/µm", .hard = {0, 1e5, true}, .soft = {5, 500},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Force at the rest for one micrometre of deflection there."),
+        SPARKOUT_FIELD(ShaftSegment, diameter_mm,
+                       .label = SPARKOUT_NOOP("Input", "Segment diameter"), .symbol = "d",
+                       .unit = "mm", .hard = {0.1, 3000}, .soft = {3, 500},
+                       .required = conditions::always, .page = Page::part,
+                       .hint = SPARKOUT_NOOP("Input", "Diameter of one step of the shaft."),
                        .source = "MODEL-6"),
     };
-    static const StructInfo info = makeTable<SteadyRest>(SPARKOUT_NOOP("Struct", "Steady rest"), rows);
+    static const StructInfo info =
+        makeTable<ShaftSegment>(SPARKOUT_NOOP("Struct", "Shaft segment"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<Quill>() {
+template <>
+const StructInfo& tableOf<SteadyRest>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Quill, length_mm, .label = SPARKOUT_NOOP("Input", "Quill length"), .symbol = "L",
-                       .unit = "mm", .hard = {0, 2000, true}, .soft = {5, 300},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Overhang of the wheel's spindle in internal grinding."),
+        SPARKOUT_FIELD(
+            SteadyRest, position_mm, .label = SPARKOUT_NOOP("Input", "Position of the steady rest"),
+            .symbol = "x", .unit = "mm", .hard = {0, 20000}, .required = conditions::always,
+            .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(SteadyRest, stiffness_n_um,
+                       .label = SPARKOUT_NOOP("Input", "Stiffness of the steady rest"),
+                       .symbol = "j", .unit = "N/µm", .hard = {1e-3, 1e5}, .soft = {5, 500},
+                       .required = conditions::always, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Force at the rest for one micrometre of deflection there."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Quill, diameter_mm, .label = SPARKOUT_NOOP("Input", "Quill diameter"), .symbol = "d",
-                       .unit = "mm", .hard = {0, 1000, true}, .soft = {3, 150},
-                       .required = conditions::always,
-                       .hint = SPARKOUT_NOOP("Input", "Diameter of the wheel's spindle in internal grinding."),
-                       .source = "MODEL-6"),
+    };
+    static const StructInfo info =
+        makeTable<SteadyRest>(SPARKOUT_NOOP("Struct", "Steady rest"), rows);
+    return info;
+}
+
+template <>
+const StructInfo& tableOf<Quill>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(
+            Quill, length_mm, .label = SPARKOUT_NOOP("Input", "Quill length"), .symbol = "L",
+            .unit = "mm", .hard = {0.01, 2000}, .soft = {5, 300}, .required = conditions::always,
+            .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Overhang of the wheel's spindle in internal grinding."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Quill, diameter_mm, .label = SPARKOUT_NOOP("Input", "Quill diameter"), .symbol = "d",
+            .unit = "mm", .hard = {0.1, 1000}, .soft = {3, 150}, .required = conditions::always,
+            .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Diameter of the wheel's spindle in internal grinding."),
+            .source = "MODEL-6"),
     };
     static const StructInfo info = makeTable<Quill>(SPARKOUT_NOOP("Struct", "Quill"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<Shaft>() {
+template <>
+const StructInfo& tableOf<Shaft>() {
     static const std::array rows{
         SPARKOUT_FIELD(Shaft, segments, .label = SPARKOUT_NOOP("Input", "Segments of the shaft"),
-                       .hint = SPARKOUT_NOOP("Input", "Steps of the shaft from the headstock on; needed when the "
+                       .relevant = conditions::external, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Steps of the shaft from the headstock on; needed when the "
                                     "compliance is computed from the stiffness."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Shaft, ground_from_mm, .label = SPARKOUT_NOOP("Input", "Ground length begins at"),
-                       .symbol = "x_0", .unit = "mm", .hard = {0, 20000},
-                       .hint = SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft to the ground "
-                                    "length."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(Shaft, youngs_modulus_gpa, .label = SPARKOUT_NOOP("Input", "Modulus of elasticity"),
-                       .symbol = "E", .unit = "GPa", .hard = {1, 1000}, .soft = {60, 230},
-                       .hint = SPARKOUT_NOOP("Input", "Young's modulus of the shaft: steel about 210."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Shaft, ground_from_mm, .label = SPARKOUT_NOOP("Input", "Ground length begins at"),
+            .symbol = "x_0", .unit = "mm", .hard = {0, 20000}, .relevant = conditions::external,
+            .page = Page::part,
+            .hint =
+                SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft to the ground "
+                                       "length."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Shaft, youngs_modulus_gpa, .label = SPARKOUT_NOOP("Input", "Modulus of elasticity"),
+            .symbol = "E", .unit = "GPa", .hard = {1, 1000}, .soft = {60, 230}, .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Young's modulus of the shaft: steel about 210."),
+            .source = "MODEL-6"),
         SPARKOUT_FIELD(Shaft, mounting, .label = SPARKOUT_NOOP("Input", "Mounting"),
-                       .hint = SPARKOUT_NOOP("Input", "Between centres, or overhanging from a chuck."),
+                       .relevant = conditions::external, .page = Page::part,
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Between centres, or overhanging from a chuck."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Shaft, steady_rests, .label = SPARKOUT_NOOP("Input", "Steady rests"),
-                       .hint = SPARKOUT_NOOP("Input", "Springs that support the shaft along its length."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(Shaft, quill, .label = SPARKOUT_NOOP("Input", "Quill"), .nullMeaning = SPARKOUT_NOOP("Input", "none"),
-                       .relevant = conditions::internal,
-                       .hint = SPARKOUT_NOOP("Input", "The wheel's spindle in internal grinding, a cantilever."),
+        SPARKOUT_FIELD(
+            Shaft, steady_rests, .label = SPARKOUT_NOOP("Input", "Steady rests"),
+            .relevant = conditions::external, .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Springs that support the shaft along its length."),
+            .source = "MODEL-6"),
+        SPARKOUT_FIELD(Shaft, quill, .label = SPARKOUT_NOOP("Input", "Quill"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+                       .relevant = conditions::internal, .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "The wheel's spindle in internal grinding, a cantilever."),
                        .source = "MODEL-6"),
     };
     static const StructInfo info = makeTable<Shaft>(SPARKOUT_NOOP("Struct", "Shaft"), rows);
     return info;
 }
 
-template <> const StructInfo& tableOf<Part>() {
+template <>
+const StructInfo& tableOf<Part>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Part, name, .label = SPARKOUT_NOOP("Input", "Part"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Name of the part, as it stands in the drawing.")),
-        SPARKOUT_FIELD(Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "External or internal; internal surfaces are ground by plunge."),
-                       .source = "MODEL-3"),
-        SPARKOUT_FIELD(Part, diameter_mm, .label = SPARKOUT_NOOP("Input", "Diameter"), .symbol = "d", .unit = "mm",
-                       .hard = {1, 2000}, .soft = {3, 500}, .required = conditions::always,
-                       .page = Page::part, .hint = SPARKOUT_NOOP("Input", "Nominal diameter of the drawing."),
+        SPARKOUT_FIELD(
+            Part, name, .label = SPARKOUT_NOOP("Input", "Part"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Name of the part, as it stands in the drawing.")),
+        SPARKOUT_FIELD(
+            Part, surface, .label = SPARKOUT_NOOP("Input", "Surface"), .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "External or internal; internal surfaces are ground by plunge."),
+            .source = "MODEL-3"),
+        SPARKOUT_FIELD(Part, diameter_mm, .label = SPARKOUT_NOOP("Input", "Diameter"),
+                       .symbol = "d", .unit = "mm", .hard = {1, 2000}, .soft = {3, 500},
+                       .required = conditions::always, .page = Page::part,
+                       .hint = SPARKOUT_NOOP("Input", "Nominal diameter of the drawing."),
                        .source = "MODEL-1"),
-        SPARKOUT_FIELD(Part, upper_deviation_um, .label = SPARKOUT_NOOP("Input", "Upper deviation"), .symbol = "es",
-                       .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
+        SPARKOUT_FIELD(Part, upper_deviation_um, .label = SPARKOUT_NOOP("Input", "Upper deviation"),
+                       .symbol = "es", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Upper limit of the diameter less the nominal diameter."),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Upper limit of the diameter less the nominal diameter."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"), .symbol = "ei",
-                       .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
+        SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"),
+                       .symbol = "ei", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Lower limit of the diameter less the nominal diameter."),
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Lower limit of the diameter less the nominal diameter."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"), .symbol = "L_p",
-                       .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},
+        SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"),
+                       .symbol = "L_p", .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},
                        .required = conditions::always, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Length of the ground surface."), .source = "MODEL-1"),
-        SPARKOUT_FIELD(Part, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"), .symbol = "Π",
-                       .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6},
+                       .hint = SPARKOUT_NOOP("Input", "Length of the ground surface."),
+                       .source = "MODEL-1"),
+        SPARKOUT_FIELD(Part, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"),
+                       .symbol = "Π", .unit = "mm", .hard = {0, 5, true}, .soft = {0.01, 0.6},
                        .required = conditions::always, .slider = true, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Minimum radial stock: what the smallest radius of the blank "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Minimum radial stock: what the smallest radius of the blank "
                                     "stands above the target radius."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"), .symbol = "ΔR",
-                       .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
+        SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"),
+                       .symbol = "ΔR", .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
                        .required = conditions::always, .relevant = notMeasured, .slider = true,
                        .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "R_max − R_min of the blank. R_max = R_t + Π + ΔR is where the "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "R_max − R_min of the blank. R_max = R_t + Π + ΔR is where the "
                                     "wheel touches first."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, radii_per_section, .label = SPARKOUT_NOOP("Input", "Radii per section"), .symbol = "K",
+        SPARKOUT_FIELD(Part, radii_per_section,
+                       .label = SPARKOUT_NOOP("Input", "Radii per section"), .symbol = "K",
                        .hard = {4, 360}, .soft = {12, 360}, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Radii followed in each cross-section at equal angles, an even "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Radii followed in each cross-section at equal angles, an even "
                                     "number."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, profile, .label = SPARKOUT_NOOP("Input", "Form of the blank"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Out-of-roundness of the blank: ellipse "
+        SPARKOUT_FIELD(Part, profile, .label = SPARKOUT_NOOP("Input", "Form of the blank"),
+                       .page = Page::part,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Out-of-roundness of the blank: ellipse "
                                     "R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, "
                                     "or a measured profile."),
                        .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, lobes, .label = SPARKOUT_NOOP("Input", "Lobes"), .symbol = "n_l", .hard = {2, 180},
-                       .soft = {2, 30}, .relevant = lobed, .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "Number of lobes: R = R_max − ΔR/2·(1 − cos nφ)."),
-                       .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, radii_um, .label = SPARKOUT_NOOP("Input", "Measured profile"), .unit = "µm",
-                       .hard = {-10000, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
-                       .required = measured, .relevant = measured,
-                       .hint = SPARKOUT_NOOP("Input", "Deviations from the largest radius at equal angles, one a "
-                                    "radius; only their differences matter."),
-                       .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, lobes, .label = SPARKOUT_NOOP("Input", "Lobes"), .symbol = "n_l",
+            .hard = {2, 180}, .soft = {2, 30}, .relevant = lobed, .page = Page::part,
+            .hint = SPARKOUT_NOOP("Input", "Number of lobes: R = R_max − ΔR/2·(1 − cos nφ)."),
+            .source = "MODEL-4"),
+        SPARKOUT_FIELD(
+            Part, radii_um, .label = SPARKOUT_NOOP("Input", "Measured profile"), .unit = "µm",
+            .hard = {-10000, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "not measured"),
+            .required = measured, .relevant = measured, .page = Page::part,
+            .hint =
+                SPARKOUT_NOOP("Input", "Deviations from the largest radius at equal angles, one a "
+                                       "radius; only their differences matter."),
+            .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, target_diameter_mm, .label = SPARKOUT_NOOP("Input", "Target diameter"),
                        .symbol = "2R_t", .unit = "mm", .hard = {1, 2000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"), .page = Page::part,
-                       .hint = SPARKOUT_NOOP("Input", "The diameter the gauge is set to."), .source = "MODEL-4"),
-        SPARKOUT_FIELD(Part, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerances"), .page = Page::part),
-        SPARKOUT_FIELD(Part, shaft, .label = SPARKOUT_NOOP("Input", "Shaft")),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"),
+                       .page = Page::part,
+                       .hint = SPARKOUT_NOOP("Input", "The diameter the gauge is set to."),
+                       .source = "MODEL-4"),
+        SPARKOUT_FIELD(Part, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerances"),
+                       .page = Page::part),
+        SPARKOUT_FIELD(Part, shaft, .label = SPARKOUT_NOOP("Input", "Shaft"), .page = Page::part),
     };
     static const StructInfo info = makeTable<Part>(SPARKOUT_NOOP("Struct", "Part"), rows);
     return info;

@@ -51,13 +51,13 @@ struct Shaft {
 struct Part {
     std::string name;
     Surface surface = Surface::external;
-    double diameter_mm = 30;           ///< d, nominal [mm]
-    double upper_deviation_um = 0;     ///< of the diameter, from nominal [µm]
-    double lower_deviation_um = -16;   ///< of the diameter, from nominal [µm]
-    double length_mm = 92;             ///< L_p, ground length [mm]
-    double stock_mm = 0.15;            ///< Π, minimum radial stock, per side [mm]
-    double initial_runout_mm = 0.02;   ///< ΔR = R_max − R_min of the blank [mm]
-    int radii_per_section = 36;        ///< K
+    double diameter_mm = 30;         ///< d, nominal [mm]
+    double upper_deviation_um = 0;   ///< of the diameter, from nominal [µm]
+    double lower_deviation_um = -16; ///< of the diameter, from nominal [µm]
+    double length_mm = 92;           ///< L_p, ground length [mm]
+    double stock_mm = 0.15;          ///< Π, minimum radial stock, per side [mm]
+    double initial_runout_mm = 0.02; ///< ΔR = R_max − R_min of the blank [mm]
+    int radii_per_section = 36;      ///< K
     ProfileForm profile = ProfileForm::ellipse;
     int lobes = 3;                               ///< n of an n-lobe form
     std::optional<std::vector<double>> radii_um; ///< measured profile, from the largest radius [µm]

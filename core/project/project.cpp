@@ -6,22 +6,28 @@
 
 namespace sparkout {
 
-template <> std::span<const Choice> choicesOf<Operation>() {
-    static const std::array choices{Choice{"traverse", SPARKOUT_NOOP("Choice", "traverse grinding")},
-                                    Choice{"plunge", SPARKOUT_NOOP("Choice", "plunge grinding")}};
+template <>
+std::span<const Choice> choicesOf<Operation>() {
+    static const std::array choices{
+        Choice{"traverse", SPARKOUT_NOOP("Choice", "traverse grinding")},
+        Choice{"plunge", SPARKOUT_NOOP("Choice", "plunge grinding")}};
     return choices;
 }
 
-template <> const StructInfo& tableOf<KeptRun>() {
+template <>
+const StructInfo& tableOf<KeptRun>() {
     static const std::array rows{
-        SPARKOUT_FIELD(KeptRun, name, .label = SPARKOUT_NOOP("Input", "Name"), .required = conditions::always,
+        SPARKOUT_FIELD(KeptRun, name, .label = SPARKOUT_NOOP("Input", "Name"),
+                       .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "What the run is called.")),
-        SPARKOUT_FIELD(KeptRun, when, .label = SPARKOUT_NOOP("Input", "When"), .required = conditions::always,
+        SPARKOUT_FIELD(KeptRun, when, .label = SPARKOUT_NOOP("Input", "When"),
+                       .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Date and time in UTC, ISO 8601.")),
         SPARKOUT_FIELD(KeptRun, engine_version, .label = SPARKOUT_NOOP("Input", "Engine version"),
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Version of the program that ran it.")),
-        SPARKOUT_FIELD(KeptRun, inputs, .label = SPARKOUT_NOOP("Input", "Inputs"), .required = conditions::always,
+        SPARKOUT_FIELD(KeptRun, inputs, .label = SPARKOUT_NOOP("Input", "Inputs"),
+                       .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "The project as it was run.")),
         SPARKOUT_FIELD(KeptRun, summary, .label = SPARKOUT_NOOP("Input", "Summary"),
                        .required = conditions::always,
@@ -31,42 +37,53 @@ template <> const StructInfo& tableOf<KeptRun>() {
     return info;
 }
 
-template <> const StructInfo& tableOf<Project>() {
+template <>
+const StructInfo& tableOf<Project>() {
     static const std::array rows{
         SPARKOUT_FIELD(Project, title, .label = SPARKOUT_NOOP("Input", "Title"), .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Title of the project.")),
-        SPARKOUT_FIELD(Project, author, .label = SPARKOUT_NOOP("Input", "Author"), .page = Page::part,
+        SPARKOUT_FIELD(Project, author, .label = SPARKOUT_NOOP("Input", "Author"),
+                       .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Who designed the cycle.")),
         SPARKOUT_FIELD(Project, notes, .label = SPARKOUT_NOOP("Input", "Notes"), .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Anything worth knowing about the project.")),
         SPARKOUT_FIELD(Project, operation, .label = SPARKOUT_NOOP("Input", "Operation"),
                        .required = conditions::always, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Traverse: the table strokes along the part. Plunge: the wheel "
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Traverse: the table strokes along the part. Plunge: the wheel "
                                     "covers the ground length and is fed radially."),
                        .source = "MODEL-5"),
-        SPARKOUT_FIELD(Project, part, .label = SPARKOUT_NOOP("Input", "Part"), .required = conditions::always),
+        SPARKOUT_FIELD(Project, part, .label = SPARKOUT_NOOP("Input", "Part"),
+                       .required = conditions::always),
         SPARKOUT_FIELD(Project, material, .label = SPARKOUT_NOOP("Input", "Material"),
                        .required = conditions::always),
-        SPARKOUT_FIELD(Project, wheel, .label = SPARKOUT_NOOP("Input", "Wheel"), .required = conditions::always),
+        SPARKOUT_FIELD(Project, wheel, .label = SPARKOUT_NOOP("Input", "Wheel"),
+                       .required = conditions::always),
         SPARKOUT_FIELD(Project, machine, .label = SPARKOUT_NOOP("Input", "Machine"),
                        .required = conditions::always),
         SPARKOUT_FIELD(Project, gauge, .label = SPARKOUT_NOOP("Input", "Gauge")),
-        SPARKOUT_FIELD(Project, cycle, .label = SPARKOUT_NOOP("Input", "Cycle"), .required = conditions::always),
-        SPARKOUT_FIELD(Project, sections, .label = SPARKOUT_NOOP("Input", "Sections along the length"),
-                       .symbol = "J", .hard = {1, 200}, .soft = {1, 50},
-                       .relevant = conditions::plunge, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP("Input", "Sections at the middles of equal slices of the ground length, "
+        SPARKOUT_FIELD(Project, cycle, .label = SPARKOUT_NOOP("Input", "Cycle"),
+                       .required = conditions::always),
+        SPARKOUT_FIELD(Project, sections,
+                       .label = SPARKOUT_NOOP("Input", "Sections along the length"), .symbol = "J",
+                       .hard = {1, 200}, .soft = {1, 50}, .relevant = conditions::plunge,
+                       .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Sections at the middles of equal slices of the ground length, "
                                     "counted from the headstock."),
                        .source = "MODEL-6"),
-        SPARKOUT_FIELD(Project, sections_coupled, .label = SPARKOUT_NOOP("Input", "Sections coupled"),
-                       .relevant = conditions::plunge,
-                       .hint = SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others too."),
-                       .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Project, sections_coupled, .label = SPARKOUT_NOOP("Input", "Sections coupled"),
+            .relevant = conditions::plunge,
+            .hint =
+                SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others too."),
+            .source = "MODEL-6"),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described")),
         SPARKOUT_FIELD(Project, optimisation, .label = SPARKOUT_NOOP("Input", "Optimisation"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no grid described")),
-        SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"), .hard = {0, 1000},
+        SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
+                       .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),
     };
     static const StructInfo info = makeTable<Project>(SPARKOUT_NOOP("Struct", "Project"), rows);

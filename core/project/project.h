@@ -17,7 +17,7 @@ enum class Operation { traverse, plunge };
 /// A kept run: what was run, when, by which engine, and its summary. Never changed again.
 struct KeptRun {
     std::string name;
-    std::string when;           ///< ISO 8601, UTC
+    std::string when; ///< ISO 8601, UTC
     std::string engine_version;
     JsonText inputs;  ///< the project as run, without its runs
     JsonText summary; ///< counts, final radii, deviations, constraint values

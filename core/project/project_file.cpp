@@ -21,7 +21,11 @@ constexpr const char* formatName = "sparkout-project";
 /// The header decides whether the rest is worth reading.
 Issues checkHeader(const json& root) {
     if (!root.is_object()) {
-        return {{IssueCode::wrongType, Severity::error, {}, quoted(root), SPARKOUT_NOOP("Limit", "object")}};
+        return {{IssueCode::wrongType,
+                 Severity::error,
+                 {},
+                 quoted(root),
+                 SPARKOUT_NOOP("Limit", "object")}};
     }
     Issues issues;
     const auto add = [&](IssueCode code, const char* path, std::string value, std::string limit) {
@@ -37,7 +41,8 @@ Issues checkHeader(const json& root) {
     if (!root.contains("version")) {
         add(IssueCode::missingKey, "/version", {}, versions);
     } else if (const json& version = root.at("version"); !version.is_number_integer()) {
-        add(IssueCode::wrongType, "/version", quoted(version), SPARKOUT_NOOP("Limit", "whole number"));
+        add(IssueCode::wrongType, "/version", quoted(version),
+            SPARKOUT_NOOP("Limit", "whole number"));
     } else if (version.get<double>() > projectVersion) {
         add(IssueCode::newerVersion, "/version", quoted(version), versions);
     } else if (version.get<double>() < 1) {
@@ -47,17 +52,23 @@ Issues checkHeader(const json& root) {
 }
 
 /// `conditional`: whether keys that are required only sometimes are reported too.
-void reportMissing(const std::vector<MissingKey>& missing, const Project& project,
-                   bool conditional, Issues& issues) {
+/// Keys that may be null in memory are missing from unfinished work too; the others cannot be.
+bool mayBeNull(const Field& field) {
+    return field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger
+           || field.kind == Kind::optionalNumberList || field.kind == Kind::optionalObject;
+}
+
+void reportMissing(const std::vector<MissingKey>& missing, const Project& project, bool conditional,
+                   bool nullable, Issues& issues) {
     for (const MissingKey& key : missing) {
         const Field& field = *key.field;
-        if (field.kind == Kind::object || !field.required
+        if (field.kind == Kind::object || !field.required || mayBeNull(field) != nullable
             || !(conditional || field.required == conditions::always)) {
             continue;
         }
         if (field.required(project, key.owner) && issues.size() < limits::issues) {
-            issues.push_back({IssueCode::missingKey, Severity::error, key.path, {},
-                              allowedText(field)});
+            issues.push_back(
+                {IssueCode::missingKey, Severity::error, key.path, {}, allowedText(field)});
         }
     }
 }
@@ -97,8 +108,10 @@ ReadResult readProject(std::string_view text) {
     readByTable(*root, tableOf<Project>(), &project, {}, issues, missing, {"format", "version"});
     // Without a readable operation nobody knows which rules apply.
     const bool operationKnown = root->contains("operation") && !isReported(issues, "/operation");
-    reportMissing(missing, project, operationKnown, issues);
+    reportMissing(missing, project, operationKnown, false, issues);
     checkRuns(project, issues);
+    const bool readable = !hasErrors(issues);
+    reportMissing(missing, project, operationKnown, true, issues);
     // A value that could not be read is reported already; its rest of a default is not judged.
     const Issues unread = issues;
     for (Issue& issue : operationKnown ? validate(project) : checkRanges(project)) {
@@ -108,11 +121,12 @@ ReadResult readProject(std::string_view text) {
     }
     if (!hasErrors(issues)) {
         result.project = std::move(project);
+    } else if (readable && operationKnown && !hasErrors(checkRanges(project))) {
+        result.unfinished = std::move(project);
     }
     if (issues.size() > limits::issues) { // errors before warnings
-        std::stable_sort(issues.begin(), issues.end(), [](const Issue& a, const Issue& b) {
-            return a.severity < b.severity;
-        });
+        std::stable_sort(issues.begin(), issues.end(),
+                         [](const Issue& a, const Issue& b) { return a.severity < b.severity; });
         issues.resize(limits::issues);
     }
     return result;

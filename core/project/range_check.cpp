@@ -102,8 +102,7 @@ private:
         }
     }
 
-    void checkField(const Field& field, const void* owner, const std::string& path,
-                    bool relevant) {
+    void checkField(const Field& field, const void* owner, const std::string& path, bool relevant) {
         switch (field.kind) {
         case Kind::number: checkNumber(field, field.as<double>(owner), path, relevant); break;
         case Kind::optionalNumber:
@@ -187,7 +186,8 @@ std::string allowedText(const Field& field) {
     case Kind::optionalNumber:
     case Kind::integer:
     case Kind::optionalInteger:
-        return field.hard.unbounded() ? SPARKOUT_NOOP("Limit", "number") : rangeText(field.hard, field.unit);
+        return field.hard.unbounded() ? SPARKOUT_NOOP("Limit", "number")
+                                      : rangeText(field.hard, field.unit);
     case Kind::boolean: return "true, false";
     case Kind::text: return SPARKOUT_NOOP("Limit", "text");
     case Kind::choice: {

@@ -53,8 +53,8 @@ public:
                      const nlohmann::detail::exception& exception) override {
         constexpr int numberOverflow = 406;
         if (exception.id == numberOverflow) {
-            m_issues.push_back({IssueCode::outOfRange, Severity::error, path(),
-                                token.substr(0, 60), "-1.8e308…1.8e308"});
+            m_issues.push_back({IssueCode::outOfRange, Severity::error, path(), token.substr(0, 60),
+                                "-1.8e308…1.8e308"});
             return false;
         }
         syntaxError = true;
@@ -85,8 +85,7 @@ private:
         if (value.size() <= limits::stringBytes) {
             return true;
         }
-        m_issues.push_back({IssueCode::stringTooLong, Severity::error,
-                            path(),
+        m_issues.push_back({IssueCode::stringTooLong, Severity::error, path(),
                             std::to_string(value.size()) + " bytes",
                             std::to_string(limits::stringBytes) + " bytes"});
         return false;
@@ -119,8 +118,8 @@ private:
         if (++m_values <= limits::values) {
             return true;
         }
-        m_issues.push_back({IssueCode::tooManyValues, Severity::error, {}, {},
-                            std::to_string(limits::values)});
+        m_issues.push_back(
+            {IssueCode::tooManyValues, Severity::error, {}, {}, std::to_string(limits::values)});
         return false;
     }
 
@@ -190,8 +189,7 @@ void print(const nlohmann::ordered_json& value, std::size_t indent, std::string&
     const bool numbers = value.is_array() && !value.empty() && value.front().is_number();
     const bool whole = indent == 0 && structured && !numbers && !value.empty();
     std::string flat = whole ? std::string() : printFlat(value);
-    if (!structured || numbers || value.empty()
-        || (!whole && indent + flat.size() <= lineLength)) {
+    if (!structured || numbers || value.empty() || (!whole && indent + flat.size() <= lineLength)) {
         out += flat;
         return;
     }
@@ -234,21 +232,27 @@ std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
         return std::nullopt;
     }
     if (text.size() > limits::fileBytes) {
-        issues.push_back({IssueCode::tooLarge, Severity::error, {},
+        issues.push_back({IssueCode::tooLarge,
+                          Severity::error,
+                          {},
                           std::to_string(text.size()) + " bytes",
                           std::to_string(limits::fileBytes) + " bytes"});
         return std::nullopt;
     }
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         // the parser would take it for the end of the text
-        issues.push_back({IssueCode::notJson, Severity::error, {}, lineAndColumn(text, nul + 1), {}});
+        issues.push_back(
+            {IssueCode::notJson, Severity::error, {}, lineAndColumn(text, nul + 1), {}});
         return std::nullopt;
     }
     Builder builder(issues);
     const bool parsed = json::sax_parse(text.begin(), text.end(), &builder);
     if (builder.syntaxError) {
-        issues.push_back({IssueCode::notJson, Severity::error, {},
-                          lineAndColumn(text, builder.errorPosition), {}});
+        issues.push_back({IssueCode::notJson,
+                          Severity::error,
+                          {},
+                          lineAndColumn(text, builder.errorPosition),
+                          {}});
     }
     if (!parsed) {
         return std::nullopt;

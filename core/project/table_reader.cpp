@@ -77,8 +77,7 @@ private:
         return value.get<double>() + 0.0; // −0 becomes 0
     }
 
-    std::optional<int> wholeNumber(const json& value, const Field& field,
-                                   const std::string& path) {
+    std::optional<int> wholeNumber(const json& value, const Field& field, const std::string& path) {
         const double number = value.is_number() ? value.get<double>() : 0.5;
         if (number != std::floor(number)) {
             refuse(path, value, SPARKOUT_NOOP("Limit", "whole number"));
@@ -125,14 +124,13 @@ private:
         }
         constexpr std::size_t mostItems = 1000;
         if (value.size() > mostItems) {
-            report(IssueCode::wrongCount, path, value.size(),
-                   "≤ " + std::to_string(mostItems));
+            report(IssueCode::wrongCount, path, value.size(), "≤ " + std::to_string(mostItems));
             return;
         }
         field.resize(owner, value.size());
         for (std::size_t i = 0; i < value.size(); ++i) {
-            readObject(value[i], *field.nested, field.at(owner, i),
-                       path + "/" + std::to_string(i), {});
+            readObject(value[i], *field.nested, field.at(owner, i), path + "/" + std::to_string(i),
+                       {});
         }
     }
 
@@ -161,7 +159,8 @@ private:
         } else if (value.is_object()) {
             compliance = readZones(value, path);
         } else {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "object with rz1, nz, rz2, or list of numbers, or null"));
+            refuse(path, value,
+                   SPARKOUT_NOOP("Limit", "object with rz1, nz, rz2, or list of numbers, or null"));
         }
     }
 
@@ -173,8 +172,11 @@ private:
             if (value.contains(key)) {
                 *target = number(value.at(key), path + "/" + key).value_or(0);
             } else {
-                m_issues.push_back({IssueCode::missingKey, Severity::error,
-                                    path + "/" + key, {}, SPARKOUT_NOOP("Limit", "number, mm/N")});
+                m_issues.push_back({IssueCode::missingKey,
+                                    Severity::error,
+                                    path + "/" + key,
+                                    {},
+                                    SPARKOUT_NOOP("Limit", "number, mm/N")});
             }
         }
         for (const auto& [key, item] : value.items()) {
@@ -198,7 +200,8 @@ private:
                                    number(value.at("to"), path + "/to").value_or(0),
                                    number(value.at("step"), path + "/step").value_or(0)};
         } else {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "list of numbers, or object with from, to, step"));
+            refuse(path, value,
+                   SPARKOUT_NOOP("Limit", "list of numbers, or object with from, to, step"));
         }
     }
 

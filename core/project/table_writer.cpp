@@ -9,7 +9,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class T> ordered_json orNull(const std::optional<T>& value) {
+template <class T>
+ordered_json orNull(const std::optional<T>& value) {
     return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
@@ -54,8 +55,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::optionalInteger: return orNull(field.as<std::optional<int>>(owner));
     case Kind::boolean: return field.as<bool>(owner);
     case Kind::text: return field.as<std::string>(owner);
-    case Kind::choice:
-        return field.choices[static_cast<std::size_t>(field.getChoice(owner))].key;
+    case Kind::choice: return field.choices[static_cast<std::size_t>(field.getChoice(owner))].key;
     case Kind::numberList: return field.as<std::vector<double>>(owner);
     case Kind::optionalNumberList:
         return orNull(field.as<std::optional<std::vector<double>>>(owner));

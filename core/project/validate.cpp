@@ -38,10 +38,9 @@ private:
         std::erase_if(m_issues, [&](const Issue& issue) {
             return issue.code == IssueCode::unusual && issue.path == path;
         });
-        const bool refused =
-            std::any_of(m_issues.begin(), m_issues.end(), [&](const Issue& issue) {
-                return issue.severity == Severity::error && issue.path == path;
-            });
+        const bool refused = std::any_of(m_issues.begin(), m_issues.end(), [&](const Issue& issue) {
+            return issue.severity == Severity::error && issue.path == path;
+        });
         if (!refused) {
             m_issues.push_back({code, severity, path, std::move(value), std::move(limit)});
         }
@@ -61,7 +60,11 @@ private:
         if (part.target_diameter_mm) {
             const double low = part.diameter_mm + part.lower_deviation_um / units::umPerMm;
             const double high = part.diameter_mm + part.upper_deviation_um / units::umPerMm;
-            if (*part.target_diameter_mm < low || *part.target_diameter_mm > high) {
+            const double away = part.diameter_mm / 4;
+            if (std::abs(*part.target_diameter_mm - part.diameter_mm) > away) {
+                add(IssueCode::outOfRange, "/part/target_diameter_mm", mm(*part.target_diameter_mm),
+                    numberText(part.diameter_mm - away) + "…" + mm(part.diameter_mm + away));
+            } else if (*part.target_diameter_mm < low || *part.target_diameter_mm > high) {
                 warn(IssueCode::targetOutsideField, "/part/target_diameter_mm",
                      mm(*part.target_diameter_mm), numberText(low) + "…" + mm(high));
             }
@@ -70,11 +73,30 @@ private:
             if (project().operation == Operation::traverse) {
                 add(IssueCode::internalTraverse, "/part/surface", "internal", "external");
             }
-            if (project().wheel.diameter_mm >= part.diameter_mm) {
-                add(IssueCode::wheelTooLarge, "/wheel/diameter_mm",
-                    mm(project().wheel.diameter_mm), "< " + mm(part.diameter_mm) + " (d)");
+            if (project().wheel.diameter_mm >= smallestBore()) {
+                add(IssueCode::wheelTooLarge, "/wheel/diameter_mm", mm(project().wheel.diameter_mm),
+                    "< " + mm(smallestBore()) + " (2·R_t − 2·Π − 2·ΔR)");
             }
         }
+    }
+
+    /// ΔR of the blank [mm].
+    double blankRunout() const {
+        const Part& part = project().part;
+        if (part.profile != ProfileForm::measured || !part.radii_um || part.radii_um->empty()) {
+            return part.initial_runout_mm;
+        }
+        const auto [low, high] = std::minmax_element(part.radii_um->begin(), part.radii_um->end());
+        return (*high - *low) / units::umPerMm;
+    }
+
+    /// The smallest diameter of a bore's blank, which the wheel must fit into [mm].
+    double smallestBore() const {
+        const Part& part = project().part;
+        const double middle =
+            part.diameter_mm
+            + (part.upper_deviation_um + part.lower_deviation_um) / 2 / units::umPerMm;
+        return part.target_diameter_mm.value_or(middle) - 2 * (part.stock_mm + blankRunout());
     }
 
     void checkProfile() {
@@ -99,21 +121,13 @@ private:
     void checkBlank() {
         const Part& part = project().part;
         const double greatest = part.diameter_mm / 4;
-        if (part.initial_runout_mm > greatest) {
-            add(IssueCode::outOfRange, "/part/initial_runout_mm", mm(part.initial_runout_mm),
-                "0…" + mm(greatest));
+        const bool measured = part.profile == ProfileForm::measured;
+        if (blankRunout() > greatest) {
+            add(IssueCode::outOfRange, measured ? "/part/radii_um" : "/part/initial_runout_mm",
+                mm(blankRunout()) + (measured ? " (ΔR)" : ""), "0…" + mm(greatest));
         }
         if (part.surface == Surface::internal && part.stock_mm > greatest) {
             add(IssueCode::outOfRange, "/part/stock_mm", mm(part.stock_mm), "0…" + mm(greatest));
-        }
-        if (part.profile == ProfileForm::measured && part.radii_um && !part.radii_um->empty()) {
-            const auto [low, high] =
-                std::minmax_element(part.radii_um->begin(), part.radii_um->end());
-            const double runout = (*high - *low) / units::umPerMm;
-            if (runout > greatest) {
-                add(IssueCode::outOfRange, "/part/radii_um", mm(runout) + " of runout",
-                    "0…" + mm(greatest));
-            }
         }
         const double deepest = part.diameter_mm / 4 * units::umPerMm;
         if (part.lower_deviation_um < -deepest) {
@@ -145,8 +159,8 @@ private:
                  "plunge");
         }
         if (project().gauge.section) {
-            warn(IssueCode::notUsedHere, "/gauge/section",
-                 std::to_string(*project().gauge.section), "plunge");
+            warn(IssueCode::notUsedHere, "/gauge/section", std::to_string(*project().gauge.section),
+                 "plunge");
         }
     }
 
@@ -209,8 +223,7 @@ private:
             add(IssueCode::complianceMissing, "/part/shaft/segments", {},
                 "length_mm and diameter_mm of each step of the shaft");
         } else if (length < needed - 1e-9) {
-            add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length),
-                "≥ " + mm(needed));
+            add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length), "≥ " + mm(needed));
         }
         for (std::size_t i = 0; i < shaft.steady_rests.size(); ++i) {
             if (shaft.steady_rests[i].position_mm > length) {
@@ -230,6 +243,7 @@ private:
             sum += stages[i].stock_mm;
         }
         if (std::abs(sum - project().part.stock_mm) > 1e-9) {
+            sum = std::round(sum * 1e9) / 1e9; // as one would add it up
             warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
                  mm(project().part.stock_mm));
         }
@@ -244,14 +258,13 @@ private:
         const bool traverse = project().operation == Operation::traverse;
         const std::size_t count = project().cycle.stages.size();
         const std::string path = "/cycle/stages/" + std::to_string(index);
-        const std::string feedPath =
-            path + (traverse ? "/radial_feed_mm" : "/radial_feed_mm_min");
+        const std::string feedPath = path + (traverse ? "/radial_feed_mm" : "/radial_feed_mm_min");
         const auto& feed = traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min;
         const std::string unit = traverse ? " mm" : " mm/min";
         const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
         if (sparks && index + 1 < count) {
-            add(IssueCode::sparkOutNotLast, path + "/spark_out",
-                std::to_string(index + 1), std::to_string(count));
+            add(IssueCode::sparkOutNotLast, path + "/spark_out", std::to_string(index + 1),
+                std::to_string(count));
         }
         if (sparks && feed && *feed > 0) {
             warn(IssueCode::feedUnused, feedPath, numberText(*feed) + unit, {});
@@ -259,8 +272,7 @@ private:
         if (!sparks && !feed) {
             add(IssueCode::missingKey, feedPath, {}, "> 0" + unit);
         } else if (!sparks && *feed < 1e-6) {
-            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit,
-                "≥ 0.000001" + unit);
+            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit, "≥ 0.000001" + unit);
         }
         if (traverse && !stage.axial_feed_mm_min) {
             add(IssueCode::missingKey, path + "/axial_feed_mm_min", {}, "> 0 mm/min");

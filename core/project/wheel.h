@@ -11,15 +11,15 @@ namespace sparkout {
 /// The grinding wheel: size, sharpness, structure.
 struct Wheel {
     std::string marking;
-    double diameter_mm = 500;         ///< D [mm]
-    double width_mm = 50;             ///< B [mm]
-    double dullness = 0.02;           ///< η, share of wear flats, 0…1
-    double grain_mm = 0.25;           ///< d_g [mm]
-    double grain_share = 0.5;         ///< W_g, by volume
-    double bond_share = 0.12;         ///< W_b, by volume
-    double grain_tip_angle_deg = 45;  ///< φ [°]
-    double dressing_chipping_mm = 0.1; ///< Δ, chipping level of dressing [mm]
-    double roughness_factor = 1;       ///< calibration of Ra
+    double diameter_mm = 500;                        ///< D [mm]
+    double width_mm = 50;                            ///< B [mm]
+    double dullness = 0.02;                          ///< η, share of wear flats, 0…1
+    double grain_mm = 0.25;                          ///< d_g [mm]
+    double grain_share = 0.5;                        ///< W_g, by volume
+    double bond_share = 0.12;                        ///< W_b, by volume
+    double grain_tip_angle_deg = 45;                 ///< φ [°]
+    double dressing_chipping_mm = 0.1;               ///< Δ, chipping level of dressing [mm]
+    double roughness_factor = 1;                     ///< calibration of Ra
     std::optional<double> grain_surface_energy_j_m2; ///< γ_g [J/m²]
     std::optional<double> grain_modulus_gpa;         ///< E_g [GPa]
     std::optional<double> bond_surface_energy_j_m2;  ///< γ_b [J/m²]

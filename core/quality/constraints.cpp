@@ -25,7 +25,32 @@ ConstraintResult compare(ConstraintKind kind, const SectionResult& section, std:
     return result;
 }
 
+bool isGiven(const Field& field, const void* owner) {
+    return field.kind == Kind::optionalNumber
+               ? field.as<std::optional<double>>(owner).has_value()
+               : field.as<std::optional<std::vector<double>>>(owner).has_value();
+}
+
+void collectUnchecked(const StructInfo& table, const void* owner,
+                      std::vector<const Field*>& found) {
+    for (const Field& field : table.fields) {
+        if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
+            if (const void* object = field.objectIn(owner)) {
+                collectUnchecked(*field.nested, object, found);
+            }
+        } else if (field.unchecked && isGiven(field, owner)) {
+            found.push_back(&field);
+        }
+    }
+}
+
 } // namespace
+
+std::vector<const Field*> uncheckedRequirements(const Project& project) {
+    std::vector<const Field*> found;
+    collectUnchecked(tableOf<Project>(), &project, found);
+    return found;
+}
 
 const char* constraintName(ConstraintKind kind) {
     switch (kind) {
@@ -71,9 +96,8 @@ std::vector<ConstraintResult> worstByKind(const std::vector<ConstraintResult>& c
             *found = constraint;
         }
     }
-    std::sort(worst.begin(), worst.end(), [](const auto& a, const auto& b) {
-        return a.kind < b.kind;
-    });
+    std::sort(worst.begin(), worst.end(),
+              [](const auto& a, const auto& b) { return a.kind < b.kind; });
     return worst;
 }
 

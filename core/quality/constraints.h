@@ -17,10 +17,10 @@ inline constexpr double diameterSlack_mm = 1e-9;
 struct ConstraintResult {
     ConstraintKind kind;
     Zone zone = Zone::section;
-    int section = 0;  ///< index in SimulationResult::sections
-    double limit = 0; ///< [µm]
-    double value = 0; ///< [µm]
-    double margin = 0; ///< positive when it holds [µm]
+    int section = 0;           ///< index in SimulationResult::sections
+    double limit = 0;          ///< [µm]
+    double value = 0;          ///< [µm]
+    double margin = 0;         ///< positive when it holds [µm]
     double relativeMargin = 0; ///< margin over the width of the field or over the limit
     bool holds = false;
 };
@@ -30,6 +30,10 @@ struct ConstraintResult {
 
 /// Every requirement of the drawing that is on, held against every zone or section [MODEL-8].
 [[nodiscard]] std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result);
+
+/// Requirements and limits that are given but not evaluated, in the order of the tables: a verdict
+/// must name them.
+[[nodiscard]] std::vector<const Field*> uncheckedRequirements(const Project& project);
 
 /// The worst of each kind, in the order of the kinds: what the command line lists.
 [[nodiscard]] std::vector<ConstraintResult>

@@ -27,12 +27,13 @@ std::vector<CompliantPoint> points(const Project& project) {
 class PlungeCycle {
 public:
     PlungeCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
-        : m_project(project), m_sections(static_cast<std::size_t>(project.sections)),
-          m_hasFreeGauge(project.gauge.position_mm.has_value()),
-          m_run(project, points(project), trajectory, stop),
-          m_control(project, infeeds(project), m_run.blank().totalInfeed_mm),
-          m_width(m_run.makeCut(project.part.length_mm)),
-          m_places(m_sections) {
+        : m_project(project)
+        , m_sections(static_cast<std::size_t>(project.sections))
+        , m_hasFreeGauge(project.gauge.position_mm.has_value())
+        , m_run(project, points(project), trajectory, stop)
+        , m_control(project, infeeds(project), m_run.blank().totalInfeed_mm)
+        , m_width(m_run.makeCut(project.part.length_mm))
+        , m_places(m_sections) {
         for (std::size_t j = 0; j < m_places.size(); ++j) {
             m_places[j].section = static_cast<int>(j);
         }

@@ -37,9 +37,9 @@ struct Place {
 /// One zone or section at the end of the cycle.
 struct SectionResult {
     Zone zone = Zone::section;
-    double position_mm = 0;          ///< its middle, from the headstock end of the ground length
-    double compliance_mm_per_n = 0;  ///< γ used
-    std::vector<double> radii_mm;    ///< R_k, K values
+    double position_mm = 0;             ///< its middle, from the headstock end of the ground length
+    double compliance_mm_per_n = 0;     ///< γ used
+    std::vector<double> radii_mm;       ///< R_k, K values
     double diameterDeviationMin_mm = 0; ///< min of D_k less the nominal diameter
     double diameterDeviationMax_mm = 0; ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;         ///< R_max − R_min plus the machine's geometric runout

@@ -14,11 +14,16 @@ namespace sparkout {
 
 Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
          std::stop_token stop)
-    : m_project(project), m_blank(makeBlank(project.part)),
-      m_radii(project.part.radii_per_section), m_points(std::move(points)),
-      m_law(forceLaw(project)), m_lanes(m_points.size() * static_cast<std::size_t>(m_radii)),
-      m_cutPass(widestPassFunction()), m_trajectory(trajectory), m_stop(std::move(stop)),
-      m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
+    : m_project(project)
+    , m_blank(makeBlank(project.part))
+    , m_radii(project.part.radii_per_section)
+    , m_points(std::move(points))
+    , m_law(forceLaw(project))
+    , m_lanes(m_points.size() * static_cast<std::size_t>(m_radii))
+    , m_cutPass(widestPassFunction())
+    , m_trajectory(trajectory)
+    , m_stop(std::move(stop))
+    , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
         const std::size_t k = lane % K;
@@ -78,8 +83,11 @@ void Run::keepPeak(double root, std::size_t first, std::size_t count, const CutW
     if (normal <= m_result.peakNormalForce_n && power <= m_result.peakPower_w) {
         return;
     }
-    const auto begin = m_lanes.root.begin() + static_cast<std::ptrdiff_t>(first * static_cast<std::size_t>(m_radii));
-    const auto found = std::find(begin, begin + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(m_radii)), root);
+    const auto begin = m_lanes.root.begin()
+                       + static_cast<std::ptrdiff_t>(first * static_cast<std::size_t>(m_radii));
+    const auto found = std::find(
+        begin, begin + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(m_radii)),
+        root);
     const Place& place = places[(found - begin) / m_radii];
     if (normal > m_result.peakNormalForce_n) {
         m_result.peakNormalForce_n = normal;
@@ -99,14 +107,16 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
                                  trajectory.visits.size()});
     const bool stroke = info.axialFeed_mm_min > 0;
     for (int k = 0; k < m_radii; ++k) {
-        const std::size_t lane = point * static_cast<std::size_t>(m_radii) + static_cast<std::size_t>(k);
+        const std::size_t lane =
+            point * static_cast<std::size_t>(m_radii) + static_cast<std::size_t>(k);
         const double share = m_lanes.share[lane];
         const double u = m_lanes.root[lane];
         Visit visit;
         visit.time_s = m_result.time_s + info.duration_s * (stroke ? 1.0 : share);
         visit.programmed_mm = feed.base + std::min(feed.offset + feed.rate * share, feed.cap);
         visit.actual_mm = u * u;
-        visit.accumulated_mm = m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];
+        visit.accumulated_mm =
+            m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];
         visit.radius_mm = radiusAt(m_lanes.depth_mm[lane]);
         visit.normalForce_n = m_law.normal(width.width_mm, u);
         trajectory.visits.push_back(visit);
@@ -123,7 +133,9 @@ double Run::remaining(std::size_t point) const {
                           m_radii, m_project.gauge.rule, m_blank.totalInfeed_mm);
 }
 
-double Run::takeLargestRoot() { return std::exchange(m_largestRoot, 0.0); }
+double Run::takeLargestRoot() {
+    return std::exchange(m_largestRoot, 0.0);
+}
 
 bool Run::mustEnd() {
     if (m_stop.stop_requested()) {
@@ -149,8 +161,7 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
             std::max(section.peakNormalForce_n, m_lanes.peakForce_n[point * K + k]);
     }
     const auto [low, high] = std::minmax_element(section.radii_mm.begin(), section.radii_mm.end());
-    section.radialRunout_mm =
-        *high - *low + m_project.machine.geometric_runout_um / units::umPerMm;
+    section.radialRunout_mm = *high - *low + m_project.machine.geometric_runout_um / units::umPerMm;
     const double nominal = m_project.part.diameter_mm;
     section.diameterDeviationMin_mm = section.radii_mm[0] + section.radii_mm[K / 2] - nominal;
     section.diameterDeviationMax_mm = section.diameterDeviationMin_mm;
@@ -173,8 +184,7 @@ SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint
     }
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_project.part.surface == Surface::external ? 1 : -1;
-    m_result.gaugeReading_mm =
-        2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);
+    m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);
     return std::move(m_result);
 }
 

@@ -47,7 +47,6 @@ public:
 
     [[nodiscard]] double remaining(std::size_t point) const;
     [[nodiscard]] const Blank& blank() const { return m_blank; }
-    [[nodiscard]] int radii() const { return m_radii; }
 
     /// Largest √a since the last call [√mm]: whether the cycle still makes progress.
     double takeLargestRoot();

@@ -11,8 +11,11 @@ constexpr double slack_mm = 1e-9; ///< added to every threshold, so that a last 
 
 StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
                            double totalInfeed_mm)
-    : m_feeds(std::move(feeds_mm)), m_laterStock(m_feeds.size()), m_steps(m_feeds.size()),
-      m_control(project.gauge.control), m_totalInfeed(totalInfeed_mm) {
+    : m_feeds(std::move(feeds_mm))
+    , m_laterStock(m_feeds.size())
+    , m_steps(m_feeds.size())
+    , m_control(project.gauge.control)
+    , m_totalInfeed(totalInfeed_mm) {
     for (const Stage& stage : project.cycle.stages) {
         m_sparkOut.push_back(stage.spark_out);
     }
@@ -23,7 +26,9 @@ StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
     }
 }
 
-double StageControl::stageEndInfeed() const { return m_totalInfeed - m_laterStock[m_stage]; }
+double StageControl::stageEndInfeed() const {
+    return m_totalInfeed - m_laterStock[m_stage];
+}
 
 double StageControl::nextInfeed(double fed_mm) const {
     if (m_sparkOut[m_stage].mode != SparkOut::Mode::none) {

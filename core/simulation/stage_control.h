@@ -17,8 +17,8 @@ public:
     [[nodiscard]] bool finished() const { return m_stage == m_feeds.size(); }
     /// The running stage, counted from 0.
     [[nodiscard]] std::size_t stage() const { return m_stage; }
-    /// Infeed of the next step [mm] when `fed_mm` has been fed: none in a spark-out stage, cut short
-    /// at the stage's end under position control.
+    /// Infeed of the next step [mm] when `fed_mm` has been fed: none in a spark-out stage, cut
+    /// short at the stage's end under position control.
     [[nodiscard]] double nextInfeed(double fed_mm) const;
     /// Whether the running stage waits for size without feeding, so that it may wait for ever.
     [[nodiscard]] bool waitsForSize() const;

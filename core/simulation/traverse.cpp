@@ -31,13 +31,15 @@ std::vector<double> infeeds(const Project& project) {
 class TraverseCycle {
 public:
     TraverseCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
-        : m_project(project), m_run(project, compliantPoints(project), trajectory, stop),
-          m_control(project, infeeds(project), m_run.blank().totalInfeed_mm),
-          m_plunge1(m_run.makeCut(zoneLengths(project).rz1)),
-          m_plunge2(m_run.makeCut(zoneLengths(project).rz2)), m_stroke(m_run.makeCut(0)),
-          m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm())),
-          m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm())),
-          m_travel_mm(project.part.length_mm - project.wheel.width_mm
+        : m_project(project)
+        , m_run(project, compliantPoints(project), trajectory, stop)
+        , m_control(project, infeeds(project), m_run.blank().totalInfeed_mm)
+        , m_plunge1(m_run.makeCut(zoneLengths(project).rz1))
+        , m_plunge2(m_run.makeCut(zoneLengths(project).rz2))
+        , m_stroke(m_run.makeCut(0))
+        , m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm()))
+        , m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm()))
+        , m_travel_mm(project.part.length_mm - project.wheel.width_mm
                       + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {}
 
     SimulationResult run() {
@@ -75,8 +77,11 @@ private:
     }
 
     Place place(Zone zone, Step step, int revolution = 1) const {
-        return {.zone = zone, .step = step, .section = static_cast<int>(zone),
-                .stage = static_cast<int>(m_control.stage()) + 1, .cycleCount = m_strokes,
+        return {.zone = zone,
+                .step = step,
+                .section = static_cast<int>(zone),
+                .stage = static_cast<int>(m_control.stage()) + 1,
+                .cycleCount = m_strokes,
                 .revolution = revolution};
     }
 
@@ -120,9 +125,9 @@ private:
         const double duration = m_travel_mm / m_axialFeed * units::secondsPerMinute;
         const std::array places{place(Zone::rz1, steps[0]), place(Zone::nz, steps[1]),
                                 place(Zone::rz2, steps[2])};
-        m_run.cut(0, zoneCount, m_stroke, {.base = m_run.fed_mm}, places.data(),
-                  {.duration_s = duration, .axialFeed_mm_min = m_axialFeed,
-                   .radialFeed_mm = m_infeed});
+        m_run.cut(
+            0, zoneCount, m_stroke, {.base = m_run.fed_mm}, places.data(),
+            {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = m_infeed});
         m_run.advance(duration, m_control.stage());
     }
 

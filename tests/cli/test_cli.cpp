@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <clocale>
 #include <map>
 #include <random>
 
@@ -78,6 +79,7 @@ class TestCli : public QObject {
 
 private slots:
     void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
         QVERIFY(m_folder.isValid());
         json slow = samples::sample("smallest-plunge");
         slow["cycle"]["stages"] = {{{"radial_feed_mm_min", 0.5}, {"stock_mm", 0.01}},

@@ -21,24 +21,21 @@ namespace {
 constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr double E = 2.1e5;
 
-double I(double d)
-{
+double I(double d) {
     return std::numbers::pi * std::pow(d, 4) / 64;
 }
 
-bool close(double a, double b, double relative)
-{
+bool close(double a, double b, double relative) {
     return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
 }
 
-ShaftModel uniform(double L, double d, Mounting mounting, double jh, double jt, double jw)
-{
+ShaftModel uniform(double L, double d, Mounting mounting, double jh, double jt, double jw) {
     return {{{L, d}}, E, mounting, jh, jt, jw, {}};
 }
 
 // pick(lo, hi) gives an integer lo <= i < hi
-template <class Pick> ShaftModel anyShaft(Pick pick)
-{
+template <class Pick>
+ShaftModel anyShaft(Pick pick) {
     ShaftModel model{{}, E, pick(0, 2) == 0 ? Mounting::centres : Mounting::chuck, 0, 0, 0, {}};
     double L = 0;
     for (int n = pick(1, 7); n > 0; --n) {
@@ -54,34 +51,36 @@ template <class Pick> ShaftModel anyShaft(Pick pick)
 
 const auto fromRapidcheck = [](int lo, int hi) { return *rc::gen::inRange(lo, hi); };
 
-ShaftModel shaftOfSeed(unsigned seed)
-{
+ShaftModel shaftOfSeed(unsigned seed) {
     std::mt19937 engine(seed);
     return anyShaft([&](int lo, int hi) { return lo + int(engine() % unsigned(hi - lo)); });
 }
 
-// The independent second way: Euler-Bernoulli finite elements (exact at the nodes) of the shaft on its springs.
-// Answers G(x_i,x_j) for all nodes; degrees of freedom are deflection and slope of each node.
-Eigen::MatrixXd finiteElements(const ShaftModel& model, const std::vector<double>& nodes)
-{
+// The independent second way: Euler-Bernoulli finite elements (exact at the nodes) of the shaft on
+// its springs. Answers G(x_i,x_j) for all nodes; degrees of freedom are deflection and slope of
+// each node.
+Eigen::MatrixXd finiteElements(const ShaftModel& model, const std::vector<double>& nodes) {
     const auto n = Eigen::Index(nodes.size());
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     for (Eigen::Index i = 0; i + 1 < n; ++i) {
         const double l = nodes[std::size_t(i) + 1] - nodes[std::size_t(i)];
         const double middle = nodes[std::size_t(i)] + l / 2;
         double end = 0;
-        const auto segment = std::find_if(model.segments.begin(), model.segments.end(),
-                                          [&](const BeamSegment& s) { return (end += s.length_mm) > middle; });
+        const auto segment =
+            std::find_if(model.segments.begin(), model.segments.end(),
+                         [&](const BeamSegment& s) { return (end += s.length_mm) > middle; });
         Eigen::Matrix4d k;
-        k << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l,
-            -6 * l, 4 * l * l;
-        K.block<4, 4>(2 * i, 2 * i) += model.youngsModulus_n_mm2 * I(segment->diameter_mm) / (l * l * l) * k;
+        k << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l,
+            6 * l, 2 * l * l, -6 * l, 4 * l * l;
+        K.block<4, 4>(2 * i, 2 * i) +=
+            model.youngsModulus_n_mm2 * I(segment->diameter_mm) / (l * l * l) * k;
     }
     K(0, 0) += model.headstock_n_mm;
     if (model.mounting == Mounting::centres)
         K(2 * n - 2, 2 * n - 2) += model.tailstock_n_mm;
     for (const SupportSpring& rest : model.rests) {
-        const auto node = 2 * (std::find(nodes.begin(), nodes.end(), rest.position_mm) - nodes.begin());
+        const auto node =
+            2 * (std::find(nodes.begin(), nodes.end(), rest.position_mm) - nodes.begin());
         K(node, node) += rest.stiffness_n_mm;
     }
     if (model.mounting == Mounting::chuck) { // no slope at the chuck face
@@ -103,14 +102,10 @@ class TestCompliance : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        setRapidcheckRuns(10000);
-    }
+    void initTestCase() { setRapidcheckRuns(10000); }
 
     // shared/vectors: shaft on centres
-    void shaftOnCentresGivesThePublishedNumbers_data()
-    {
+    void shaftOnCentresGivesThePublishedNumbers_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("gamma");
         QTest::newRow("headstock") << 0.0 << 1.00000e-5;
@@ -119,8 +114,7 @@ private slots:
         QTest::newRow("last quarter") << 150.0 << 2.31029e-5;
         QTest::newRow("tailstock") << 200.0 << 2.00000e-5;
     }
-    void shaftOnCentresGivesThePublishedNumbers()
-    {
+    void shaftOnCentresGivesThePublishedNumbers() {
         QFETCH(double, x);
         QFETCH(double, gamma);
         const Compliance shaft(uniform(200, 30, Mounting::centres, 1e5, 0.5e5, rigid));
@@ -128,8 +122,7 @@ private slots:
     }
 
     // shared/vectors: the springs alone have their minimum 0.66667e-5 at 66.667 mm
-    void springsAloneAreStiffestNearTheStiffCentre()
-    {
+    void springsAloneAreStiffestNearTheStiffCentre() {
         ShaftModel model = uniform(200, 30, Mounting::centres, 1e5, 0.5e5, rigid);
         model.youngsModulus_n_mm2 = rigid;
         const Compliance springs(model);
@@ -138,8 +131,7 @@ private slots:
         QVERIFY(springs.at(67.3) > springs.at(200.0 / 3));
     }
 
-    void uniformShaftEqualsTheClosedForm_data()
-    {
+    void uniformShaftEqualsTheClosedForm_data() {
         QTest::addColumn<bool>("centres");
         QTest::addColumn<double>("jh");
         QTest::addColumn<double>("jt");
@@ -159,27 +151,28 @@ private slots:
         const double L = 310;
         const double d = 34;
         const double EI = E * I(d);
-        const Compliance shaft(uniform(L, d, centres ? Mounting::centres : Mounting::chuck, jh, jt, jw));
+        const Compliance shaft(
+            uniform(L, d, centres ? Mounting::centres : Mounting::chuck, jh, jt, jw));
         for (double x = 0; x <= L; x += 15.5) {
             for (double s = x; s <= L; s += 15.5) {
-                const double beam = x * (L - s) * (L * L - x * x - (L - s) * (L - s)) / (6 * EI * L);
-                const double expected =
-                    centres ? 1 / jw + (1 - x / L) * (1 - s / L) / jh + (x / L) * (s / L) / jt + beam
-                            : 1 / jw + 1 / jh + x * x * (3 * s - x) / (6 * EI);
-                QVERIFY2(close(shaft.between(x, s), expected, 1e-9), qPrintable(QString("x %1, s %2").arg(x).arg(s)));
+                const double beam =
+                    x * (L - s) * (L * L - x * x - (L - s) * (L - s)) / (6 * EI * L);
+                const double expected = centres ? 1 / jw + (1 - x / L) * (1 - s / L) / jh
+                                                      + (x / L) * (s / L) / jt + beam
+                                                : 1 / jw + 1 / jh + x * x * (3 * s - x) / (6 * EI);
+                QVERIFY2(close(shaft.between(x, s), expected, 1e-9),
+                         qPrintable(QString("x %1, s %2").arg(x).arg(s)));
             }
         }
     }
 
-    void rigidCentresLeaveTheBendingAtMidSpan()
-    {
+    void rigidCentresLeaveTheBendingAtMidSpan() {
         const Compliance shaft(uniform(250, 40, Mounting::centres, rigid, rigid, 5e4));
         QVERIFY(close(shaft.at(125), 1 / 5e4 + 250.0 * 250 * 250 / (48 * E * I(40)), 1e-12));
         QCOMPARE(shaft.at(0), 1 / 5e4);
     }
 
-    void chuckedShaftIgnoresTheTailstock()
-    {
+    void chuckedShaftIgnoresTheTailstock() {
         const Compliance soft(uniform(120, 25, Mounting::chuck, 6e4, 1, 5e4));
         const Compliance none(uniform(120, 25, Mounting::chuck, 6e4, 0, 5e4));
         QCOMPARE(soft.between(40, 100), none.between(40, 100));
@@ -187,8 +180,7 @@ private slots:
         QCOMPARE(soft.at(0), 1 / 5e4 + 1 / 6e4);
     }
 
-    void uniformShaftInManyPiecesIsOneShaft()
-    {
+    void uniformShaftInManyPiecesIsOneShaft() {
         for (const Mounting mounting : {Mounting::centres, Mounting::chuck}) {
             ShaftModel pieces = uniform(200, 30, mounting, 6e4, 4e4, 5e4);
             pieces.rests = {{70, 3e4}, {130, 8e4}};
@@ -203,29 +195,36 @@ private slots:
         }
     }
 
-    // Tip of a cantilever with d1 up to the step and d2 over the last a: (L^3 - a^3)/(3 E I1) + a^3/(3 E I2)
-    void cantileverOfTwoDiametersEqualsTheClosedForm()
-    {
+    // Tip of a cantilever with d1 up to the step and d2 over the last a: (L^3 - a^3)/(3 E I1) +
+    // a^3/(3 E I2)
+    void cantileverOfTwoDiametersEqualsTheClosedForm() {
         const double a = 45;
         const double L = 125;
-        const Compliance shaft({{{L - a, 40}, {a, 22}}, E, Mounting::chuck, rigid, rigid, rigid, {}});
-        QVERIFY(close(shaft.at(L), (L * L * L - a * a * a) / (3 * E * I(40)) + a * a * a / (3 * E * I(22)), 1e-12));
+        const Compliance shaft(
+            {{{L - a, 40}, {a, 22}}, E, Mounting::chuck, rigid, rigid, rigid, {}});
+        QVERIFY(close(shaft.at(L),
+                      (L * L * L - a * a * a) / (3 * E * I(40)) + a * a * a / (3 * E * I(22)),
+                      1e-12));
     }
 
     // Force at the step of a shaft on two rigid centres: a^2 b^2/(3 E L^2) (a/I1 + b/I2)
-    void steppedShaftOnCentresEqualsTheClosedForm()
-    {
+    void steppedShaftOnCentresEqualsTheClosedForm() {
         const double a = 60;
         const double b = 92;
         const double L = a + b;
         const Compliance shaft({{{a, 28}, {b, 36}}, E, Mounting::centres, rigid, rigid, rigid, {}});
-        QVERIFY(close(shaft.at(a), a * a * b * b / (3 * E * L * L) * (a / I(28) + b / I(36)), 1e-12));
+        QVERIFY(
+            close(shaft.at(a), a * a * b * b / (3 * E * L * L) * (a / I(28) + b / I(36)), 1e-12));
     }
 
-    void equalCentresAreSymmetricAboutTheMiddle()
-    {
-        const Compliance shaft(
-            {{{40, 20}, {70, 35}, {70, 35}, {40, 20}}, E, Mounting::centres, 6e4, 6e4, 5e4, {{60, 2e4}, {160, 2e4}}});
+    void equalCentresAreSymmetricAboutTheMiddle() {
+        const Compliance shaft({{{40, 20}, {70, 35}, {70, 35}, {40, 20}},
+                                E,
+                                Mounting::centres,
+                                6e4,
+                                6e4,
+                                5e4,
+                                {{60, 2e4}, {160, 2e4}}});
         for (double x = 0; x <= 110; x += 5) {
             QVERIFY(close(shaft.at(x), shaft.at(220 - x), 1e-12));
             QVERIFY(close(shaft.between(x, 150), shaft.between(220 - x, 70), 1e-12));
@@ -233,8 +232,7 @@ private slots:
         }
     }
 
-    void influenceIsSymmetricToTheLastBit()
-    {
+    void influenceIsSymmetricToTheLastBit() {
         QVERIFY(rc::check("G(x,s) = G(s,x)", [] {
             const Compliance shaft(anyShaft(fromRapidcheck));
             const double x = shaft.length() * fromRapidcheck(0, 1001) / 1000;
@@ -244,41 +242,44 @@ private slots:
         }));
     }
 
-    void influenceMatrixIsPositiveDefinite()
-    {
+    void influenceMatrixIsPositiveDefinite() {
         QVERIFY(rc::check("the matrix G(x_i,x_j) has a Cholesky factor", [] {
             const Compliance shaft(anyShaft(fromRapidcheck));
             Eigen::Matrix4d G;
             for (int i = 0; i < 4; ++i)
                 for (int j = 0; j < 4; ++j)
-                    G(i, j) = shaft.between(shaft.length() * (i + 0.5) / 4, shaft.length() * (j + 0.5) / 4);
+                    G(i, j) = shaft.between(shaft.length() * (i + 0.5) / 4,
+                                            shaft.length() * (j + 0.5) / 4);
             RC_ASSERT(G.llt().info() == Eigen::Success);
         }));
     }
 
-    void aRestNeverMakesTheShaftSofter()
-    {
-        QVERIFY(rc::check("gamma(x) with one more rest is not larger, and never below the wheel head's", [] {
-            ShaftModel model = anyShaft(fromRapidcheck);
-            const Compliance before(model);
-            const double x = before.length() * fromRapidcheck(0, 1001) / 1000;
-            const double p = before.length() * fromRapidcheck(0, 1001) / 1000;
-            model.rests.push_back({p, double(fromRapidcheck(0, 1000000))});
-            const Compliance after(model);
-            const double rounding = 1e-12 * Compliance([&] { model.rests.clear(); return model; }()).at(x);
-            RC_ASSERT(after.at(x) <= before.at(x) + rounding);
-            RC_ASSERT(after.at(x) >= 1 / model.wheelHead_n_mm - rounding);
-        }));
+    void aRestNeverMakesTheShaftSofter() {
+        QVERIFY(rc::check(
+            "gamma(x) with one more rest is not larger, and never below the wheel head's", [] {
+                ShaftModel model = anyShaft(fromRapidcheck);
+                const Compliance before(model);
+                const double x = before.length() * fromRapidcheck(0, 1001) / 1000;
+                const double p = before.length() * fromRapidcheck(0, 1001) / 1000;
+                model.rests.push_back({p, double(fromRapidcheck(0, 1000000))});
+                const Compliance after(model);
+                const double rounding = 1e-12
+                                        * Compliance([&] {
+                                              model.rests.clear();
+                                              return model;
+                                          }())
+                                              .at(x);
+                RC_ASSERT(after.at(x) <= before.at(x) + rounding);
+                RC_ASSERT(after.at(x) >= 1 / model.wheelHead_n_mm - rounding);
+            }));
     }
 
-    void finiteElementsOfTheShaftSayTheSame_data()
-    {
+    void finiteElementsOfTheShaftSayTheSame_data() {
         QTest::addColumn<unsigned>("seed");
         for (unsigned seed = 1; seed <= 60; ++seed)
             QTest::addRow("shaft %u", seed) << seed;
     }
-    void finiteElementsOfTheShaftSayTheSame()
-    {
+    void finiteElementsOfTheShaftSayTheSame() {
         QFETCH(unsigned, seed);
         const ShaftModel model = shaftOfSeed(seed);
         const Compliance shaft(model);
@@ -294,24 +295,24 @@ private slots:
         const Eigen::MatrixXd expected = finiteElements(model, nodes);
         for (std::size_t i = 0; i < nodes.size(); ++i)
             for (std::size_t j = 0; j < nodes.size(); ++j)
-                QVERIFY(std::abs(shaft.between(nodes[i], nodes[j]) - expected(Eigen::Index(i), Eigen::Index(j)))
+                QVERIFY(std::abs(shaft.between(nodes[i], nodes[j])
+                                 - expected(Eigen::Index(i), Eigen::Index(j)))
                         <= 1e-8 * expected.maxCoeff());
     }
 
-    void meanEqualsDenseQuadrature_data()
-    {
+    void meanEqualsDenseQuadrature_data() {
         QTest::addColumn<unsigned>("seed");
         for (unsigned seed = 1; seed <= 20; ++seed)
             QTest::addRow("shaft %u", seed) << seed;
     }
-    void meanEqualsDenseQuadrature()
-    {
+    void meanEqualsDenseQuadrature() {
         QFETCH(unsigned, seed);
         const Compliance shaft(shaftOfSeed(seed));
         const double L = shaft.length();
         const int n = 4000;
         using Interval = std::pair<double, double>;
-        for (const auto& [from, to] : {Interval{0, L}, Interval{0.21 * L, 0.67 * L}, Interval{0.5 * L, 0.52 * L}}) {
+        for (const auto& [from, to] :
+             {Interval{0, L}, Interval{0.21 * L, 0.67 * L}, Interval{0.5 * L, 0.52 * L}}) {
             for (const double x : {0.0, 0.13 * L, 0.515 * L, 0.9 * L, L}) {
                 double sum = 0; // midpoint rule
                 for (int i = 0; i < n; ++i)
@@ -321,10 +322,9 @@ private slots:
         }
     }
 
-    // Even load 1/L over the whole shaft bends it by x (L^3 - 2 L x^2 + x^3)/(24 E I L) on centres and by
-    // x^2 (6 L^2 - 4 L x + x^2)/(24 E I L) in a chuck
-    void meanOverTheWholeShaftEqualsTheEvenlyLoadedBeam()
-    {
+    // Even load 1/L over the whole shaft bends it by x (L^3 - 2 L x^2 + x^3)/(24 E I L) on centres
+    // and by x^2 (6 L^2 - 4 L x + x^2)/(24 E I L) in a chuck
+    void meanOverTheWholeShaftEqualsTheEvenlyLoadedBeam() {
         const double L = 180;
         const double EI = E * I(26);
         const Compliance centres(uniform(L, 26, Mounting::centres, 6e4, 4e4, 5e4));
@@ -333,22 +333,24 @@ private slots:
             const double u = x / L;
             const double springs = 1 / 5e4 + (1 - u) / 2 / 6e4 + u / 2 / 4e4;
             QVERIFY(close(centres.mean(x, 0, L),
-                          springs + x * (L * L * L - 2 * L * x * x + x * x * x) / (24 * EI * L), 1e-12));
-            QVERIFY(close(chuck.mean(x, 0, L),
-                          1 / 5e4 + 1 / 6e4 + x * x * (6 * L * L - 4 * L * x + x * x) / (24 * EI * L), 1e-12));
+                          springs + x * (L * L * L - 2 * L * x * x + x * x * x) / (24 * EI * L),
+                          1e-12));
+            QVERIFY(
+                close(chuck.mean(x, 0, L),
+                      1 / 5e4 + 1 / 6e4 + x * x * (6 * L * L - 4 * L * x + x * x) / (24 * EI * L),
+                      1e-12));
         }
     }
 
-    void meanOverNoLengthIsTheInfluenceAtThatPoint()
-    {
+    void meanOverNoLengthIsTheInfluenceAtThatPoint() {
         const Compliance shaft(shaftOfSeed(3));
         const double L = shaft.length();
         QCOMPARE(shaft.mean(0.3 * L, 0.6 * L, 0.6 * L), shaft.between(0.3 * L, 0.6 * L));
-        QVERIFY(close(shaft.mean(0.3 * L, 0.6 * L, 0.6 * L + 1e-6), shaft.between(0.3 * L, 0.6 * L), 1e-7));
+        QVERIFY(close(shaft.mean(0.3 * L, 0.6 * L, 0.6 * L + 1e-6), shaft.between(0.3 * L, 0.6 * L),
+                      1e-7));
     }
 
-    void stiffRestHoldsItsPoint()
-    {
+    void stiffRestHoldsItsPoint() {
         ShaftModel model = uniform(300, 20, Mounting::centres, 6e4, 4e4, 5e4);
         const double free = Compliance(model).at(110) - 1 / 5e4;
         for (const double k : {1e4, 1e6, 1e8, 1e10}) {
@@ -365,21 +367,18 @@ private slots:
     }
 
     // A cantilever propped rigidly at its tip, force in the middle: 7 L^3/(768 E I)
-    void proppedCantileverEqualsTheClosedForm()
-    {
+    void proppedCantileverEqualsTheClosedForm() {
         ShaftModel model = uniform(160, 24, Mounting::chuck, rigid, rigid, rigid);
         model.rests = {{160, rigid}};
         QVERIFY(close(Compliance(model).at(80), 7 * 160.0 * 160 * 160 / (768 * E * I(24)), 1e-12));
     }
 
-    void softRestChangesNothing_data()
-    {
+    void softRestChangesNothing_data() {
         QTest::addColumn<double>("k");
         QTest::newRow("no stiffness") << 0.0;
         QTest::newRow("hardly any") << 1e-9;
     }
-    void softRestChangesNothing()
-    {
+    void softRestChangesNothing() {
         QFETCH(double, k);
         ShaftModel model = uniform(300, 20, Mounting::centres, 6e4, 4e4, 5e4);
         const Compliance without(model);
@@ -391,8 +390,7 @@ private slots:
         }
     }
 
-    void rigidRestAtARigidCentreAddsNothing()
-    {
+    void rigidRestAtARigidCentreAddsNothing() {
         ShaftModel model = uniform(300, 20, Mounting::centres, rigid, rigid, 5e4);
         const Compliance without(model);
         model.rests = {{0, rigid}, {300, 1e5}};
@@ -401,8 +399,7 @@ private slots:
             QVERIFY(close(with.at(x), without.at(x), 1e-12));
     }
 
-    void orderOfTheRestsDoesNotMatter()
-    {
+    void orderOfTheRestsDoesNotMatter() {
         ShaftModel model = uniform(300, 20, Mounting::centres, 6e4, 4e4, 5e4);
         model.rests = {{70, 3e4}, {150, 9e4}, {220, 1e5}};
         const Compliance forward(model);
@@ -412,8 +409,7 @@ private slots:
             QVERIFY(close(forward.between(x, 111), backward.between(x, 111), 1e-11));
     }
 
-    void roundingOfASumOfLengthsStaysOnTheShaft()
-    {
+    void roundingOfASumOfLengthsStaysOnTheShaft() {
         const Compliance shaft({{{0.1, 20}, {0.2, 20}}, E, Mounting::centres, 6e4, 4e4, 5e4, {}});
         QVERIFY(shaft.length() > 0.3); // by one bit
         QCOMPARE(shaft.at(shaft.length() * (1 + 1e-12)), shaft.at(shaft.length()));
@@ -421,28 +417,28 @@ private slots:
         QCOMPARE(shaft.mean(0.1, 0, 0.3), shaft.mean(0.1, 0, shaft.length()));
     }
 
-    void partsAddUpToTheCompliance()
-    {
+    void partsAddUpToTheCompliance() {
         QVERIFY(rc::check("the sum of the parts is gamma(x)", [] {
             const Compliance shaft(anyShaft(fromRapidcheck));
             const double x = shaft.length() * fromRapidcheck(0, 1001) / 1000;
             const ComplianceParts p = shaft.partsAt(x);
-            RC_ASSERT(close(p.wheelHead + p.headstock + p.tailstock + p.bending + p.rests, shaft.at(x), 1e-9));
+            RC_ASSERT(close(p.wheelHead + p.headstock + p.tailstock + p.bending + p.rests,
+                            shaft.at(x), 1e-9));
             RC_ASSERT(p.headstock >= 0 && p.tailstock >= 0 && p.bending >= 0 && p.rests <= 0);
         }));
     }
 
     // One term at a time: 80^3/(3 * 2.1e5 * pi 25^4/64) = 4.238376e-5
-    void quillAddsItsBendingToTheHeads()
-    {
+    void quillAddsItsBendingToTheHeads() {
         QVERIFY(std::abs(quillCompliance(80, 25, E, rigid, rigid) - 4.238376e-5) < 1e-11);
-        QVERIFY(close(quillCompliance(160, 25, E, rigid, rigid), 8 * quillCompliance(80, 25, E, rigid, rigid), 1e-12));
-        QVERIFY(close(quillCompliance(80, 50, E, rigid, rigid), quillCompliance(80, 25, E, rigid, rigid) / 16, 1e-12));
+        QVERIFY(close(quillCompliance(160, 25, E, rigid, rigid),
+                      8 * quillCompliance(80, 25, E, rigid, rigid), 1e-12));
+        QVERIFY(close(quillCompliance(80, 50, E, rigid, rigid),
+                      quillCompliance(80, 25, E, rigid, rigid) / 16, 1e-12));
         QCOMPARE(quillCompliance(80, 25, rigid, 5e4, 6e4), 1 / 5e4 + 1 / 6e4);
     }
 
-    void quillBendsLikeAChuckedShaftAtItsEnd()
-    {
+    void quillBendsLikeAChuckedShaftAtItsEnd() {
         const Compliance cantilever(uniform(80, 25, Mounting::chuck, 6e4, rigid, 5e4));
         QVERIFY(close(quillCompliance(80, 25, E, 5e4, 6e4), cantilever.at(80), 1e-12));
     }

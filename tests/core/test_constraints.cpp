@@ -150,6 +150,24 @@ private slots:
         QCOMPARE(worstByKind(all).size(), std::size_t(2));
     }
 
+    // A verdict must not seem to cover what nobody looked at.
+    void requirementsThatAreNotEvaluatedAreNamed() {
+        Project p = fixtures::traverse();
+        p.part.tolerance = {};
+        p.material.burn_rise_k.reset();
+        p.machine.wheel_drive_kw.reset();
+        p.machine.limits = {};
+        QVERIFY(uncheckedRequirements(p).empty());
+        p.part.tolerance.radial_runout_um = 5; // evaluated
+        QVERIFY(uncheckedRequirements(p).empty());
+        p.part.tolerance.roundness_um = 4;
+        p.machine.limits.radial_feed_mm = std::vector<double>{0.0005, 0.02, 0.0005};
+        const auto named = uncheckedRequirements(p);
+        QCOMPARE(named.size(), std::size_t(2));
+        QCOMPARE(std::string(named[0]->key), "roundness_um");
+        QCOMPARE(std::string(named[1]->key), "radial_feed_mm");
+    }
+
     void zoneAndSectionSayWhere() {
         Project p = fixtures::traverse();
         const auto all = evaluateConstraints(simulate(p));

@@ -64,7 +64,9 @@ std::string verdictOf(const SimulationResult& result) {
            + "; time: " + QString::number(result.time_s / 60, 'f', 3).toStdString() + " min";
 }
 
-std::string lastLine(const std::string& text) { return text.substr(text.rfind('\n') + 1); }
+std::string lastLine(const std::string& text) {
+    return text.substr(text.rfind('\n') + 1);
+}
 
 bool holdsDrawing(const SimulationResult& result) {
     const auto constraints = evaluateConstraints(result);
@@ -122,10 +124,9 @@ private slots:
     }
 
     void theExamplesArePresent() {
-        for (const char* name :
-             {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
-              "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft", "spark-out-until-size",
-              "wheel-dull", "wheel-sharp"}) {
+        for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
+                                 "shaft-30h6-optimal", "shaft-38-74h6", "slender-shaft",
+                                 "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
             QVERIFY2(m_results.contains(name), name);
         }
     }

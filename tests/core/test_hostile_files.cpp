@@ -115,7 +115,10 @@ private slots:
         const bool judged = !std::getenv("SPARKOUT_QUICK"); // the sanitizers need memory themselves
         const bool small = peak < 512 && m_slowest_ms < 2000;
         qInfo("CHECK 07 rows %zu (>= 150), slowest %lld ms (< 2000), peak %.0f MB (< 512) %s",
-              m_texts.size(), m_slowest_ms, peak, !judged ? "NOT JUDGED" : small ? "PASS" : "FAIL");
+              m_texts.size(), m_slowest_ms, peak,
+              !judged ? "NOT JUDGED"
+              : small ? "PASS"
+                      : "FAIL");
         QVERIFY(!judged || small);
     }
 

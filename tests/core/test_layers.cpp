@@ -103,10 +103,10 @@ private slots:
             QStringLiteral("\\b(strtod|stod|atof|sscanf)\\b|printf\\([^;]*%[0-9.*]*[efgEFG]"));
         QStringList wrong;
         for (const char* folder : {"app", "core"}) {
-            QDirIterator files(QDir(QStringLiteral(SPARKOUT_SOURCE_DIR))
-                                   .filePath(QString::fromLatin1(folder)),
-                               {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                               QDirIterator::Subdirectories);
+            QDirIterator files(
+                QDir(QStringLiteral(SPARKOUT_SOURCE_DIR)).filePath(QString::fromLatin1(folder)),
+                {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                QDirIterator::Subdirectories);
             while (files.hasNext()) {
                 QFile file(files.next());
                 QVERIFY(file.open(QIODevice::ReadOnly));

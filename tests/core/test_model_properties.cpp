@@ -5,8 +5,8 @@
 
 #include "core/process/force.h"
 #include "core/process/system_compliance.h"
-#include "tests/core/rapidcheck_runs.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/core/rapidcheck_runs.h"
 
 #include <QTest>
 #include <rapidcheck.h>
@@ -191,9 +191,7 @@ class TestModelProperties : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        setRapidcheckRuns(10000);
-    }
+    void initTestCase() { setRapidcheckRuns(10000); }
 
     // --- the elastic balance ---------------------------------------------------------------------
 

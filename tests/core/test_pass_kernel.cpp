@@ -260,6 +260,32 @@ private slots:
         }
     }
 
+    // The corner of the allowed inputs where the multiplied form would lose 1e-10 mm: k_r/k_s =
+    // 1e8.
+    void veryDullWheelOnVerySlowWorkStillBalances() {
+        const double bks = 1e-3, bkr = 1e5;
+        for (const double gamma : {1e-7, 1e-5, 1e-3, 0.1}) {
+            Lanes lanes(8);
+            LaneCoefficients coefficients(8);
+            for (std::size_t i = 0; i < 8; ++i) {
+                coefficients.set(i, gamma, bks, bkr);
+                lanes.share[i] = double(i + 1) / 8;
+            }
+            for (int m = 0; m < 200; ++m) {
+                const Lanes before = lanes;
+                const PassFeed feed{0.005 * m, 0, 0.005, 0.005};
+                widestPassFunction()(lanes, coefficients, feed, {0, 8, bks, bkr});
+                for (std::size_t i = 0; i < 8; ++i) {
+                    const long double u = lanes.root[i];
+                    const long double h = feed.base + 0.005 * lanes.share[i] - before.depth_mm[i];
+                    const long double residual = u * u + gamma * (bks * u * u + bkr * u) - h;
+                    QVERIFY2(std::abs(residual) < 1e-12L,
+                             qPrintable(QString::number(double(residual))));
+                }
+            }
+        }
+    }
+
 private:
     static void everyUnit() {
         QTest::addColumn<VectorUnit>("unit");

@@ -337,9 +337,7 @@ class TestProjectFile : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        setRapidcheckRuns(1000);
-    }
+    void initTestCase() { setRapidcheckRuns(1000); }
 
     // --- round trip (reliability check 4) -------------------------------------------------------
 

@@ -151,7 +151,7 @@ private slots:
                                << ""
                                << "plunge, gauge at a section";
         QTest::newRow("centres") << "/machine/stiffness_n_um/tailstock"
-                                 << ""
+                                 << "external, between centres"
                                  << "external, between centres";
     }
     void conditionsAreWorded() {

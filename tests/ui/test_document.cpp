@@ -145,6 +145,41 @@ private slots:
         QVERIFY(document.filePath().isEmpty());
     }
 
+    // A rule between values is broken half-way through many an edit; saving then must lose nothing.
+    void unfinishedWorkIsSavedAndOpenedAgainWithItsFaults() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("unfinished.sparkout"));
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        Project odd = document.project();
+        odd.part.radii_per_section = 35;
+        odd.part.lower_deviation_um = odd.part.upper_deviation_um + 1;
+        odd.part.profile = ProfileForm::measured; // chosen, not read yet
+        document.edit(odd, editText);
+        QVERIFY(!document.saveAs(path));
+        Document again;
+        const OpenResult result = again.open(path);
+        QVERIFY(result.opened());
+        QVERIFY(hasErrors(result.issues));
+        QVERIFY(sameProject(again.project(), odd));
+    }
+
+    // What the forms never let in must not come in by a file either.
+    void aValueOutOfItsRangeIsNotOpened() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("dull.sparkout"));
+        Project dull = newProject(Operation::traverse);
+        dull.wheel.dullness = 1.5;
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(writeProject(dull)));
+        file.close();
+        Document document;
+        QVERIFY(!document.open(path).opened());
+        document.startUntitled(dull);
+        QVERIFY2(document.saveAs(path).has_value(), "what cannot be opened is not written");
+    }
+
     void aFileThatIsNotThereIsAnError() {
         Document document;
         const OpenResult result = document.open(QStringLiteral("/nowhere/at/all.sparkout"));

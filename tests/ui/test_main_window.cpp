@@ -128,6 +128,7 @@ QString englishIn(QString text) {
         QStringLiteral("QCustomPlot"), QStringLiteral("GNU"),      QStringLiteral("General"),
         QStringLiteral("Public"),      QStringLiteral("License"),  QStringLiteral("Debian"),
         QStringLiteral("Linux"),       QStringLiteral("bookworm"), QStringLiteral("JSON"),
+        QStringLiteral("CSV"),
     };
     text.replace(tags, QStringLiteral(" ")).remove(u'&');
     QStringList found;

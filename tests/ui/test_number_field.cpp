@@ -97,6 +97,30 @@ private slots:
         QCOMPARE(field.value().value(), -0.125);
     }
 
+    void theBeginningOfARefusedNumberIsNeverKept() {
+        NumberField field(spec());
+        field.reset(0.004);
+        typeOver(field, QStringLiteral("0.9"));
+        QCOMPARE(field.value().value(), 0.9);
+        QTest::keyClicks(&field, QStringLiteral("x"));
+        QVERIFY(field.refused());
+        QCOMPARE(field.value().value(), 0.004);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.value().value(), 0.004);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QVERIFY(!field.refused());
+        QCOMPARE(field.text(), showNumber(0.004, QLocale()));
+    }
+
+    void escapeGoesBackToTheValueBeforeTheEdit() {
+        NumberField field(spec());
+        field.reset(-16);
+        typeOver(field, QStringLiteral("-2"));
+        QCOMPARE(field.value().value(), -2.0);
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(field.value().value(), -16.0);
+    }
+
     void garbageStaysVisibleAndNeverChangesTheValue_data() {
         QTest::addColumn<QString>("text");
         for (const char* text :

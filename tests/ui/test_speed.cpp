@@ -60,8 +60,9 @@ private slots:
             times_ms.push_back(double(clock.nsecsElapsed()) * 1e-6);
         }
         std::sort(times_ms.begin(), times_ms.end());
-        qInfo("SPEED key to curves of the 30h6 example: median %.1f ms, worst %.1f ms, target %g ms",
-              times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
+        qInfo(
+            "SPEED key to curves of the 30h6 example: median %.1f ms, worst %.1f ms, target %g ms",
+            times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
         QVERIFY(times_ms[times_ms.size() / 2] <= 4 * target_ms);
     }
 };

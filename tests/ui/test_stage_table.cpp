@@ -73,13 +73,51 @@ private slots:
         auto* editor = bench.openEditor();
         QVERIFY(editor);
         editor->selectAll();
-        QTest::keyClicks(editor, QStringLiteral("9x"));
+        QTest::keyClicks(editor, QStringLiteral("0.9"));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.9); // followed while it is a number
+        QTest::keyClicks(editor, QStringLiteral("x"));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04); // and taken back when it is none
         QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04);
         const QModelIndex cell = bench.table.view().model()->index(1, 2);
-        QTRY_COMPARE(cell.data().toString(), QStringLiteral("9x"));
+        QTRY_COMPARE(cell.data().toString(), QStringLiteral("0.9x"));
         QVERIFY(!cell.data(Qt::DecorationRole).isNull());
         QCOMPARE(bench.table.refusals().size(), 1u);
         QCOMPARE(bench.table.refusals().front().path, std::string("/cycle/stages/1/stock_mm"));
+    }
+
+    void aGoodNumberOverARefusedTextIsTaken() {
+        Bench bench;
+        bench.select(1, 2);
+        auto* editor = bench.openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("2 um"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        editor = bench.openEditor();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.0);
+        QVERIFY(bench.table.refusals().empty());
+    }
+
+    // The second click on a cell must not wait for a third: keys typed meanwhile belong to the
+    // cell.
+    void typingAfterASecondClickEditsTheClickedCell() {
+        Bench bench;
+        QTableView& view = bench.table.view();
+        bench.select(1, 0);
+        const QPoint middle = view.visualRect(view.model()->index(1, 0)).center();
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, middle);
+        QTest::qWait(100);
+        QTest::keyClick(&view, Qt::Key_0);
+        auto* editor = view.findChild<NumberField*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral(".0015"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].radial_feed_mm.value(), 0.0015);
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.004);
     }
 
     void escapeTakesBackWhatWasTyped() {

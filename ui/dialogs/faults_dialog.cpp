@@ -44,7 +44,9 @@ FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* p
     }
     auto* buttons = new QDialogButtonBox(this);
     auto* copy = buttons->addButton(tr("&Copy the list"), QDialogButtonBox::ActionRole);
-    buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    auto* close = buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    copy->setAutoDefault(false);
+    close->setDefault(true);
     connect(copy, &QPushButton::clicked, this,
             [texts] { QGuiApplication::clipboard()->setText(texts.join(u'\n')); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -25,31 +25,15 @@ ChoiceEditor::ChoiceEditor(const std::string& path, const Field& field, Document
     });
 }
 
-bool ChoiceEditor::offered(int value) const {
-    // A measured profile can be chosen where the project holds one.
-    return path() != "/part/profile" || value != static_cast<int>(ProfileForm::measured)
-           || document().project().part.radii_um.has_value()
-           || document().project().part.profile == ProfileForm::measured;
-}
-
 void ChoiceEditor::fill() {
     m_box->clear();
     for (int i = 0; i < static_cast<int>(field().choices.size()); ++i) {
-        if (offered(i)) {
-            m_box->addItem(choiceText(field().choices[std::size_t(i)].label), i);
-        }
+        m_box->addItem(choiceText(field().choices[std::size_t(i)].label), i);
     }
 }
 
 void ChoiceEditor::show(bool) {
     const int value = field().getChoice(owner());
-    int offeredCount = 0;
-    for (int i = 0; i < static_cast<int>(field().choices.size()); ++i) {
-        offeredCount += offered(i) ? 1 : 0;
-    }
-    if (m_box->count() != offeredCount) {
-        fill();
-    }
     m_box->setCurrentIndex(m_box->findData(value));
     m_box->setToolTip(m_box->currentText());
 }

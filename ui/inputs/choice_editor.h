@@ -33,7 +33,6 @@ public:
 
 private:
     void fill();
-    [[nodiscard]] bool offered(int value) const;
 
     StillComboBox* m_box;
 };

@@ -2,6 +2,7 @@
 #include "ui/inputs/compliance_box.h"
 
 #include "ui/inputs/form_row.h"
+#include "ui/inputs/reason_label.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 #include "ui/session/texts.h"
@@ -35,22 +36,6 @@ double& valueAt(GivenCompliance& given, std::size_t index) {
     return std::get<std::vector<double>>(given)[index];
 }
 
-QLabel* reasonLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->setVisible(false);
-    return label;
-}
-
-void showRemarkIn(QLabel& label, const Remark& remark) {
-    QPalette colors = label.parentWidget()->palette();
-    colors.setColor(QPalette::WindowText, markColor(remark.mark, colors));
-    label.setPalette(colors);
-    label.setText(remark.reason);
-    label.setVisible(remark.mark != Mark::none);
-}
-
 } // namespace
 
 ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& document,
@@ -60,7 +45,7 @@ ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& doc
     , m_field(field)
     , m_document(document)
     , m_computed(new QCheckBox(this))
-    , m_reason(reasonLabel(this))
+    , m_reason(new ReasonLabel(this))
     , m_body(new QWidget(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
@@ -90,7 +75,7 @@ void ComplianceBox::addLine(const std::string& key) {
     NumberSpec spec = NumberSpec::of(m_field);
     spec.optional = false;
     const Line line{key, new QLabel(m_body), new NumberField(spec, m_body), new QLabel(m_body),
-                    reasonLabel(m_body)};
+                    new ReasonLabel(m_body)};
     const std::size_t index = m_lines.size();
     const int row = m_grid->rowCount();
     line.label->setTextFormat(Qt::PlainText);
@@ -139,27 +124,20 @@ void ComplianceBox::show(bool replaced) {
     }
     const bool computed = std::holds_alternative<std::monostate>(given);
     m_computed->setChecked(computed);
-    m_computed->setVisible(computed || complianceComputable(project));
     m_body->setVisible(!computed);
     setIssues(m_issues);
 }
 
 void ComplianceBox::setIssues(const Issues& issues) {
     m_issues = issues;
-    Issues own;
-    for (const Issue& issue : issues) {
-        if (issue.path == m_path) {
-            own.push_back(issue);
-        }
-    }
-    showRemarkIn(*m_reason, remarkFor(own, m_path));
+    m_reason->showRemark(remarkAt(issues, m_path));
     for (const Line& line : m_lines) {
         line.field->setIssue(remarkFor(issues, m_path + "/" + line.key));
     }
 }
 
 void ComplianceBox::showReason(const Line& line) {
-    showRemarkIn(*line.reason, line.field->remark());
+    line.reason->showRemark(line.field->remark());
 }
 
 void ComplianceBox::retranslate(const Line& line) {

@@ -15,9 +15,10 @@ class QLabel;
 namespace sparkout {
 
 class Document;
+class ReasonLabel;
 
 /// The compliance: a field a zone (traverse) or a section (plunge), or a tick that leaves it to
-/// stiffness and shaft where the project has both.
+/// stiffness and shaft; what of these is not given yet gets usual values with the tick.
 class ComplianceBox : public QGroupBox {
     Q_OBJECT
 
@@ -37,7 +38,7 @@ private:
         QLabel* label;
         NumberField* field;
         QLabel* unit;
-        QLabel* reason;
+        ReasonLabel* reason;
     };
 
     void build(const std::vector<std::string>& keys);
@@ -50,7 +51,7 @@ private:
     const Field& m_field;
     Document& m_document;
     QCheckBox* m_computed;
-    QLabel* m_reason;
+    ReasonLabel* m_reason;
     QWidget* m_body;
     QGridLayout* m_grid = nullptr;
     std::vector<Line> m_lines;

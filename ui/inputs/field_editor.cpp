@@ -3,6 +3,7 @@
 
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/number_editor.h"
+#include "ui/inputs/radii_editor.h"
 #include "ui/inputs/text_editor.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
@@ -30,6 +31,8 @@ void FieldEditor::change(const std::function<void(void*)>& set) {
         after = withOperation(before, after.operation);
     } else if (after.sections != before.sections) {
         after = withSections(before, after.sections);
+    } else if (after.part.surface != before.part.surface) {
+        after = withComputable(std::move(after));
     }
     m_document.edit(std::move(after), {"Input", m_field.label}, QString::fromStdString(m_path));
 }
@@ -53,6 +56,11 @@ std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& fi
             return std::make_unique<NotesEditor>(path, field, document, parent);
         }
         return std::make_unique<TextEditor>(path, field, document, parent);
+    case Kind::optionalNumberList:
+        if (path == "/part/radii_um") {
+            return std::make_unique<RadiiEditor>(path, field, document, parent);
+        }
+        return nullptr;
     default: return nullptr;
     }
 }

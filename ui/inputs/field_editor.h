@@ -33,6 +33,7 @@ public:
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< of a text not taken
     virtual void setIssue(const Remark& issue);
     [[nodiscard]] virtual bool wide() const { return false; }  ///< takes the place of the unit too
+    [[nodiscard]] virtual bool tall() const { return false; }  ///< stands below its label
     [[nodiscard]] virtual bool empty() const { return false; } ///< not given
 
 signals:

@@ -3,6 +3,7 @@
 
 #include "ui/inputs/compliance_box.h"
 #include "ui/inputs/form_row.h"
+#include "ui/inputs/reason_label.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
@@ -86,11 +87,8 @@ void FormPage::addRow(const Field& field, const std::string& path, QVBoxLayout& 
         m_grid = nullptr;
         return;
     }
-    if (field.nested == &tableOf<Stage>()) {
-        m_stages = new StageTable(m_document, widget());
-        into.addWidget(m_stages);
-        connect(m_stages, &StageTable::refusalsChanged, this, &FormPage::refusalsChanged);
-        m_grid = nullptr;
+    if (field.kind == Kind::objectList) {
+        addList(field, path, into);
         return;
     }
     auto editor = makeEditor(path, field, m_document, into.parentWidget());
@@ -105,6 +103,16 @@ void FormPage::addRow(const Field& field, const std::string& path, QVBoxLayout& 
     connectRow(*row);
 }
 
+void FormPage::addList(const Field& field, const std::string& path, QVBoxLayout& into) {
+    auto* table = field.nested == &tableOf<Stage>()
+                      ? new StageTable(m_document, into.parentWidget())
+                      : new ListTable(path, field, m_document, into.parentWidget());
+    into.addWidget(table);
+    connect(table, &ListTable::refusalsChanged, this, &FormPage::refusalsChanged);
+    m_lists.push_back(table);
+    m_grid = nullptr;
+}
+
 void FormPage::connectRow(FormRow& row) {
     connect(&row.editor(), &FieldEditor::remarkChanged, this, &FormPage::refusalsChanged);
     m_rows.push_back(&row);
@@ -115,10 +123,12 @@ void FormPage::addBox(const Field& field, const std::string& path, QVBoxLayout& 
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(8, 6, 8, 6);
     into.addWidget(box);
+    auto* reason = new ReasonLabel(box);
+    layout->addWidget(reason);
     m_grid = nullptr;
     addStruct(*field.nested, path, *layout);
     m_grid = nullptr;
-    m_boxes.push_back({path, &field, box});
+    m_boxes.push_back({path, &field, box, reason});
     if (field.kind == Kind::optionalObject) {
         box->setCheckable(true);
         connect(box, &QGroupBox::clicked, this,
@@ -169,6 +179,9 @@ void FormPage::showProject(bool replaced) {
             box.box->setChecked(box.field->objectIn(member.owner) != nullptr);
         }
     }
+    for (ListTable* list : m_lists) {
+        list->setVisible(findMember(project, list->path()).relevant(project));
+    }
     if (m_compliance) {
         m_compliance->show(replaced);
     }
@@ -182,8 +195,11 @@ void FormPage::setIssues(const Issues& issues) {
     if (m_compliance) {
         m_compliance->setIssues(issues);
     }
-    if (m_stages) {
-        m_stages->setIssues(issues);
+    for (ListTable* list : m_lists) {
+        list->setIssues(issues);
+    }
+    for (const Box& box : m_boxes) {
+        box.reason->showRemark(remarkAt(issues, box.path));
     }
 }
 
@@ -203,8 +219,8 @@ void FormPage::retranslate() {
     if (m_compliance) {
         m_compliance->retranslate();
     }
-    if (m_stages) {
-        m_stages->retranslate();
+    for (ListTable* list : m_lists) {
+        list->retranslate();
     }
 }
 
@@ -220,8 +236,8 @@ std::vector<Refusal> FormPage::refusals() const {
             list.push_back({"/machine/compliance_mm_per_n", reason});
         }
     }
-    if (m_stages) {
-        for (const Refusal& refusal : m_stages->refusals()) {
+    for (const ListTable* own : m_lists) {
+        for (const Refusal& refusal : own->refusals()) {
             list.push_back(refusal);
         }
     }
@@ -241,9 +257,11 @@ bool FormPage::focusPath(const std::string& path) {
         ensureWidgetVisible(m_compliance);
         return true;
     }
-    if (m_stages && m_stages->focusPath(path)) {
-        ensureWidgetVisible(m_stages);
-        return true;
+    for (ListTable* list : m_lists) {
+        if (list->focusPath(path)) {
+            ensureWidgetVisible(list);
+            return true;
+        }
     }
     for (const Box& box : m_boxes) {
         if (box.path == path) {

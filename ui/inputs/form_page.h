@@ -18,7 +18,8 @@ namespace sparkout {
 class ComplianceBox;
 class Document;
 class FormRow;
-class StageTable;
+class ListTable;
+class ReasonLabel;
 
 /// A text the forms did not take: where, and why.
 struct Refusal {
@@ -48,10 +49,12 @@ private:
         std::string path;
         const Field* field;
         QGroupBox* box;
+        ReasonLabel* reason;
     };
 
     void addStruct(const StructInfo& table, const std::string& path, QVBoxLayout& into);
     void addRow(const Field& field, const std::string& path, QVBoxLayout& into);
+    void addList(const Field& field, const std::string& path, QVBoxLayout& into);
     void addBox(const Field& field, const std::string& path, QVBoxLayout& into);
     void addProjectTexts(QVBoxLayout& into);
     void connectRow(FormRow& row);
@@ -65,7 +68,7 @@ private:
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
     ComplianceBox* m_compliance = nullptr;
-    StageTable* m_stages = nullptr;
+    std::vector<ListTable*> m_lists;
     QGroupBox* m_projectBox = nullptr;
     bool m_replaced = false;
 };

@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 #include <QRegularExpression>
 
 namespace sparkout {
@@ -71,7 +70,7 @@ FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget
 void FormRow::addTo(QGridLayout& grid) {
     const int row = grid.rowCount();
     QWidget* const field = m_editor->widget();
-    if (qobject_cast<QPlainTextEdit*>(field)) {
+    if (m_editor->tall()) {
         grid.addWidget(m_label, row, 0, 1, 3);
         grid.addWidget(field, row + 1, 0, 1, 3);
     } else if (m_editor->wide()) {

@@ -28,15 +28,27 @@ Mark markOf(Severity severity) {
     return severity == Severity::error ? Mark::error : Mark::warning;
 }
 
-Remark remarkFor(const Issues& issues, const std::string& path) {
+namespace {
+
+Remark worstOf(const Issues& issues, const std::string& path, bool below) {
     Remark worst;
     for (const Issue& issue : issues) {
-        const bool here = issue.path == path || issue.path.starts_with(path + "/");
+        const bool here = issue.path == path || (below && issue.path.starts_with(path + "/"));
         if (here && markOf(issue.severity) > worst.mark) {
             worst = {markOf(issue.severity), issueText(issue)};
         }
     }
     return worst;
+}
+
+} // namespace
+
+Remark remarkFor(const Issues& issues, const std::string& path) {
+    return worstOf(issues, path, true);
+}
+
+Remark remarkAt(const Issues& issues, const std::string& path) {
+    return worstOf(issues, path, false);
 }
 
 } // namespace sparkout

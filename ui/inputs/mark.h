@@ -26,4 +26,7 @@ struct Remark {
 /// The worst issue at a path or below it.
 [[nodiscard]] Remark remarkFor(const Issues& issues, const std::string& path);
 
+/// The worst issue at a path itself.
+[[nodiscard]] Remark remarkAt(const Issues& issues, const std::string& path);
+
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/inputs/number_editor.h"
 
 #include "ui/session/document.h"
+#include "ui/session/member.h"
 
 namespace sparkout {
 
@@ -15,31 +16,11 @@ NumberEditor::NumberEditor(const std::string& path, const Field& field, Document
 }
 
 std::optional<double> NumberEditor::stored() const {
-    const void* const from = owner();
-    switch (field().kind) {
-    case Kind::number: return field().as<double>(from);
-    case Kind::integer: return field().as<int>(from);
-    case Kind::optionalInteger: {
-        const auto& value = field().as<std::optional<int>>(from);
-        return value ? std::optional<double>(*value) : std::nullopt;
-    }
-    default: return field().as<std::optional<double>>(from);
-    }
+    return numberIn(field(), owner());
 }
 
 void NumberEditor::store() {
-    const std::optional<double> value = m_field->value();
-    change([this, value](void* to) {
-        switch (field().kind) {
-        case Kind::number: field().as<double>(to) = value.value_or(0); break;
-        case Kind::integer: field().as<int>(to) = static_cast<int>(value.value_or(0)); break;
-        case Kind::optionalInteger:
-            field().as<std::optional<int>>(to) =
-                value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
-            break;
-        default: field().as<std::optional<double>>(to) = value;
-        }
-    });
+    change([this, value = m_field->value()](void* to) { setNumberIn(field(), to, value); });
 }
 
 void NumberEditor::show(bool replaced) {

@@ -52,6 +52,7 @@ void NumberField::setValue(std::optional<double> value) {
 void NumberField::reset(std::optional<double> value) {
     const bool asTyped = !refused() && value && parseNumber(text()) == value;
     m_value = value;
+    m_settled = value;
     if (!asTyped) {
         showValue();
     }
@@ -107,10 +108,24 @@ Remark NumberField::judge(std::optional<double>& value) const {
 void NumberField::evaluate() {
     std::optional<double> value;
     m_own = judge(value);
-    const bool another = !refused() && value != m_value;
-    if (another) {
-        m_value = value;
+    if (refused()) {
+        value = m_settled; // never the beginning of a number that did not become one
     }
+    const bool another = value != m_value;
+    m_value = value;
+    updateRemark();
+    if (another) {
+        emit valueEdited();
+    }
+}
+
+void NumberField::revert() {
+    const bool another = m_value != m_settled;
+    m_value = m_settled;
+    m_own = {};
+    showValue();
+    std::optional<double> same;
+    m_own = judge(same);
     updateRemark();
     if (another) {
         emit valueEdited();
@@ -119,6 +134,9 @@ void NumberField::evaluate() {
 
 void NumberField::settle() {
     m_typing.stop();
+    if (!refused()) {
+        m_settled = m_value;
+    }
     if (!refused() && m_value && text() != showNumber(*m_value, QLocale())) {
         showValue();
     }
@@ -181,7 +199,9 @@ bool NumberField::event(QEvent* event) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
-    if (refused() && (event->key() == Qt::Key_Escape || event->matches(QKeySequence::Undo))) {
+    const bool changed = refused() || m_value != m_settled;
+    if ((changed && event->key() == Qt::Key_Escape)
+        || (refused() && event->matches(QKeySequence::Undo))) {
         revert();
     } else if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         step(event->key() == Qt::Key_Up ? 1 : -1);

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::optional<double> value() const { return m_value; }
     void setValue(std::optional<double> value); ///< keeps a refused text as long as value stays
     void reset(std::optional<double> value);    ///< drops a refused text, too
-    void revert() { reset(m_value); }
+    void revert();                              ///< back to the value before this edit
 
     [[nodiscard]] bool refused() const { return m_own.mark == Mark::error; }
     [[nodiscard]] const QString& refusal() const { return m_own.reason; }
@@ -46,7 +46,7 @@ public:
     void retranslate();
 
 signals:
-    void valueEdited(); ///< the user entered another good value
+    void valueEdited(); ///< another good value, or the one before a text that is refused
     void remarkChanged();
 
 protected:
@@ -66,8 +66,9 @@ private:
 
     NumberSpec m_spec;
     std::optional<double> m_value;
-    Remark m_own;   ///< of the text
-    Remark m_issue; ///< of the value, from validation
+    std::optional<double> m_settled; ///< before the running edit: what a refused text falls back to
+    Remark m_own;                    ///< of the text
+    Remark m_issue;                  ///< of the value, from validation
     Remark m_shown;
     QTimer m_typing;
     QAction* m_icon;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "ui/inputs/list_delegate.h"
 
 namespace sparkout {
 
-class Document;
-
-/// Edits a cell of the stage table in place; every good value goes to the document as it is typed.
-class StageDelegate : public QStyledItemDelegate {
+/// Edits a cell of the stage table in place: numbers, and the spark-out of the last stage.
+class StageDelegate : public ListDelegate {
     Q_OBJECT
 
 public:
-    StageDelegate(Document& document, QObject* parent);
+    using ListDelegate::ListDelegate;
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
@@ -21,13 +19,6 @@ public:
                       const QModelIndex& index) const override;
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
-    void destroyEditor(QWidget* editor, const QModelIndex& index) const override;
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
-private:
-    Document& m_document;
 };
 
 } // namespace sparkout

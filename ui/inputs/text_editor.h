@@ -38,6 +38,7 @@ public:
     void show(bool replaced) override;
     void retranslate() override {}
     [[nodiscard]] bool wide() const override { return true; }
+    [[nodiscard]] bool tall() const override { return true; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -108,8 +108,10 @@ OpenResult Document::open(const QString& path) {
     }
     ReadResult parsed = readProject(std::get<std::string>(read));
     result.issues = std::move(parsed.issues);
-    if (parsed.project && result.opened()) {
-        replace(std::move(*parsed.project), path);
+    auto& project = parsed.project ? parsed.project : parsed.unfinished;
+    if (project) {
+        result.taken = true;
+        replace(std::move(*project), path);
     }
     return result;
 }
@@ -127,7 +129,14 @@ std::optional<FileError> Document::save() {
 }
 
 std::optional<FileError> Document::saveAs(const QString& path) {
-    auto error = writeFileSafely(systemPath(path), writeProject(m_project));
+    // A text that could not be opened again must never reach the disk.
+    const std::string text = writeProject(m_project);
+    const ReadResult back = readProject(text);
+    const auto& same = back.project ? back.project : back.unfinished;
+    if (!same || !sameProject(*same, m_project)) {
+        return FileError{path.toStdString(), FileStep::verify};
+    }
+    auto error = writeFileSafely(systemPath(path), text);
     if (!error) {
         m_filePath = path;
         endMerge();

@@ -20,11 +20,13 @@ struct EditText {
     [[nodiscard]] QString shown() const;
 };
 
-/// What came of opening a file: opened, refused with faults, or not read at all.
+/// What came of opening a file: opened, refused with faults, or not read at all. Unfinished work,
+/// in which only a rule between values is broken, is opened with its faults.
 struct OpenResult {
     Issues issues;
     std::optional<FileError> error;
-    [[nodiscard]] bool opened() const { return !error && !hasErrors(issues); }
+    bool taken = false;
+    [[nodiscard]] bool opened() const { return taken; }
 };
 
 /// The project being worked on: its value, its file, its history. Every change of the value goes

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 
+#include <cassert>
 #include <charconv>
 
 namespace sparkout {
@@ -78,6 +79,32 @@ ConstMember findMember(const Project& project, std::string_view path) {
     const Member member =
         walk(const_cast<Project&>(project), path, Missing::defaults, nullptr); // only read from
     return {member.field, member.owner};
+}
+
+std::optional<double> numberIn(const Field& field, const void* owner) {
+    switch (field.kind) {
+    case Kind::number: return field.as<double>(owner);
+    case Kind::integer: return field.as<int>(owner);
+    case Kind::optionalInteger: {
+        const auto& value = field.as<std::optional<int>>(owner);
+        return value ? std::optional<double>(*value) : std::nullopt;
+    }
+    default: assert(field.kind == Kind::optionalNumber);
+    }
+    return field.as<std::optional<double>>(owner);
+}
+
+void setNumberIn(const Field& field, void* owner, std::optional<double> value) {
+    switch (field.kind) {
+    case Kind::number: field.as<double>(owner) = value.value_or(0); return;
+    case Kind::integer: field.as<int>(owner) = static_cast<int>(value.value_or(0)); return;
+    case Kind::optionalInteger:
+        field.as<std::optional<int>>(owner) =
+            value ? std::optional<int>(static_cast<int>(*value)) : std::nullopt;
+        return;
+    default: assert(field.kind == Kind::optionalNumber);
+    }
+    field.as<std::optional<double>>(owner) = value;
 }
 
 const Field* nearestField(const Project& project, std::string_view path) {

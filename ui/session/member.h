@@ -3,6 +3,7 @@
 
 #include "core/field.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,10 @@ struct ConstMember {
 
 /// The same for reading; optional structs that are not given answer with their defaults.
 [[nodiscard]] ConstMember findMember(const Project& project, std::string_view path);
+
+/// The number of a row whose kind is one; empty when not given.
+[[nodiscard]] std::optional<double> numberIn(const Field& field, const void* owner);
+void setNumberIn(const Field& field, void* owner, std::optional<double> value);
 
 /// The row nearest to a path, which may point into a value ("/machine/compliance_mm_per_n/rz1").
 [[nodiscard]] const Field* nearestField(const Project& project, std::string_view path);

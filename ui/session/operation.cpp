@@ -121,6 +121,26 @@ void makeTraverse(Project& project) {
     }
 }
 
+/// A plain shaft: the ground length with an overhang at both ends.
+void giveUsualShaft(Part& part) {
+    const double overhang = std::clamp(rounded(part.diameter_mm), 20.0, 100.0);
+    double length = part.length_mm + 2 * overhang;
+    for (const SteadyRest& rest : part.shaft.steady_rests) {
+        length = std::max(length, rest.position_mm);
+    }
+    part.shaft.ground_from_mm = overhang;
+    part.shaft.segments = {{length, part.diameter_mm}};
+}
+
+/// A quill that reaches through the bore behind a wheel thicker than itself.
+Quill usualQuill(const Project& project) {
+    Quill quill;
+    quill.length_mm = std::min(rounded(project.part.length_mm + 20), 2000.0);
+    quill.diameter_mm =
+        rounded(std::min(project.wheel.diameter_mm, project.part.diameter_mm) * 0.6);
+    return quill;
+}
+
 } // namespace
 
 bool complianceComputable(const Project& project) {
@@ -167,11 +187,35 @@ Project withGivenCompliance(Project project, bool given) {
     auto& compliance = project.machine.compliance_mm_per_n;
     if (!given) {
         compliance = std::monostate{};
+        project = withComputable(std::move(project));
     } else if (project.operation == Operation::traverse) {
         compliance = zoneCompliance(project);
     } else {
         compliance = sectionCompliance(project, project.sections);
     }
+    return project;
+}
+
+Project withComputable(Project project) {
+    if (!std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n)) {
+        return project;
+    }
+    if (!project.machine.stiffness_n_um) {
+        project.machine.stiffness_n_um.emplace();
+    }
+    Shaft& shaft = project.part.shaft;
+    if (project.part.surface == Surface::internal) {
+        shaft.quill = shaft.quill ? shaft.quill : usualQuill(project);
+    } else if (shaft.segments.empty()) {
+        giveUsualShaft(project.part);
+    }
+    return project;
+}
+
+Project withRadii(Project project, std::vector<double> radii_um) {
+    project.part.radii_per_section = static_cast<int>(radii_um.size());
+    project.part.radii_um = std::move(radii_um);
+    project.part.profile = ProfileForm::measured;
     return project;
 }
 

@@ -16,8 +16,15 @@ namespace sparkout {
 /// The project with another number of plunge sections; a listed compliance follows.
 [[nodiscard]] Project withSections(Project project, int sections);
 
-/// The project with its compliance entered directly (true) or computed from stiffness and shaft.
+/// The project with its compliance entered directly (true) or computed from stiffness and shaft,
+/// which get usual values where they are not given.
 [[nodiscard]] Project withGivenCompliance(Project project, bool given);
+
+/// The project with what a compliance left to stiffness and shaft needs; otherwise unchanged.
+[[nodiscard]] Project withComputable(Project project);
+
+/// The project with a measured profile as the form of its blank, a radius a value.
+[[nodiscard]] Project withRadii(Project project, std::vector<double> radii_um);
 
 /// Whether stiffness and shaft are there to compute the compliance from.
 [[nodiscard]] bool complianceComputable(const Project& project);

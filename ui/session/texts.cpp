@@ -42,8 +42,20 @@ constexpr std::array words{
     QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of the quill"),
     QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of each step of the shaft"),
     QT_TRANSLATE_NOOP("Detail", "compliance_mm_per_n, or stiffness_n_um with part.shaft"),
-    QT_TRANSLATE_NOOP("Detail", "of runout"),
 };
+
+/// Patterns that find each of the texts in its surroundings, made once.
+template <std::size_t N>
+std::array<QRegularExpression, N> patterns(const std::array<const char*, N>& texts,
+                                           const QString& around) {
+    std::array<QRegularExpression, N> all;
+    for (std::size_t i = 0; i < N; ++i) {
+        all[i] =
+            QRegularExpression(around.arg(QRegularExpression::escape(QString::fromUtf8(texts[i]))),
+                               QRegularExpression::UseUnicodePropertiesOption);
+    }
+    return all;
+}
 
 /// A value or limit of an issue in the present language. What quotes the file stays as it is.
 std::string localised(const std::string& detail) {
@@ -54,18 +66,13 @@ std::string localised(const std::string& detail) {
     if (text.contains(u'"')) {
         return detail;
     }
-    for (const char* word : words) {
-        text.replace(
-            QRegularExpression(QStringLiteral("(?<![\\w])%1(?![\\w])")
-                                   .arg(QRegularExpression::escape(QString::fromUtf8(word)))),
-            translated("Detail", word));
+    static const auto wordPatterns = patterns(words, QStringLiteral("(?<![\\w])%1(?![\\w])"));
+    static const auto unitPatterns = patterns(units, QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])"));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text.replace(wordPatterns[i], translated("Detail", words[i]));
     }
-    for (const char* unit : units) {
-        text.replace(
-            QRegularExpression(QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])")
-                                   .arg(QRegularExpression::escape(QString::fromUtf8(unit))),
-                               QRegularExpression::UseUnicodePropertiesOption),
-            u' ' + translated("Unit", unit));
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        text.replace(unitPatterns[i], u' ' + translated("Unit", units[i]));
     }
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
     return text.replace(point, QLocale().decimalPoint()).toStdString();

@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -87,8 +88,14 @@ void FeedsView::showOutcome() {
 
 void FeedsView::showState() {
     const bool refused = m_latest && !m_latest->ran();
+    const bool unrecorded = m_latest && !refused && m_latest->trajectory.passes.empty();
     QString text;
-    if (refused) {
+    if (unrecorded) {
+        text = tr("The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. "
+                  "Fewer radii or sections help; the verdict is of the whole cycle.")
+                   .arg(QLocale().toString(m_latest->result.visits),
+                        QLocale().toString(maxRecordedVisits));
+    } else if (refused) {
         text =
             (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
                     : tr("The inputs are refused:"))
@@ -104,7 +111,7 @@ void FeedsView::showState() {
     }
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
-    m_plot->setVisible(m_good != nullptr);
+    m_plot->setVisible(m_good != nullptr && !unrecorded);
     m_legend->setVisible(m_good != nullptr);
     m_values->setVisible(m_good != nullptr);
     for (QWidget* tool : std::initializer_list<QWidget*>{m_span, m_stroke, m_axis, m_fit}) {

@@ -42,7 +42,8 @@ void VerdictPanel::build() {
     m_layout = new QVBoxLayout(page);
     m_layout->setContentsMargins(8, 6, 8, 6);
     m_layout->setSpacing(6);
-    for (QLabel** label : {&m_notice, &m_time, &m_status, &m_overall, &m_stages, &m_peaks}) {
+    for (QLabel** label :
+         {&m_notice, &m_time, &m_status, &m_overall, &m_unchecked, &m_stages, &m_peaks}) {
         *label = new QLabel(page);
         (*label)->setTextFormat(Qt::PlainText);
         (*label)->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -58,7 +59,7 @@ void VerdictPanel::build() {
         m_layout->addWidget(w);
     }
     m_layout->addLayout(line);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_table, m_stages, m_peaks}) {
+    for (QWidget* w : std::initializer_list<QWidget*>{m_table, m_unchecked, m_stages, m_peaks}) {
         m_layout->addWidget(w);
     }
     m_layout->addStretch(1);
@@ -78,6 +79,7 @@ void VerdictPanel::setUpFonts() {
     m_status->setObjectName(QStringLiteral("status"));
     m_stages->setObjectName(QStringLiteral("stages"));
     m_peaks->setObjectName(QStringLiteral("peaks"));
+    m_unchecked->setObjectName(QStringLiteral("unchecked"));
 }
 
 void VerdictPanel::buildTable() {
@@ -156,12 +158,15 @@ void VerdictPanel::showTexts() {
     m_light->setPixmap(
         lightPixmap(verdict::overallLight(*m_good), iconSize + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);
+    const QString unchecked = verdict::unchecked(m_good->result);
+    m_unchecked->setText(unchecked);
+    m_unchecked->setVisible(!unchecked.isEmpty());
 }
 
 void VerdictPanel::grey(bool on) {
     const QPalette::ColorGroup group = on ? QPalette::Disabled : QPalette::Active;
     const QColor colour = QGuiApplication::palette().color(group, QPalette::WindowText);
-    for (QLabel* label : {m_time, m_status, m_overall, m_stages, m_peaks}) {
+    for (QLabel* label : {m_time, m_status, m_overall, m_unchecked, m_stages, m_peaks}) {
         QPalette own;
         if (on) {
             own.setColor(QPalette::WindowText, colour);
@@ -226,6 +231,7 @@ void VerdictPanel::retranslate() {
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->setToolTip(tr("Ctrl+C copies the table"));
+    m_unchecked->setAccessibleName(tr("Requirements that are not checked"));
     m_stages->setAccessibleName(tr("Stages"));
     m_peaks->setAccessibleName(tr("Largest force and power"));
     m_model->retranslate();

@@ -48,6 +48,7 @@ private:
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
     QLabel* m_stages = nullptr;
+    QLabel* m_unchecked = nullptr;
     QLabel* m_peaks = nullptr;
     QVBoxLayout* m_layout = nullptr;
     QTableView* m_table = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_text.h"
 
+#include "ui/session/texts.h"
 #include "ui/views/names.h"
 
 #include <QCoreApplication>
@@ -92,6 +93,16 @@ QString peaks(const SimulationResult& result) {
            + VerdictText::tr("Largest power: %1 kW (%2)")
                  .arg(Names::significant(result.peakPower_w / 1000),
                       Names::place(result.peakPowerAt, operation));
+}
+
+QString unchecked(const SimulationResult& result) {
+    QStringList names;
+    for (const Field* field : uncheckedRequirements(result.project)) {
+        names << inputText(field->label);
+    }
+    return names.isEmpty() ? QString()
+                           : VerdictText::tr("Given, but not checked: %1")
+                                 .arg(names.join(QStringLiteral(", ")));
 }
 
 Light overallLight(const Outcome& outcome) {

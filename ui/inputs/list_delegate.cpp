@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/list_delegate.h"
+
+#include "ui/inputs/list_model.h"
+#include "ui/inputs/number_field.h"
+#include "ui/session/document.h"
+
+#include <QKeyEvent>
+
+namespace sparkout {
+
+namespace {
+
+constexpr const char* startedProperty = "sparkoutStarted";
+constexpr const char* originalProperty = "sparkoutOriginal"; ///< invalid when not given
+
+const ListModel& modelOf(const QModelIndex& index) {
+    return *static_cast<const ListModel*>(index.model());
+}
+
+} // namespace
+
+ListDelegate::ListDelegate(Document& document, QObject* parent)
+    : QStyledItemDelegate(parent), m_document(document) {}
+
+QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                    const QModelIndex& index) const {
+    auto* self = const_cast<ListDelegate*>(this);
+    NumberSpec spec = NumberSpec::of(modelOf(index).field(index));
+    spec.optional = false; // a column that is shown is needed
+    auto* editor = new NumberField(spec, parent);
+    editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    editor->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
+    connect(editor, &NumberField::valueEdited, self,
+            [self, editor] { emit self->commitData(editor); });
+    return editor;
+}
+
+void ListDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    const ListModel& model = modelOf(index);
+    auto* field = static_cast<NumberField*>(editor);
+    const auto value = model.number(index);
+    if (field->property(startedProperty).toBool()) {
+        field->setValue(value);
+        return;
+    }
+    field->setProperty(startedProperty, true);
+    field->setProperty(originalProperty, value ? QVariant(*value) : QVariant());
+    field->reset(value);
+    if (const QString refused = model.refusedText(index); !refused.isNull()) {
+        field->setShownText(refused);
+    }
+    field->selectAll();
+}
+
+void ListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
+                                const QModelIndex& index) const {
+    auto* list = static_cast<ListModel*>(model);
+    const auto* field = static_cast<NumberField*>(editor);
+    list->setNumber(index, field->value()); // of a refused text: what stood before it
+    if (field->refused()) {
+        list->refuse(index, field->text(), field->refusal());
+    } else {
+        list->accept(index);
+    }
+}
+
+void ListDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
+    m_document.endMerge();
+    QStyledItemDelegate::destroyEditor(editor, index);
+}
+
+bool ListDelegate::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        auto* field = qobject_cast<NumberField*>(watched);
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (field && key == Qt::Key_Escape) {
+            const QVariant original = field->property(originalProperty);
+            field->reset(original.isValid() ? std::optional(original.toDouble()) : std::nullopt);
+            if (field->value()) {
+                emit commitData(field);
+            }
+        }
+        if (field && (key == Qt::Key_Up || key == Qt::Key_Down)) {
+            return false; // steps the number; the view would leave the cell
+        }
+    }
+    return QStyledItemDelegate::eventFilter(watched, event);
+}
+
+} // namespace sparkout

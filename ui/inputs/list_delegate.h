@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace sparkout {
+
+class Document;
+
+/// Edits the numbers of a ListModel in place; every good value goes to the document as it is typed.
+class ListDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    explicit ListDelegate(Document& document, QObject* parent = nullptr);
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override;
+    void destroyEditor(QWidget* editor, const QModelIndex& index) const override;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    [[nodiscard]] Document& document() const { return m_document; }
+
+private:
+    Document& m_document;
+};
+
+} // namespace sparkout

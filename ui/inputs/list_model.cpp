@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/list_model.h"
+
+#include "ui/inputs/form_row.h"
+#include "ui/session/document.h"
+#include "ui/session/member.h"
+#include "ui/session/number_text.h"
+#include "ui/session/texts.h"
+
+#include <QGuiApplication>
+#include <QPalette>
+
+namespace sparkout {
+
+ListModel::ListModel(std::string path, const Field& list, Document& document)
+    : m_path(std::move(path)), m_list(list), m_document(document) {
+    update(true);
+}
+
+std::string ListModel::rowPath(int row) const {
+    return m_path + "/" + std::to_string(row);
+}
+
+const void* ListModel::item(const QModelIndex& index) const {
+    return findMember(m_document.project(), rowPath(index.row())).owner;
+}
+
+std::vector<const Field*> ListModel::relevantColumns() const {
+    std::vector<const Field*> columns;
+    for (const Field& field : m_list.nested->fields) {
+        if (!field.relevant || field.relevant(m_document.project(), m_list.nested->defaults)) {
+            columns.push_back(&field);
+        }
+    }
+    return columns;
+}
+
+int ListModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int ListModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
+}
+
+const Field& ListModel::field(const QModelIndex& index) const {
+    return *m_columns[std::size_t(index.column())];
+}
+
+bool ListModel::relevant(const QModelIndex& index) const {
+    const Field& column = field(index);
+    return !column.relevant || column.relevant(m_document.project(), item(index));
+}
+
+std::optional<double> ListModel::number(const QModelIndex& index) const {
+    return numberIn(field(index), item(index));
+}
+
+void ListModel::setNumber(const QModelIndex& index, std::optional<double> value) {
+    Project project = m_document.project();
+    const Member member = findMember(project, path(index));
+    setNumberIn(*member.field, member.owner, value);
+    m_document.edit(std::move(project), {"Input", member.field->label},
+                    QString::fromStdString(path(index)));
+}
+
+std::string ListModel::path(const QModelIndex& index) const {
+    return rowPath(index.row()) + "/" + field(index).key;
+}
+
+QString ListModel::shown(const QModelIndex& index) const {
+    if (!relevant(index)) {
+        return QStringLiteral("—");
+    }
+    if (const QString text = refusedText(index); !text.isNull()) {
+        return text;
+    }
+    const auto value = number(index);
+    return value ? showNumber(*value, QLocale()) : QString();
+}
+
+QModelIndex ListModel::indexAt(const std::string& wanted) const {
+    for (int row = 0; row < m_rows; ++row) {
+        for (int column = 0; column < columnCount(); ++column) {
+            const QModelIndex cell = index(row, column);
+            if (path(cell) == wanted) {
+                return cell;
+            }
+        }
+        if (wanted == rowPath(row) || wanted.starts_with(rowPath(row) + "/")) {
+            return index(row, 0);
+        }
+    }
+    return wanted == m_path && m_rows > 0 ? index(0, 0) : QModelIndex();
+}
+
+Remark ListModel::remark(const QModelIndex& index) const {
+    const auto refused = m_refused.constFind({index.row(), &field(index)});
+    if (refused != m_refused.cend()) {
+        return {Mark::error, refused->reason};
+    }
+    return remarkFor(m_issues, path(index));
+}
+
+QVariant ListModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Remark mark = remark(index);
+    switch (role) {
+    case Qt::DisplayRole: return shown(index);
+    case Qt::TextAlignmentRole: return int(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::DecorationRole:
+        return mark.mark == Mark::none ? QVariant() : QVariant(markIcon(mark.mark));
+    case Qt::ForegroundRole:
+        if (mark.mark != Mark::none) {
+            return markColor(mark.mark, QGuiApplication::palette());
+        }
+        return relevant(index)
+                   ? QVariant()
+                   : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
+    case Qt::ToolTipRole:
+        return mark.mark == Mark::none
+                   ? hintMarkup(field(index))
+                   : QStringLiteral("<p>%1</p>").arg(mark.reason.toHtmlEscaped());
+    case Qt::AccessibleTextRole:
+        return tr("%1 %2, %3: %4")
+            .arg(structText(m_list.nested->name), QString::number(index.row() + 1),
+                 inputText(field(index).label), shown(index));
+    case Qt::AccessibleDescriptionRole: return mark.reason;
+    default: return {};
+    }
+}
+
+QVariant ListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        return role == Qt::DisplayRole ? QVariant(QString::number(section + 1)) : QVariant();
+    }
+    const Field& column = *m_columns[std::size_t(section)];
+    if (role == Qt::ToolTipRole) {
+        return hintMarkup(column);
+    }
+    if (role == Qt::DisplayRole) {
+        return *column.unit ? tr("%1,\n%2").arg(inputText(column.label), unitText(column.unit))
+                            : inputText(column.label);
+    }
+    return {};
+}
+
+Qt::ItemFlags ListModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return index.isValid() && relevant(index) ? usual | Qt::ItemIsEditable : usual;
+}
+
+void ListModel::refuse(const QModelIndex& index, const QString& text, const QString& reason) {
+    m_refused.insert({index.row(), &field(index)}, {text, reason});
+    emit dataChanged(index, index);
+    emit refusalsChanged();
+}
+
+void ListModel::accept(const QModelIndex& index) {
+    if (m_refused.remove({index.row(), &field(index)}) > 0) {
+        emit dataChanged(index, index);
+        emit refusalsChanged();
+    }
+}
+
+QString ListModel::refusedText(const QModelIndex& index) const {
+    return m_refused.value({index.row(), &field(index)}).text;
+}
+
+std::vector<Refusal> ListModel::refusals() const {
+    std::vector<Refusal> list;
+    for (auto it = m_refused.cbegin(); it != m_refused.cend(); ++it) {
+        list.push_back({rowPath(it.key().first) + "/" + it.key().second->key, it->reason});
+    }
+    return list;
+}
+
+void ListModel::setIssues(const Issues& issues) {
+    m_issues = issues;
+    if (m_rows > 0) {
+        emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
+    }
+}
+
+void ListModel::update(bool replaced) {
+    const ConstMember list = findMember(m_document.project(), m_path);
+    const int rows = static_cast<int>(m_list.size(list.owner));
+    auto columns = relevantColumns();
+    if (replaced || rows != m_rows || columns != m_columns) {
+        beginResetModel();
+        m_refused.clear();
+        m_rows = rows;
+        m_columns = std::move(columns);
+        endResetModel();
+        emit refusalsChanged();
+    } else if (m_rows > 0) {
+        emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
+    }
+}
+
+void ListModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    setIssues(m_issues);
+}
+
+} // namespace sparkout

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/list_table.h"
+
+#include "ui/inputs/form_row.h"
+#include "ui/inputs/list_delegate.h"
+#include "ui/inputs/list_model.h"
+#include "ui/session/member.h"
+#include "ui/session/texts.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QToolButton>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int shownRows = 8;
+constexpr int headerMargin = 10; ///< of a title, both sides
+
+void setUpView(QTableView& view) {
+    view.setSelectionBehavior(QAbstractItemView::SelectItems);
+    view.setSelectionMode(QAbstractItemView::SingleSelection);
+    // Not SelectedClicked: it waits for a double click, and keys typed meanwhile would search.
+    view.setEditTriggers(QAbstractItemView::AnyKeyPressed | QAbstractItemView::DoubleClicked
+                         | QAbstractItemView::EditKeyPressed);
+    view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view.setTabKeyNavigation(true);
+    view.setWordWrap(false);
+    view.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    view.horizontalHeader()->setMinimumSectionSize(20);
+    view.horizontalHeader()->setDefaultAlignment(
+        Qt::Alignment(int(Qt::AlignCenter) | int(Qt::TextWordWrap)));
+    view.horizontalHeader()->setSectionsClickable(false);
+    view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    view.verticalHeader()->setDefaultSectionSize(view.fontMetrics().height() + 10);
+}
+
+} // namespace
+
+ListTable::ListTable(const std::string& path, const Field& list, Document& document,
+                     QWidget* parent)
+    : ListTable(path, list, document, new ListModel(path, list, document),
+                new ListDelegate(document), parent) {}
+
+ListTable::ListTable(const std::string& path, const Field& list, Document& document,
+                     ListModel* model, ListDelegate* delegate, QWidget* parent)
+    : QWidget(parent)
+    , m_path(path)
+    , m_list(list)
+    , m_document(document)
+    , m_model(model)
+    , m_view(new QTableView(this))
+    , m_title(new QLabel(this))
+    , m_reasons(new QLabel(this)) {
+    model->setParent(this);
+    delegate->setParent(this);
+    m_view->setModel(model);
+    m_view->setItemDelegate(delegate);
+    m_view->setObjectName(QString::fromStdString(path));
+    setUp();
+    select(0, 0);
+    ListTable::retranslate();
+}
+
+void ListTable::setUp() {
+    m_view->installEventFilter(this);
+    m_view->viewport()->installEventFilter(this);
+    setUpView(*m_view);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setBuddy(m_view);
+    m_reasons->setTextFormat(Qt::PlainText);
+    m_reasons->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 4, 0, 4);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    buildButtons(*head);
+    layout->addLayout(head);
+    layout->addWidget(m_view);
+    layout->addWidget(m_reasons);
+    connect(&m_document, &Document::replaced, this, [this] { m_replaced = true; });
+    connect(&m_document, &Document::changed, this, &ListTable::takeProject);
+    connect(m_model, &ListModel::refusalsChanged, this, [this] {
+        updateReasons();
+        emit refusalsChanged();
+    });
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &ListTable::updateButtons);
+}
+
+void ListTable::takeProject() {
+    const int row = m_wanted.value_or(m_replaced ? 0 : std::max(0, currentRow()));
+    const int column = m_view->currentIndex().column();
+    m_model->update(m_replaced || m_wanted);
+    m_replaced = false;
+    m_wanted.reset();
+    if (currentRow() < 0 || currentRow() != row) {
+        select(row, column);
+    }
+    updateButtons();
+    fitHeight();
+}
+
+void ListTable::buildButtons(QHBoxLayout& into) {
+    const auto button = [&](const char16_t* icon, auto action) {
+        auto* made = new QToolButton(this);
+        made->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QStringView(icon))));
+        made->setAutoRaise(true);
+        made->setFocusPolicy(Qt::TabFocus);
+        into.addWidget(made);
+        connect(made, &QToolButton::clicked, this, action);
+        return made;
+    };
+    m_add = button(u"add", [this] { addRow(); });
+    m_remove = button(u"remove", [this] { removeRow(); });
+    m_up = button(u"up", [this] { moveRow(-1); });
+    m_down = button(u"down", [this] { moveRow(1); });
+}
+
+int ListTable::currentRow() const {
+    return m_view->currentIndex().row();
+}
+
+int ListTable::rows() const {
+    return m_model->rowCount();
+}
+
+void ListTable::select(int row, int column) {
+    m_view->setCurrentIndex(m_model->index(
+        std::min(row, rows() - 1), std::clamp(column, 0, std::max(0, m_model->columnCount() - 1))));
+}
+
+void ListTable::apply(Project project, EditText text, int selected) {
+    m_wanted = selected;
+    m_document.edit(std::move(project), text);
+    m_wanted.reset();
+    (rows() > 0 ? static_cast<QWidget*>(m_view) : m_add)->setFocus();
+}
+
+ListTable::Numbers ListTable::numbersOf(const void* item) const {
+    Numbers numbers;
+    for (const Field& field : m_list.nested->fields) {
+        numbers.push_back(numberIn(field, item));
+    }
+    return numbers;
+}
+
+std::vector<ListTable::Numbers> ListTable::items() const {
+    const void* const owner = findMember(m_document.project(), m_path).owner;
+    std::vector<Numbers> items;
+    for (std::size_t i = 0; i < m_list.size(owner); ++i) {
+        items.push_back(numbersOf(m_list.itemIn(owner, i)));
+    }
+    return items;
+}
+
+void ListTable::store(const std::vector<Numbers>& items, int selected) {
+    Project project = m_document.project();
+    void* const owner = findMember(project, m_path).owner;
+    m_list.resize(owner, items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (std::size_t k = 0; k < items[i].size(); ++k) {
+            setNumberIn(m_list.nested->fields[k], m_list.at(owner, i), items[i][k]);
+        }
+    }
+    apply(std::move(project), {"Input", m_list.label}, selected);
+}
+
+void ListTable::addRow() {
+    auto list = items();
+    const int at = currentRow();
+    const Numbers added = at < 0 ? numbersOf(m_list.nested->defaults) : list[std::size_t(at)];
+    list.insert(list.begin() + at + 1, added); // a copy of the row it follows
+    store(list, at + 1);
+}
+
+void ListTable::removeRow() {
+    if (canRemove()) {
+        auto list = items();
+        const int at = currentRow();
+        list.erase(list.begin() + at);
+        store(list, std::min(at, rows() - 2));
+    }
+}
+
+void ListTable::moveRow(int by) {
+    if (canMove(by)) {
+        auto list = items();
+        const int from = currentRow();
+        std::swap(list[std::size_t(from)], list[std::size_t(from + by)]);
+        store(list, from + by);
+    }
+}
+
+bool ListTable::canRemove() const {
+    return currentRow() >= 0;
+}
+
+bool ListTable::canMove(int by) const {
+    const int to = currentRow() + by;
+    return currentRow() >= 0 && to >= 0 && to < rows();
+}
+
+void ListTable::updateButtons() {
+    m_remove->setEnabled(canRemove());
+    m_up->setEnabled(canMove(-1));
+    m_down->setEnabled(canMove(1));
+}
+
+void ListTable::setIssues(const Issues& issues) {
+    m_issues = issues;
+    m_model->setIssues(issues);
+    updateReasons();
+}
+
+void ListTable::updateReasons() {
+    QStringList lines;
+    Mark worst = Mark::none;
+    for (const Refusal& refusal : m_model->refusals()) {
+        lines += tr("%1: %2").arg(locationText(refusal.path), refusal.reason);
+        worst = Mark::error;
+    }
+    for (const Issue& issue : m_issues) {
+        if (issue.path == m_path || issue.path.starts_with(m_path + "/")) {
+            lines += tr("%1: %2").arg(locationText(issue.path), issueText(issue));
+            worst = std::max(worst, markOf(issue.severity));
+        }
+    }
+    QPalette colors = m_title->palette();
+    colors.setColor(QPalette::WindowText, markColor(worst, colors));
+    m_reasons->setPalette(colors);
+    m_reasons->setText(lines.join(u'\n'));
+    m_reasons->setVisible(!lines.isEmpty());
+}
+
+ListTable::Texts ListTable::texts() const {
+    const QString title = inputText(m_list.label);
+    const auto of = [&title](const QString& text) { return tr("%1: %2").arg(title, text); };
+    return {title,
+            title,
+            of(tr("add a row")),
+            of(tr("remove the row")),
+            of(tr("move the row up")),
+            of(tr("move the row down"))};
+}
+
+void ListTable::retranslate() {
+    const Texts shown = texts();
+    m_title->setText(shown.title);
+    m_title->setToolTip(hintMarkup(m_list));
+    m_view->setAccessibleName(shown.name);
+    const auto name = [](QToolButton& button, const QString& text, const QString& keys) {
+        button.setToolTip(tr("%1 (%2)").arg(text, keys));
+        button.setAccessibleName(text);
+    };
+    name(*m_add, shown.add, tr("Ins"));
+    name(*m_remove, shown.remove, tr("Del"));
+    name(*m_up, shown.up, tr("Ctrl+Up"));
+    name(*m_down, shown.down, tr("Ctrl+Down"));
+    m_model->retranslate();
+    updateReasons();
+    updateButtons();
+    fitHeight();
+}
+
+std::vector<Refusal> ListTable::refusals() const {
+    return m_model->refusals();
+}
+
+bool ListTable::focusPath(const std::string& path) {
+    if (path != m_path && !path.starts_with(m_path + "/")) {
+        return false;
+    }
+    const QModelIndex index = m_model->indexAt(path);
+    if (index.isValid()) {
+        m_view->setFocus(Qt::OtherFocusReason);
+        m_view->setCurrentIndex(index);
+    } else {
+        m_add->setFocus(Qt::OtherFocusReason);
+    }
+    return true;
+}
+
+/// Each column gets the width of the longest word of its title and a share of what is left.
+void ListTable::fitColumns() {
+    QHeaderView& header = *m_view->horizontalHeader();
+    const int count = m_model->columnCount();
+    std::vector<int> widths(std::size_t(count), 0);
+    for (int column = 0; column < count; ++column) {
+        const QString text =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        for (const QString& word : text.split(QRegularExpression(QStringLiteral("\\s")))) {
+            widths[std::size_t(column)] =
+                std::max(widths[std::size_t(column)], header.fontMetrics().horizontalAdvance(word));
+        }
+        widths[std::size_t(column)] += headerMargin;
+    }
+    const int used = std::accumulate(widths.begin(), widths.end(), 0);
+    const int spare = std::max(0, m_view->viewport()->width() - used);
+    for (int column = 0; column < count; ++column) {
+        header.resizeSection(column, widths[std::size_t(column)] + spare * (column + 1) / count
+                                         - spare * column / count);
+    }
+}
+
+void ListTable::fitHeight() {
+    m_view->setVisible(rows() > 0);
+    fitColumns();
+    QHeaderView& header = *m_view->horizontalHeader();
+    int height = 0;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const QRect room(0, 0, header.sectionSize(column) - 10, 1000);
+        const QString text =
+            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        height = std::max(height,
+                          header.fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+    }
+    header.setFixedHeight(height + 8);
+    m_view->setFixedHeight(
+        height + 8 + std::min(rows(), shownRows) * m_view->verticalHeader()->defaultSectionSize()
+        + 2 * m_view->frameWidth() + 2);
+}
+
+bool ListTable::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_view->viewport() && event->type() == QEvent::Resize) {
+        const auto* resize = static_cast<const QResizeEvent*>(event);
+        if (resize->size().width() != resize->oldSize().width()) {
+            fitHeight();
+        }
+    }
+    if (watched == m_view && event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool control = key->modifiers() & Qt::ControlModifier;
+        switch (key->key()) {
+        case Qt::Key_Insert: addRow(); return true;
+        case Qt::Key_Delete: removeRow(); return true;
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+            if (control) {
+                moveRow(key->key() == Qt::Key_Up ? -1 : 1);
+                return true;
+            }
+            break;
+        default: break;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <variant>
+#include <vector>
+
+/// Reading a measured profile from the text of a table.
+namespace sparkout {
+
+/// Why a text gave no profile.
+struct ProfileCsvFault {
+    enum class What { notANumber, outOfRange, count };
+    What what = What::notANumber;
+    int line = 0;  ///< from 1, with notANumber and outOfRange
+    QString text;  ///< what stands there
+    int count = 0; ///< of values, with What::count
+};
+
+using ProfileCsv = std::variant<std::vector<double>, ProfileCsvFault>;
+
+/// The values of a text in UTF-8: a number a line, or the last column of lines separated by
+/// semicolons, tabs or commas. Decimal commas and points are told apart from separators; blank
+/// lines and a header line are skipped. The number of values must be one that
+/// part.radii_per_section allows: even, 4…360.
+[[nodiscard]] ProfileCsv readProfileCsv(const QByteArray& text);
+
+/// The fault in the present language.
+[[nodiscard]] QString profileCsvFaultText(const ProfileCsvFault& fault);
+
+} // namespace sparkout
