@@ -134,7 +134,10 @@ std::optional<FileError> Document::saveAs(const QString& path) {
     const ReadResult back = readProject(text);
     const auto& same = back.project ? back.project : back.unfinished;
     if (!same || !sameProject(*same, m_project)) {
-        return FileError{path.toStdString(), FileStep::verify};
+        FileError error;
+        error.path = path.toStdString();
+        error.step = FileStep::verify;
+        return error;
     }
     auto error = writeFileSafely(systemPath(path), text);
     if (!error) {
