@@ -2626,10 +2626,6 @@ target, µm</source>
             <translation>Сообщения</translation>
         </message>
         <message>
-            <source>Feeds by stage</source>
-            <translation>Подачи по ступеням</translation>
-        </message>
-        <message>
             <source>Views</source>
             <translation>Виды</translation>
         </message>

@@ -51,8 +51,7 @@ MainWindow::MainWindow(Settings& settings, Language& language)
     : m_settings(settings)
     , m_language(language)
     , m_inputs(new InputsPanel(m_document, this))
-    , m_views(new QTabWidget(this))
-    , m_feeds(new FeedsView(this))
+    , m_tabs(new QTabWidget(this))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_status(new QLabel(this))
@@ -61,9 +60,7 @@ MainWindow::MainWindow(Settings& settings, Language& language)
     , m_files(new FileCommands(m_document, settings, this)) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
-    m_views->setDocumentMode(true);
-    m_views->addTab(m_feeds, QString());
-    setCentralWidget(m_views);
+    buildViews();
     m_status->setTextFormat(Qt::PlainText);
     m_time->setTextFormat(Qt::PlainText);
     statusBar()->addWidget(m_status, 1);
@@ -78,6 +75,15 @@ MainWindow::MainWindow(Settings& settings, Language& language)
 MainWindow::~MainWindow() {
     m_document.disconnect();
     delete m_inputsDock; // its fields look at the document
+}
+
+void MainWindow::buildViews() {
+    m_views = {new FeedsView(this)};
+    m_tabs->setDocumentMode(true);
+    for (View* view : m_views) {
+        m_tabs->addTab(view, QString());
+    }
+    setCentralWidget(m_tabs);
 }
 
 QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
@@ -172,7 +178,9 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
     m_inputs->setOutcome(outcome);
     m_messages->setOutcome(outcome);
-    m_feeds->setOutcome(outcome);
+    for (View* view : m_views) {
+        view->setOutcome(outcome);
+    }
     m_verdict->setOutcome(outcome);
     showStatus();
     emit outcomeShown();
@@ -234,14 +242,16 @@ void MainWindow::retranslate() {
     for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
         nameDockButtons(*dock);
     }
-    m_views->setTabText(0, tr("Feeds by stage"));
-    m_views->setAccessibleName(tr("Views"));
+    m_tabs->setAccessibleName(tr("Views"));
     m_inputs->setAccessibleName(tr("Inputs"));
     m_status->setAccessibleName(tr("Status"));
     m_time->setAccessibleName(tr("Computing time"));
     m_inputs->retranslate();
     m_messages->retranslate();
-    m_feeds->retranslate();
+    for (View* view : m_views) {
+        view->retranslate();
+        m_tabs->setTabText(m_tabs->indexOf(view), view->title());
+    }
     m_verdict->retranslate();
     if (m_outcome) {
         m_inputs->setOutcome(m_outcome);

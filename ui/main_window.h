@@ -9,6 +9,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <vector>
+
 class QDockWidget;
 class QLabel;
 class QTabWidget;
@@ -16,11 +18,11 @@ class QTabWidget;
 namespace sparkout {
 
 class Actions;
-class FeedsView;
 class FileCommands;
 class InputsPanel;
 class MessagesPanel;
 class VerdictPanel;
+class View;
 
 /// The workbench: inputs, views, verdict and messages around one document.
 class MainWindow : public QMainWindow {
@@ -47,6 +49,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    void buildViews();
     void buildDocks();
     QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
     void connectActions();
@@ -64,8 +67,8 @@ private:
     Document m_document;
     OutcomePtr m_outcome;
     InputsPanel* m_inputs;
-    QTabWidget* m_views;
-    FeedsView* m_feeds;
+    QTabWidget* m_tabs;
+    std::vector<View*> m_views;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;

@@ -230,6 +230,10 @@ void FeedsView::fillSections() {
     m_section->setVisible(m_section->count() > 0);
 }
 
+QString FeedsView::title() const {
+    return tr("Feeds by stage");
+}
+
 void FeedsView::retranslate() {
     buildLabels();
     fillAxes();

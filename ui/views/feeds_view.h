@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/outcome.h"
 #include "ui/views/feed_series.h"
-
-#include <QWidget>
+#include "ui/views/view.h"
 
 #include <optional>
 
@@ -20,7 +18,7 @@ class LegendStrip;
 
 /// The view "Feeds by stage": programmed and actual feed, accumulated feeds with the radii before
 /// and after, axial feed or force; over the whole cycle, one stage or one double stroke.
-class FeedsView : public QWidget {
+class FeedsView : public View {
     Q_OBJECT
 public:
     explicit FeedsView(QWidget* parent = nullptr);
@@ -29,12 +27,9 @@ public:
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
-public slots:
-    void setOutcome(sparkout::OutcomePtr outcome); ///< one replot, later in the event loop
-    void retranslate();
-
-signals:
-    void updated(); ///< an outcome has been drawn
+    [[nodiscard]] QString title() const override;
+    void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
+    void retranslate() override;
 
 protected:
     void changeEvent(QEvent* event) override;

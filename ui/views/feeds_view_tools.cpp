@@ -15,7 +15,7 @@
 
 namespace sparkout {
 
-FeedsView::FeedsView(QWidget* parent) : QWidget(parent) {
+FeedsView::FeedsView(QWidget* parent) : View(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(4);
