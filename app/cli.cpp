@@ -99,7 +99,17 @@ int save(const std::string& file, const std::string& content) {
     return done;
 }
 
+/// Whether writing to the file would lose a project, by a slip on the command line.
+bool replacesProject(const std::string& file, const std::string& project) {
+    std::error_code ignored;
+    return std::filesystem::path(file).extension() == ".sparkout"
+           || std::filesystem::equivalent(file, project, ignored);
+}
+
 int runSimulate(const Options& options) {
+    if (!options.trace.empty() && replacesProject(options.trace, options.operand)) {
+        return usageError("--trace would replace a project: " + options.trace);
+    }
     const auto project = load(options.operand);
     if (!project) {
         return refused;

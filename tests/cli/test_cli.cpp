@@ -421,9 +421,37 @@ private slots:
         QCOMPARE(run({"examples", samplePath("complete")}).status, 1);
     }
 
+    void traceNeverReplacesAProject() {
+        const std::string text = samples::readText(samplePath("smallest-plunge").toStdString());
+        const QString project = save("kept.sparkout", text);
+        const QString plain = save("kept.json", text);
+        QVERIFY(QFile::link(plain, m_folder.filePath("link.csv")));
+        for (const auto& [file, trace] : std::vector<std::pair<QString, QString>>{
+                 {samplePath("complete"), project},
+                 {plain, plain},
+                 {plain, m_folder.filePath("link.csv")},
+                 {samplePath("complete"), m_folder.filePath("new.sparkout")}}) {
+            const Outcome outcome = run({"simulate", file, "--trace", trace});
+            QCOMPARE(outcome.status, 2);
+            QVERIFY2(outcome.err.find(trace.toStdString()) != std::string::npos,
+                     outcome.err.c_str());
+        }
+        QCOMPARE(samples::readText(project.toStdString()), text);
+        QCOMPARE(samples::readText(plain.toStdString()), text);
+        QVERIFY(!QFile::exists(m_folder.filePath("new.sparkout")));
+    }
+
     // --- reliability check 28 -------------------------------------------------------------------
 
     void randomArgumentsEndInADocumentedStatus() {
+        std::map<QString, std::string> projects; // copies: whatever is done to them shows
+        for (const char* name : {"smallest-plunge", "complete", "internal-plunge"}) {
+            const std::string text = samples::readText(samplePath(name).toStdString());
+            projects[save(QString("random-%1.sparkout").arg(name), text)] = text;
+        }
+        const auto copy = [this](const char* name) {
+            return m_folder.filePath(QString("random-%1.sparkout").arg(name));
+        };
         const QStringList words{
             "simulate",
             "simulate",
@@ -454,10 +482,10 @@ private slots:
             QString(5000, 'x'),
             "a b",
             "$(id)",
-            samplePath("smallest-plunge"),
-            samplePath("smallest-plunge"),
-            samplePath("complete"),
-            samplePath("internal-plunge"),
+            copy("smallest-plunge"),
+            copy("smallest-plunge"),
+            copy("complete"),
+            copy("internal-plunge"),
             m_stuck,
             m_strict,
             m_folder.path(),
@@ -486,6 +514,9 @@ private slots:
                      qPrintable(arguments.join('|')));
             QVERIFY2(outcome.status != 2 || outcome.out.empty(), qPrintable(arguments.join('|')));
             ++statuses[outcome.status];
+        }
+        for (const auto& [path, text] : projects) {
+            QCOMPARE(samples::readText(path.toStdString()), text);
         }
         qInfo("CHECK 28 jobs %d: done %d, refused %d, usage %d, no size %d, fails %d PASS", jobs,
               statuses[0], statuses[1], statuses[2], statuses[3], statuses[4]);
