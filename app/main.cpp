@@ -7,6 +7,7 @@
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/session/operation.h"
+#include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
 
 #include <QApplication>
@@ -189,11 +190,10 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
+    window.files().protect(userStateFolder());
     window.show();
     openFirstExample(window.document());
-    if (!options.file.isEmpty()) {
-        window.files().openFile(options.file);
-    }
+    QTimer::singleShot(0, &window, [&] { window.files().start(options.file); });
     return app.exec();
 }
 

@@ -19,6 +19,8 @@ Actions::Actions(QMainWindow& window)
     , examples(make(u"examples", Qt::CTRL | Qt::Key_E))
     , save(make(u"save", QKeySequence::Save))
     , saveAs(make(u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
+    , earlierVersions(make(u""))
+    , recoverWork(make(u""))
     , quit(make(u"", Qt::CTRL | Qt::Key_Q))
     , undo(make(u"undo", QKeySequence::Undo))
     , redo(make(u"redo", QKeySequence::Redo))
@@ -55,7 +57,7 @@ void Actions::buildMenus(QMainWindow& window) {
     m_new->addActions({newTraverse, newPlunge});
     m_file->addActions({open, examples});
     m_file->addSeparator();
-    m_file->addActions({save, saveAs});
+    m_file->addActions({save, saveAs, earlierVersions, recoverWork});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -91,6 +93,10 @@ void Actions::addDocks(const QList<QAction*>& toggles) {
     m_view->addActions(toggles);
 }
 
+void Actions::addRecentFiles(QMenu* menu) {
+    m_file->insertMenu(examples, menu);
+}
+
 void Actions::follow(const Document& document) {
     undo->setEnabled(document.canUndo());
     redo->setEnabled(document.canRedo());
@@ -117,6 +123,8 @@ void Actions::retranslate() {
     examples->setText(tr("&Example gallery…"));
     save->setText(tr("&Save"));
     saveAs->setText(tr("Save &as…"));
+    earlierVersions->setText(tr("Earlier &versions…"));
+    recoverWork->setText(tr("Re&cover work…"));
     quit->setText(tr("&Quit"));
     english->setText(QStringLiteral("English"));
     russian->setText(QStringLiteral("Русский"));

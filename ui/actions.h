@@ -19,6 +19,7 @@ public:
     explicit Actions(QMainWindow& window);
 
     void addDocks(const QList<QAction*>& toggles); ///< to the View menu
+    void addRecentFiles(QMenu* menu);              ///< to the File menu
     void follow(const Document& document);         ///< what can be undone, and what it is called
     void retranslate();
     void showLanguage(const QString& code);
@@ -29,6 +30,8 @@ public:
     QAction* examples;
     QAction* save;
     QAction* saveAs;
+    QAction* earlierVersions;
+    QAction* recoverWork;
     QAction* quit;
     QAction* undo;
     QAction* redo;

@@ -6,6 +6,8 @@
 #include "ui/file_commands.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
+#include "ui/notice_bar.h"
+#include "ui/recent_files_menu.h"
 #include "ui/views/feeds_view.h"
 #include "ui/views/verdict_panel.h"
 
@@ -73,6 +75,7 @@ MainWindow::MainWindow(Settings& settings, Language& language)
 }
 
 MainWindow::~MainWindow() {
+    delete m_files; // keeps the last changes of the document
     m_document.disconnect();
     delete m_inputsDock; // its fields look at the document
 }
@@ -83,7 +86,7 @@ void MainWindow::buildViews() {
     for (View* view : m_views) {
         m_tabs->addTab(view, QString());
     }
-    setCentralWidget(m_tabs);
+    setCentralWidget(m_files->notices().above(m_tabs));
 }
 
 QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
@@ -126,6 +129,7 @@ void MainWindow::restoreWindow() {
 }
 
 void MainWindow::connectActions() {
+    m_actions->addRecentFiles(&m_files->recentFiles());
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
@@ -135,6 +139,8 @@ void MainWindow::connectActions() {
     on(m_actions->examples, [this] { m_files->openExample(); });
     on(m_actions->save, [this] { m_files->save(); });
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
+    on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] { m_document.undo(); });
     on(m_actions->redo, [this] { m_document.redo(); });
@@ -221,7 +227,8 @@ void MainWindow::showTitle() {
                        ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
                        : QFileInfo(m_document.filePath()).fileName();
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
-    setWindowTitle(tr("%1[*] — Sparkout").arg(name));
+    setWindowTitle(m_document.readOnly() ? tr("%1[*] (read-only) — Sparkout").arg(name)
+                                         : tr("%1[*] — Sparkout").arg(name));
     setWindowModified(m_document.modified());
 }
 
@@ -268,7 +275,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayDiscard()) {
+    if (!m_files->mayClose()) {
         event->ignore();
         return;
     }
@@ -286,8 +293,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
-    if (!path.isEmpty() && m_files->mayDiscard()) {
-        m_files->openFile(path);
+    if (!path.isEmpty()) { // later: the program it was dragged from shall not wait for an answer
+        QMetaObject::invokeMethod(
+            m_files, [this, path] { m_files->openInstead(path); }, Qt::QueuedConnection);
     }
 }
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDialog>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStringList>
+#include <QTest>
+#include <QTimer>
+
+#include <functional>
+
+/// Answers the dialogs that come up, one after the other, with real clicks and keys: the object
+/// name of a button, "Escape", "Enter", or "file:PATH" for a file dialog. A dialog that nobody
+/// expected, or that does not go away, is an error.
+class DialogAnswers : public QObject {
+public:
+    explicit DialogAnswers(QStringList answers) : m_answers(std::move(answers)) {
+        m_poll.setInterval(10);
+        connect(&m_poll, &QTimer::timeout, this, &DialogAnswers::look);
+        m_poll.start();
+    }
+
+    /// Looks at a dialog before it is answered.
+    std::function<void(QDialog&)> seen;
+
+    [[nodiscard]] const QStringList& texts() const { return m_texts; } ///< of the message boxes
+    [[nodiscard]] QString text() const { return m_texts.value(0); }
+    [[nodiscard]] QString fault() const {
+        if (!m_fault.isEmpty() || m_next == m_answers.size()) {
+            return m_fault;
+        }
+        return QStringLiteral("not asked: ") + m_answers[m_next];
+    }
+
+private:
+    void look() {
+        auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible() || dialog == m_last) {
+            return;
+        }
+        m_last = dialog;
+        if (const auto* box = qobject_cast<QMessageBox*>(dialog)) {
+            m_texts += box->text().remove(QChar(0x200b));
+        }
+        if (m_next == m_answers.size()) {
+            m_fault = QStringLiteral("unexpected: ") + dialog->windowTitle() + u' '
+                      + m_texts.value(m_texts.size() - 1);
+            dialog->reject();
+            return;
+        }
+        if (seen) {
+            seen(*dialog);
+        }
+        answer(*dialog, m_answers[m_next++]);
+        if (dialog->isVisible() && m_fault.isEmpty()) {
+            m_last = nullptr; // the next answer is for the same dialog
+        }
+    }
+
+    void answer(QDialog& dialog, const QString& what) {
+        if (what == u"Escape" || what == u"Enter") {
+            QTest::keyClick(&dialog, what == u"Escape" ? Qt::Key_Escape : Qt::Key_Return);
+        } else if (what.startsWith(u"file:")) {
+            auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            name->setText(what.mid(5));
+            QTest::keyClick(name, Qt::Key_Return);
+        } else if (auto* button = dialog.findChild<QAbstractButton*>(what)) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        } else {
+            m_fault =
+                QStringLiteral("no button ") + what + QStringLiteral(" in ") + dialog.windowTitle();
+            dialog.reject();
+        }
+    }
+
+    QStringList m_answers;
+    QStringList m_texts;
+    QString m_fault;
+    qsizetype m_next = 0;
+    QTimer m_poll;
+    QDialog* m_last = nullptr;
+};
