@@ -5,6 +5,7 @@
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
 #include "ui/session/settings.h"
+#include "ui/theme.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -13,7 +14,6 @@
 
 class QDockWidget;
 class QLabel;
-class QTabWidget;
 
 namespace sparkout {
 
@@ -23,6 +23,7 @@ class InputsPanel;
 class MessagesPanel;
 class VerdictPanel;
 class View;
+class ViewTabs;
 
 /// The workbench: inputs, views, verdict and messages around one document.
 class MainWindow : public QMainWindow {
@@ -37,6 +38,9 @@ public:
     [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
     [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
     [[nodiscard]] FileCommands& files() { return *m_files; }
+    [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
+    [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
+    bool showView(const QString& name); ///< by object name or number from 1; false when none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
 
 signals:
@@ -57,6 +61,10 @@ private:
     void restoreWindow();
     void resetLayout();
     void setLanguage(const QString& code);
+    void setTheme(Theme theme);
+    void movePanel(int by);
+    void toggleDetached();
+    void saveWindow();
     void showOutcome(const OutcomePtr& outcome);
     void showTitle();
     void showStatus();
@@ -67,8 +75,7 @@ private:
     Document m_document;
     OutcomePtr m_outcome;
     InputsPanel* m_inputs;
-    QTabWidget* m_tabs;
-    std::vector<View*> m_views;
+    ViewTabs* m_tabs;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;

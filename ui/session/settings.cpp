@@ -9,6 +9,7 @@ namespace sparkout {
 namespace {
 
 const QString languageKey = QStringLiteral("language");
+const QString themeKey = QStringLiteral("theme");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
@@ -38,6 +39,14 @@ QString Settings::language() const {
 
 void Settings::setLanguage(const QString& code) {
     set(languageKey, code);
+}
+
+QString Settings::theme() const {
+    return value(themeKey, QStringLiteral("system")).toString();
+}
+
+void Settings::setTheme(const QString& code) {
+    set(themeKey, code);
 }
 
 QString Settings::lastFolder() const {

@@ -20,6 +20,8 @@ public:
 
     [[nodiscard]] QString language() const; ///< "en" or "ru": as chosen, else as the system speaks
     void setLanguage(const QString& code);
+    [[nodiscard]] QString theme() const; ///< code of a theme, "system" when none was chosen
+    void setTheme(const QString& code);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QByteArray windowGeometry() const;
