@@ -14,6 +14,7 @@
 
 #include <QAbstractButton>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
@@ -203,6 +204,9 @@ void MainWindow::connectDocument() {
                      nullptr, refused),
             6000);
     });
+    m_recolour.setSingleShot(true);
+    m_recolour.setInterval(0); // palettes reach the widgets one by one
+    connect(&m_recolour, &QTimer::timeout, this, &MainWindow::recolour);
     m_refusalsTimer.setSingleShot(true);
     m_refusalsTimer.setInterval(0);
     connect(&m_refusalsTimer, &QTimer::timeout, this,
@@ -275,7 +279,16 @@ void MainWindow::setLanguage(const QString& code) {
 void MainWindow::setTheme(Theme theme) {
     m_settings.setTheme(themeCode(theme));
     applyTheme(theme);
-    retranslate(); // texts in marked colours, and pictures
+    m_actions->showTheme(theme);
+}
+
+/// What was given colours takes those of the palette the window has now.
+void MainWindow::recolour() {
+    retranslate(); // with the texts, their marks
+    for (View* view : views()) {
+        QEvent event(QEvent::PaletteChange); // the first came before its parts had their palettes
+        QCoreApplication::sendEvent(view, &event);
+    }
 }
 
 void MainWindow::movePanel(int by) {
@@ -324,6 +337,8 @@ void MainWindow::retranslate() {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        m_recolour.start();
     }
     QMainWindow::changeEvent(event);
 }

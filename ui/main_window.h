@@ -62,6 +62,7 @@ private:
     void resetLayout();
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
+    void recolour();
     void movePanel(int by);
     void toggleDetached();
     void saveWindow();
@@ -85,6 +86,7 @@ private:
     QLabel* m_time;
     Actions* m_actions;
     FileCommands* m_files;
+    QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone
 };
