@@ -76,7 +76,11 @@ void Actions::buildMenus(QMainWindow& window) {
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
-    redo->setShortcuts({QKeySequence(QKeySequence::Redo), QKeySequence(QStringLiteral("Ctrl+Y"))});
+    QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (const QKeySequence usual(Qt::CTRL | Qt::Key_Y); !again.contains(usual)) {
+        again += usual;
+    }
+    redo->setShortcuts(again);
     m_edit->addActions({undo, redo});
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());

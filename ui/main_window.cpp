@@ -47,6 +47,7 @@ void nameQtButtons(const QWidget& window) {
     name("qt_dockwidget_floatbutton", MainWindow::tr("Detach or attach the panel"));
     name("qt_dockwidget_closebutton", MainWindow::tr("Close the panel"));
     name("qt_toolbar_ext_button", MainWindow::tr("More commands"));
+    name("qt_menubar_ext_button", MainWindow::tr("More menus"));
     name("ScrollLeftButton", MainWindow::tr("Scroll to the left"));
     name("ScrollRightButton", MainWindow::tr("Scroll to the right"));
 }

@@ -126,6 +126,7 @@ void ListTable::buildButtons(QHBoxLayout& into) {
     m_remove = button(u"remove", [this] { removeRow(); });
     m_up = button(u"up", [this] { moveRow(-1); });
     m_down = button(u"down", [this] { moveRow(1); });
+    setTabOrder(m_down, m_view); // from top to bottom, as one sees them
 }
 
 int ListTable::currentRow() const {
