@@ -54,7 +54,7 @@ void nameQtButtons(const QWidget& window) {
 
 } // namespace
 
-MainWindow::MainWindow(Settings& settings, Language& language)
+MainWindow::MainWindow(Settings& settings, Language& language, RunController::Runner runner)
     : m_settings(settings)
     , m_language(language)
     , m_inputs(new InputsPanel(m_document, this))
@@ -64,7 +64,8 @@ MainWindow::MainWindow(Settings& settings, Language& language)
     , m_status(new QLabel(this))
     , m_time(new QLabel(this))
     , m_actions(new Actions(*this))
-    , m_files(new FileCommands(m_document, settings, this)) {
+    , m_files(new FileCommands(m_document, settings, this))
+    , m_runs(nullptr, std::move(runner)) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();

@@ -30,7 +30,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(Settings& settings, Language& language);
+    MainWindow(Settings& settings, Language& language, RunController::Runner runner = runProject);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return m_document; }

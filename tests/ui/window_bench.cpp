@@ -47,11 +47,12 @@ QString nameOf(const QString& path) {
     return QFileInfo(path).completeBaseName();
 }
 
-Bench::Bench(const QString& code, Theme theme) : settings(Settings::transient()) {
+Bench::Bench(const QString& code, Theme theme, RunController::Runner runner)
+    : settings(Settings::transient()) {
     settings.setTheme(themeCode(theme));
     applyTheme(theme);
     language.apply(code);
-    window = std::make_unique<MainWindow>(settings, language);
+    window = std::make_unique<MainWindow>(settings, language, std::move(runner));
     window->resize(1366, 768);
     window->show();
     window->activateWindow();

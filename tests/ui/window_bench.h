@@ -17,7 +17,8 @@ namespace sparkout {
 
 /// A window as a user with a small laptop has it.
 struct Bench {
-    explicit Bench(const QString& language, Theme theme = Theme::light);
+    explicit Bench(const QString& language, Theme theme = Theme::light,
+                   RunController::Runner runner = runProject);
     ~Bench();
 
     /// Opens a project and waits until the views have drawn its outcome; false when they do not.
