@@ -3,6 +3,7 @@
 
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/reason_label.h"
+#include "ui/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 #include "ui/session/texts.h"
@@ -48,7 +49,7 @@ ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& doc
     , m_reason(new ReasonLabel(this))
     , m_body(new QWidget(this)) {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(metrics::margin, metrics::gap, metrics::margin, metrics::gap);
     layout->addWidget(m_computed);
     layout->addWidget(m_body);
     layout->addWidget(m_reason);
@@ -81,8 +82,8 @@ void ComplianceBox::addLine(const std::string& key) {
     line.label->setTextFormat(Qt::PlainText);
     line.label->setBuddy(line.field);
     line.unit->setTextFormat(Qt::PlainText);
-    line.unit->setMinimumWidth(44);
-    line.field->setFixedWidth(104);
+    line.unit->setMinimumWidth(metrics::unit);
+    line.field->setFixedWidth(metrics::field);
     line.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     line.field->setObjectName(QString::fromStdString(m_path + "/" + key));
     m_grid->addWidget(line.label, row, 0);

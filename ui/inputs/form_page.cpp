@@ -5,6 +5,7 @@
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/inputs/stage_table.h"
+#include "ui/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
@@ -20,8 +21,8 @@ namespace {
 QGridLayout* newGrid(QVBoxLayout& into) {
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(3);
+    grid->setHorizontalSpacing(metrics::gap);
+    grid->setVerticalSpacing(metrics::row);
     into.addLayout(grid);
     return grid;
 }
@@ -32,7 +33,7 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent)
     : QScrollArea(parent), m_page(page), m_document(document) {
     auto* body = new QWidget(this);
     auto* layout = new QVBoxLayout(body);
-    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setContentsMargins(metrics::margin, metrics::margin, metrics::margin, metrics::margin);
     setWidget(body);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -121,7 +122,7 @@ void FormPage::connectRow(FormRow& row) {
 void FormPage::addBox(const Field& field, const std::string& path, QVBoxLayout& into) {
     auto* box = new QGroupBox(widget());
     auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(metrics::margin, metrics::gap, metrics::margin, metrics::gap);
     into.addWidget(box);
     auto* reason = new ReasonLabel(box);
     layout->addWidget(reason);
@@ -146,7 +147,7 @@ void FormPage::addProjectTexts(QVBoxLayout& into) {
         if (!layout) {
             m_projectBox = new QGroupBox(widget());
             layout = new QVBoxLayout(m_projectBox);
-            layout->setContentsMargins(8, 6, 8, 6);
+            layout->setContentsMargins(metrics::margin, metrics::gap, metrics::margin, metrics::gap);
             into.addWidget(m_projectBox);
         }
         addRow(field, std::string("/") + field.key, *layout);

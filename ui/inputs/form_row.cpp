@@ -2,6 +2,7 @@
 #include "ui/inputs/form_row.h"
 
 #include "ui/inputs/number_field.h"
+#include "ui/metrics.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
 
@@ -15,9 +16,9 @@ namespace sparkout {
 
 namespace {
 
-constexpr int fieldWidth = 104;
-constexpr int unitWidth = 52;
-constexpr int wideWidth = 176;
+constexpr int fieldWidth = metrics::field;
+constexpr int unitWidth = metrics::unit;
+constexpr int wideWidth = metrics::fieldWide;
 
 } // namespace
 

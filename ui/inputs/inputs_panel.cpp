@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/inputs_panel.h"
 
+#include "ui/metrics.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
 #include <QButtonGroup>
 #include <QFrame>
@@ -36,11 +38,11 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
     : QWidget(parent), m_group(new QButtonGroup(this)), m_stack(new QStackedWidget(this)) {
     auto* strip = new QHBoxLayout;
     strip->setSpacing(0);
-    strip->setContentsMargins(2, 2, 2, 0);
+    strip->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, 0);
     for (const PageEntry& entry : pageEntries) {
         auto* button = new QToolButton(this);
-        button->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QStringView(entry.icon))));
-        button->setIconSize({22, 22});
+        button->setIcon(themeIcon(entry.icon));
+        button->setIconSize({metrics::icon, metrics::icon});
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setCheckable(true);

@@ -4,8 +4,10 @@
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/list_delegate.h"
 #include "ui/inputs/list_model.h"
+#include "ui/metrics.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -80,7 +82,7 @@ void ListTable::setUp() {
     m_reasons->setTextFormat(Qt::PlainText);
     m_reasons->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 4, 0, 4);
+    layout->setContentsMargins(0, metrics::tight, 0, metrics::tight);
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
     buildButtons(*head);
@@ -113,7 +115,7 @@ void ListTable::takeProject() {
 void ListTable::buildButtons(QHBoxLayout& into) {
     const auto button = [&](const char16_t* icon, auto action) {
         auto* made = new QToolButton(this);
-        made->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QStringView(icon))));
+        made->setIcon(themeIcon(icon));
         made->setAutoRaise(true);
         made->setFocusPolicy(Qt::TabFocus);
         into.addWidget(made);
@@ -124,6 +126,7 @@ void ListTable::buildButtons(QHBoxLayout& into) {
     m_remove = button(u"remove", [this] { removeRow(); });
     m_up = button(u"up", [this] { moveRow(-1); });
     m_down = button(u"down", [this] { moveRow(1); });
+    setTabOrder(m_down, m_view); // from top to bottom, as one sees them
 }
 
 int ListTable::currentRow() const {

@@ -2,6 +2,7 @@
 // The widgets of the feeds view: building and connecting.
 #include "ui/views/feeds_view.h"
 
+#include "ui/metrics.h"
 #include "ui/views/feeds_plot.h"
 #include "ui/views/legend_strip.h"
 
@@ -16,9 +17,10 @@
 namespace sparkout {
 
 FeedsView::FeedsView(QWidget* parent) : View(parent) {
+    setObjectName(QStringLiteral("feeds"));
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(4);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    layout->setSpacing(metrics::tight);
     auto* bar = new QWidget(this);
     m_notice = new QLabel(this);
     m_values = new QLabel(this);
@@ -45,7 +47,7 @@ FeedsView::FeedsView(QWidget* parent) : View(parent) {
 void FeedsView::buildToolBar(QWidget* bar) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
+    row->setSpacing(metrics::tight);
     m_span = new QComboBox(bar);
     m_previous = new QToolButton(bar);
     m_stroke = new QSpinBox(bar);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_panel.h"
 
+#include "ui/metrics.h"
 #include "ui/views/light_icon.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_text.h"
@@ -18,7 +19,7 @@
 namespace sparkout {
 
 namespace {
-constexpr int iconSize = 13;
+using metrics::iconSmall;
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
@@ -40,8 +41,8 @@ void VerdictPanel::build() {
     auto* page = new QWidget(area);
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
-    m_layout->setContentsMargins(8, 6, 8, 6);
-    m_layout->setSpacing(6);
+    m_layout->setContentsMargins(metrics::margin, metrics::gap, metrics::margin, metrics::gap);
+    m_layout->setSpacing(metrics::gap);
     for (QLabel** label :
          {&m_notice, &m_time, &m_status, &m_overall, &m_unchecked, &m_stages, &m_peaks}) {
         *label = new QLabel(page);
@@ -68,7 +69,7 @@ void VerdictPanel::build() {
 
 void VerdictPanel::setUpFonts() {
     QFont big = font();
-    big.setPointSizeF(big.pointSizeF() * 1.6);
+    big.setPointSizeF(big.pointSizeF() * metrics::headline);
     m_time->setFont(big);
     QFont bold = font();
     bold.setBold(true);
@@ -85,7 +86,7 @@ void VerdictPanel::setUpFonts() {
 void VerdictPanel::buildTable() {
     m_model = new VerdictModel(this);
     m_table->setModel(m_model);
-    m_table->setIconSize(QSize(iconSize, iconSize));
+    m_table->setIconSize(QSize(iconSmall, iconSmall));
     m_table->setWordWrap(true);
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
@@ -156,7 +157,7 @@ void VerdictPanel::showTexts() {
     m_stages->setText(verdict::stages(m_good->result));
     m_peaks->setText(verdict::peaks(m_good->result));
     m_light->setPixmap(
-        lightPixmap(verdict::overallLight(*m_good), iconSize + 3, devicePixelRatioF(), refused));
+        lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);
     const QString unchecked = verdict::unchecked(m_good->result);
     m_unchecked->setText(unchecked);
@@ -180,7 +181,7 @@ void VerdictPanel::grey(bool on) {
 void VerdictPanel::drawIcons() {
     const bool grey = m_good && m_latest && !m_latest->ran();
     const auto icon = [&](Light light) {
-        return QIcon(lightPixmap(light, iconSize, devicePixelRatioF(), grey));
+        return QIcon(lightPixmap(light, iconSmall, devicePixelRatioF(), grey));
     };
     m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }
@@ -246,6 +247,9 @@ void VerdictPanel::changeEvent(QEvent* event) {
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        grey(m_good && m_latest && !m_latest->ran());
+        showTexts();
     }
 }
 
