@@ -24,7 +24,7 @@ ordered_json whereJson(const Peak& peak) {
 }
 
 ordered_json columnJson(const ShopColumn& column) {
-    const Band band = column.specificEnergyBand();
+    const BandSide band = column.specificEnergyBand();
     ordered_json json = {{"largest_depth_um", column.depth_mm.value * units::umPerMm},
                          {"largest_depth_where", whereJson(column.depth_mm)},
                          {"removal_rate_mm3_mm_s", column.removalRate_mm2_s},
@@ -42,8 +42,8 @@ ordered_json columnJson(const ShopColumn& column) {
                          {"mean_power_w", column.meanPower_w},
                          {"peak_normal_force_n", column.normalForce_n.value},
                          {"peak_normal_force_where", whereJson(column.normalForce_n)}};
-    if (band != Band::none) {
-        json["specific_energy_plausible"] = band == Band::inside;
+    if (band != BandSide::none) {
+        json["specific_energy_plausible"] = band == BandSide::inside;
     }
     return json;
 }
@@ -85,13 +85,15 @@ std::string line(const ShopNumbers& shop, const char* label,
 }
 
 /// The value behind a mark when it lies outside its band.
-std::string marked(Band band, const std::optional<double>& value) {
-    const char* mark = band == Band::below ? "(<)" : band == Band::above ? "(>)" : "";
+std::string marked(BandSide band, const std::optional<double>& value) {
+    const char* mark = band == BandSide::below ? "(<)" : band == BandSide::above ? "(>)" : "";
     return mark + significant(value);
 }
 
 bool isOutside(const ShopColumn& column) {
-    const auto outside = [](Band band) { return band == Band::below || band == Band::above; };
+    const auto outside = [](BandSide band) {
+        return band == BandSide::below || band == BandSide::above;
+    };
     return outside(column.specificEnergyBand()) || outside(column.overlapBand());
 }
 

@@ -88,17 +88,17 @@ std::optional<double> overlap(const Project& project, std::size_t stage) {
 
 } // namespace
 
-Band ShopColumn::specificEnergyBand() const {
+BandSide ShopColumn::specificEnergyBand() const {
     if (!energy_j_mm3) {
-        return Band::none;
+        return BandSide::none;
     }
-    return *energy_j_mm3 < leastSpecificEnergy_j_mm3  ? Band::below
-           : *energy_j_mm3 > mostSpecificEnergy_j_mm3 ? Band::above
-                                                      : Band::inside;
+    return *energy_j_mm3 < leastSpecificEnergy_j_mm3  ? BandSide::below
+           : *energy_j_mm3 > mostSpecificEnergy_j_mm3 ? BandSide::above
+                                                      : BandSide::inside;
 }
 
-Band ShopColumn::overlapBand() const {
-    return !overlap ? Band::none : *overlap < leastOverlap ? Band::below : Band::inside;
+BandSide ShopColumn::overlapBand() const {
+    return !overlap ? BandSide::none : *overlap < leastOverlap ? BandSide::below : BandSide::inside;
 }
 
 bool ShopNumbers::ratioNearInteger() const {

@@ -42,7 +42,7 @@ inline constexpr double leastOverlap = 1;
 inline constexpr double nearInteger = 0.05;
 
 /// Where a number lies against its plausible band.
-enum class Band { none, inside, below, above }; ///< none: there is no number
+enum class BandSide { none, inside, below, above }; ///< none: there is no number
 
 /// The numbers of one stage of the cycle, or of all.
 struct ShopColumn {
@@ -62,8 +62,8 @@ struct ShopColumn {
     double meanPower_w = 0;             ///< E over the grinding time
     Peak normalForce_n;                 ///< largest P_y of a pass
 
-    [[nodiscard]] Band specificEnergyBand() const;
-    [[nodiscard]] Band overlapBand() const; ///< never above
+    [[nodiscard]] BandSide specificEnergyBand() const;
+    [[nodiscard]] BandSide overlapBand() const; ///< never above
 };
 
 struct ShopNumbers {

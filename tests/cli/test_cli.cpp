@@ -613,7 +613,7 @@ private:
         QVERIFY(answer.at("specific_energy_j_mm3")
                 == (expected.energy_j_mm3 ? json(*expected.energy_j_mm3) : json(nullptr)));
         QVERIFY(answer.at("specific_energy_plausible")
-                == (expected.energy_j_mm3 ? json(expected.specificEnergyBand() == Band::inside)
+                == (expected.energy_j_mm3 ? json(expected.specificEnergyBand() == BandSide::inside)
                                           : json(nullptr)));
         for (const char* key :
              {"largest_depth_where", "peak_power_where", "peak_normal_force_where"}) {

@@ -325,13 +325,13 @@ private slots:
         QVERIFY(close(*shop.stages[0].overlap, 5, 1e-15));
         QVERIFY(close(*shop.stages[1].overlap, 30, 1e-15));
         QVERIFY(close(*shop.cycle.overlap, 5, 1e-15));
-        QCOMPARE(shop.stages[0].overlapBand(), Band::inside);
+        QCOMPARE(shop.stages[0].overlapBand(), BandSide::inside);
         p.cycle.stages[1].axial_feed_mm_min = 50.01 * 180;
         const ShopNumbers fast = shopNumbers(simulate(p));
-        QCOMPARE(fast.stages[1].overlapBand(), Band::below);
-        QCOMPARE(fast.cycle.overlapBand(), Band::below);
+        QCOMPARE(fast.stages[1].overlapBand(), BandSide::below);
+        QCOMPARE(fast.cycle.overlapBand(), BandSide::below);
         QVERIFY(!shopNumbers(simulate(fixtures::plunge())).cycle.overlap);
-        QCOMPARE(shopNumbers(simulate(fixtures::plunge())).cycle.overlapBand(), Band::none);
+        QCOMPARE(shopNumbers(simulate(fixtures::plunge())).cycle.overlapBand(), BandSide::none);
     }
 
     // Beyond B per revolution b stays B: volume is still conserved and energy keeps to it.
@@ -390,17 +390,17 @@ private slots:
 
     void specificEnergyBandIsTwentyToAHundredAndTwenty_data() {
         QTest::addColumn<double>("energy");
-        QTest::addColumn<Band>("band");
-        QTest::newRow("below") << 19.99 << Band::below;
-        QTest::newRow("at the least") << 20.0 << Band::inside;
-        QTest::newRow("at the most") << 120.0 << Band::inside;
-        QTest::newRow("above") << 120.01 << Band::above;
+        QTest::addColumn<BandSide>("band");
+        QTest::newRow("below") << 19.99 << BandSide::below;
+        QTest::newRow("at the least") << 20.0 << BandSide::inside;
+        QTest::newRow("at the most") << 120.0 << BandSide::inside;
+        QTest::newRow("above") << 120.01 << BandSide::above;
     }
     void specificEnergyBandIsTwentyToAHundredAndTwenty() {
         QFETCH(double, energy);
-        QFETCH(Band, band);
+        QFETCH(BandSide, band);
         ShopColumn column;
-        QCOMPARE(column.specificEnergyBand(), Band::none);
+        QCOMPARE(column.specificEnergyBand(), BandSide::none);
         column.energy_j_mm3 = energy;
         QCOMPARE(column.specificEnergyBand(), band);
     }
