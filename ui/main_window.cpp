@@ -217,8 +217,11 @@ void MainWindow::connectDocument() {
     connect(&m_recolour, &QTimer::timeout, this, &MainWindow::recolour);
     m_refusalsTimer.setSingleShot(true);
     m_refusalsTimer.setInterval(0);
-    connect(&m_refusalsTimer, &QTimer::timeout, this,
-            [this] { m_messages->setRefusals(m_inputs->refusals()); });
+    connect(&m_refusalsTimer, &QTimer::timeout, this, [this] {
+        const std::vector<Refusal> refusals = m_inputs->refusals();
+        m_messages->setRefusals(refusals);
+        m_verdict->setRefusedFields(static_cast<int>(refusals.size()));
+    });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
         m_inputsDock->show();

@@ -25,6 +25,7 @@ template <Root form>
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
+    double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
@@ -48,6 +49,7 @@ template <Root form>
         const double force = bks * a + bkr * u;
         depth[i] += a;
         root[i] = u;
+        rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
     }

@@ -24,9 +24,10 @@ inline constexpr double multipliedFormLimit = 500;
 /// The lanes' state.
 struct Lanes {
     explicit Lanes(std::size_t count)
-        : depth_mm(count), root(count), peakForce_n(count), share(count) {}
+        : depth_mm(count), root(count), rootSum(count), peakForce_n(count), share(count) {}
     std::vector<double> depth_mm;    ///< how far the radius stands below first touch
     std::vector<double> root;        ///< u = √a of the last pass [√mm]
+    std::vector<double> rootSum;     ///< Σ√a since the owner last cleared it [√mm]
     std::vector<double> peakForce_n; ///< largest P_y so far
     std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
 };

@@ -78,6 +78,16 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
     return gammas;
 }
 
+/// What each zone or section stands for of the ground length.
+std::vector<double> lengths(const Project& project) {
+    if (project.operation == Operation::plunge) {
+        const auto sections = static_cast<std::size_t>(project.sections);
+        return std::vector<double>(sections, project.part.length_mm / project.sections);
+    }
+    const ZoneLengths zones = zoneLengths(project);
+    return {zones.rz1, zones.nz, zones.rz2};
+}
+
 std::vector<double> givenGammas(const GivenCompliance& given) {
     if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
         return {zones->rz1, zones->nz, zones->rz2};
@@ -99,9 +109,10 @@ std::vector<CompliantPoint> compliantPoints(const Project& project) {
                                            ? computedGammas(project, at)
                                            : givenGammas(project.machine.compliance_mm_per_n);
     assert(gammas.size() == at.size());
+    const std::vector<double> length = lengths(project);
     std::vector<CompliantPoint> points;
     for (std::size_t i = 0; i < at.size(); ++i) {
-        points.push_back({at[i], gammas[i]});
+        points.push_back({at[i], gammas[i], length[i]});
     }
     return points;
 }

@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/quality/shop_numbers.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -18,6 +19,7 @@ struct Outcome {
     SimulationResult result;
     Trajectory trajectory;
     std::vector<ConstraintResult> constraints;
+    ShopNumbers shop;
 
     [[nodiscard]] bool ran() const { return !hasErrors(issues); }
 };

@@ -69,7 +69,11 @@ void VerdictModel::retranslate() {
 }
 
 bool VerdictModel::isZoneRow(int row) const {
-    return m_rows.at(static_cast<std::size_t>(row)).constraint == nullptr;
+    return constraintAt(row) == nullptr;
+}
+
+const ConstraintResult* VerdictModel::constraintAt(int row) const {
+    return m_rows.at(static_cast<std::size_t>(row)).constraint;
 }
 
 int VerdictModel::rowCount(const QModelIndex& parent) const {
