@@ -7,6 +7,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/views/feeds_view.h"
+#include "ui/views/profiles_view.h"
 #include "ui/views/verdict_panel.h"
 
 #include <QAbstractButton>
@@ -78,7 +79,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    m_views = {new FeedsView(this)};
+    m_views = {new FeedsView(this), new ProfilesView(this)};
     m_tabs->setDocumentMode(true);
     for (View* view : m_views) {
         m_tabs->addTab(view, QString());
