@@ -12,6 +12,7 @@
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
 #include "ui/views/feeds_view.h"
+#include "ui/views/profiles_view.h"
 #include "ui/views/verdict_panel.h"
 
 #include <QAbstractButton>
@@ -90,7 +91,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view : std::initializer_list<View*>{new FeedsView(this)}) {
+    for (View* view : std::initializer_list<View*>{new FeedsView(this), new ProfilesView(this)}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));

@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QFontMetrics>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QStringList>
 
@@ -75,12 +76,31 @@ void LegendStrip::changeEvent(QEvent* event) {
     }
 }
 
+QRect LegendStrip::entryRect(int index) const {
+    return layOut(width()).at(static_cast<std::size_t>(index));
+}
+
+void LegendStrip::mousePressEvent(QMouseEvent* event) {
+    const std::vector<QRect> rects = layOut(width());
+    for (std::size_t i = 0; i < rects.size() && event->button() == Qt::LeftButton; ++i) {
+        if (m_entries[i].key >= 0 && rects[i].contains(event->pos())) {
+            const bool only = event->modifiers().testFlag(Qt::ControlModifier);
+            only ? emit onlyAsked(m_entries[i].key) : emit toggled(m_entries[i].key);
+            return;
+        }
+    }
+}
+
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    QFont struck = font();
+    struck.setStrikeOut(true);
     const std::vector<QRect> rects = layOut(width());
     for (std::size_t i = 0; i < rects.size(); ++i) {
         const LegendEntry& e = m_entries[i];
         const QRect& r = rects[i];
+        painter.setOpacity(e.shown ? 1 : 0.5);
+        painter.setFont(e.shown ? font() : struck);
         if (e.pen == Qt::NoPen) {
             painter.fillRect(QRect(r.left() + 4, r.center().y() - 4, sample - 8, 10), e.colour);
         } else {
