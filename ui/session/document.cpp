@@ -34,6 +34,7 @@ public:
         , m_mergeKey(std::move(mergeKey)) {}
 
     [[nodiscard]] const EditText& editText() const { return m_text; }
+    [[nodiscard]] const Project& before() const { return *m_before; }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
     void undo() override { m_document.setProject(*m_before); }
@@ -93,6 +94,19 @@ void Document::undo() {
 void Document::redo() {
     endMerge();
     m_history.redo();
+}
+
+const Project* Document::lastWith(Operation operation) const {
+    if (m_project.operation == operation) {
+        return &m_project;
+    }
+    for (int i = m_history.index() - 1; i >= 0; --i) {
+        const Project& before = static_cast<const Edit*>(m_history.command(i))->before();
+        if (before.operation == operation) {
+            return &before;
+        }
+    }
+    return nullptr;
 }
 
 void Document::startUntitled(Project project) {
