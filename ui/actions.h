@@ -19,7 +19,8 @@ public:
     explicit Actions(QMainWindow& window);
 
     void addDocks(const QList<QAction*>& toggles); ///< to the View menu
-    void follow(const Document& document);         ///< what can be undone, and what it is called
+    /// What can be undone, and what it is called; a refused text is undone first.
+    void follow(const Document& document, bool refusedText);
     void retranslate();
     void showLanguage(const QString& code);
 

@@ -136,7 +136,11 @@ void MainWindow::connectActions() {
     on(m_actions->save, [this] { m_files->save(); });
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->quit, [this] { close(); });
-    on(m_actions->undo, [this] { m_document.undo(); });
+    on(m_actions->undo, [this] {
+        if (!m_inputs->dropNewestRefusal()) {
+            m_document.undo();
+        }
+    });
     on(m_actions->redo, [this] { m_document.redo(); });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
@@ -150,7 +154,7 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_document, &Document::historyChanged, this, [this] {
-        m_actions->follow(m_document);
+        m_actions->follow(m_document, !m_inputs->refusals().empty());
         showTitle();
     });
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
@@ -165,8 +169,10 @@ void MainWindow::connectDocument() {
     });
     m_refusalsTimer.setSingleShot(true);
     m_refusalsTimer.setInterval(0);
-    connect(&m_refusalsTimer, &QTimer::timeout, this,
-            [this] { m_messages->setRefusals(m_inputs->refusals()); });
+    connect(&m_refusalsTimer, &QTimer::timeout, this, [this] {
+        m_messages->setRefusals(m_inputs->refusals());
+        m_actions->follow(m_document, !m_inputs->refusals().empty());
+    });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
         m_inputsDock->show();
@@ -234,7 +240,7 @@ void MainWindow::setLanguage(const QString& code) {
 
 void MainWindow::retranslate() {
     m_actions->retranslate();
-    m_actions->follow(m_document);
+    m_actions->follow(m_document, !m_inputs->refusals().empty());
     m_actions->showLanguage(m_language.code());
     m_inputsDock->setWindowTitle(tr("Inputs"));
     m_verdictDock->setWindowTitle(tr("Verdict"));
