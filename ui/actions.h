@@ -29,7 +29,8 @@ public:
     void addRecentFiles(QMenu* menu);              ///< to the File menu
     /// An entry a view, with Ctrl and its number.
     [[nodiscard]] QList<QAction*> addViews(int count);
-    void follow(const Document& document); ///< what can be undone, and what it is called
+    /// What can be undone, and what it is called; a refused text is undone first.
+    void follow(const Document& document, bool refusedText);
     void retranslate();
     void showLanguage(const QString& code);
     void showTheme(Theme theme);

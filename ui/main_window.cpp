@@ -180,7 +180,11 @@ void MainWindow::connectActions() {
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
     on(m_actions->quit, [this] { close(); });
-    on(m_actions->undo, [this] { m_document.undo(); });
+    on(m_actions->undo, [this] {
+        if (!m_inputs->dropNewestRefusal()) {
+            m_document.undo();
+        }
+    });
     on(m_actions->redo, [this] { m_document.redo(); });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
@@ -200,7 +204,7 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_document, &Document::historyChanged, this, [this] {
-        m_actions->follow(m_document);
+        m_actions->follow(m_document, !m_inputs->refusals().empty());
         showTitle();
     });
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
@@ -222,6 +226,7 @@ void MainWindow::connectDocument() {
         const std::vector<Refusal> refusals = m_inputs->refusals();
         m_messages->setRefusals(refusals);
         m_verdict->setRefusedFields(static_cast<int>(refusals.size()));
+        m_actions->follow(m_document, !refusals.empty());
     });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
@@ -321,7 +326,7 @@ void MainWindow::toggleDetached() {
 
 void MainWindow::retranslate() {
     m_actions->retranslate();
-    m_actions->follow(m_document);
+    m_actions->follow(m_document, !m_inputs->refusals().empty());
     m_actions->showLanguage(m_language.code());
     m_actions->showTheme(appliedTheme());
     m_actions->nameViews(views());

@@ -61,6 +61,10 @@ public:
     void undo();
     void redo();
 
+    /// The project as it was the last time under an operation, as far as undo reaches; null when
+    /// it never was.
+    [[nodiscard]] const Project* lastWith(Operation operation) const;
+
     void startUntitled(Project project);
     [[nodiscard]] OpenResult open(const QString& path);
     [[nodiscard]] Issues openCopy(const QByteArray& text); ///< as an untitled document
