@@ -56,7 +56,7 @@ void VerdictPanel::build() {
     auto* page = new QWidget(area);
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
-    m_layout->setContentsMargins(8, 4, 8, 6);
+    m_layout->setContentsMargins(6, 4, 6, 6);
     m_layout->setSpacing(6);
     m_status = addText(m_layout, "status");
     m_model = new VerdictModel(this);
@@ -70,7 +70,7 @@ void VerdictPanel::build() {
 
 void VerdictPanel::buildHead(QWidget* head) {
     auto* layout = new QVBoxLayout(head);
-    layout->setContentsMargins(8, 6, 8, 2);
+    layout->setContentsMargins(6, 6, 6, 2);
     layout->setSpacing(4);
     m_notice = addText(layout, "notice");
     m_refused = addText(layout, "refusedFields");
