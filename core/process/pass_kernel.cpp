@@ -32,15 +32,14 @@ template <Root form>
     const double* __restrict C2 = coefficients.C2.data() + range.first;
     const double* __restrict A4 = coefficients.A4.data() + range.first;
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
-    const double base = feed.base, offset = feed.offset, rate = feed.rate, cap = feed.cap;
+    const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
     for (std::size_t i = 0; i < count; ++i) {
-        const double ramp = offset + rate * share[i];
-        const double fed = base + (ramp < cap ? ramp : cap);
-        const double lag = fed - depth[i];
+        const double ramp = begin + rate * share[i];
+        const double lag = (ramp < most ? ramp : most) - depth[i];
         const double h = lag > 0 ? lag : 0;
         const double q = std::sqrt(C2[i] + A4[i] * h);
         const double u =

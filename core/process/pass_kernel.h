@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -42,9 +43,14 @@ struct LaneCoefficients {
     std::vector<double> C, C2, A4, inverse2A;
 };
 
-/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm].
+/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm], rounded as
+/// min((base + offset) + rate·share, base + cap).
 struct PassFeed {
     double base = 0, offset = 0, rate = 0, cap = 0;
+
+    [[nodiscard]] double at(double share) const {
+        return std::min(base + offset + rate * share, base + cap);
+    }
 };
 
 /// A range of lanes in one pass.

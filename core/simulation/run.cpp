@@ -156,7 +156,7 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
         const double u = m_lanes.root[lane];
         Visit visit;
         visit.time_s = m_result.time_s + info.duration_s * (stroke ? 1.0 : share);
-        visit.programmed_mm = feed.base + std::min(feed.offset + feed.rate * share, feed.cap);
+        visit.programmed_mm = feed.at(share);
         visit.actual_mm = u * u;
         visit.accumulated_mm =
             m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];

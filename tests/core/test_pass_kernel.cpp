@@ -54,8 +54,8 @@ struct RandomPass {
     }
     /// h as the kernel's page defines it.
     [[nodiscard]] double gap(std::size_t lane) const {
-        const double ramp = feed.offset + feed.rate * lanes.share[lane];
-        return feed.base + std::min(ramp, feed.cap) - lanes.depth_mm[lane];
+        const double ramp = feed.base + feed.offset + feed.rate * lanes.share[lane];
+        return std::min(ramp, feed.base + feed.cap) - lanes.depth_mm[lane];
     }
 };
 

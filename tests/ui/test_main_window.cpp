@@ -100,10 +100,16 @@ QList<Shown> textsOf(const QWidget& window) {
             }
         } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
             const QAbstractItemModel* model = view->model();
+            for (int row = 0; model && row < model->rowCount(); ++row) {
+                addTo(list, view, model->headerData(row, Qt::Vertical).toString());
+                addTo(list, view, model->headerData(row, Qt::Vertical, Qt::ToolTipRole).toString());
+            }
             for (int column = 0; model && column < model->columnCount(); ++column) {
                 addTo(list, view, model->headerData(column, Qt::Horizontal).toString());
                 for (int row = 0; row < model->rowCount(); ++row) {
-                    addTo(list, view, model->index(row, column).data().toString());
+                    const QModelIndex index = model->index(row, column);
+                    addTo(list, view, index.data().toString());
+                    addTo(list, view, index.data(Qt::ToolTipRole).toString());
                 }
             }
         }
@@ -296,7 +302,7 @@ private slots:
         QCOMPARE(bench.window->focusWidget(), field);
     }
 
-    void aRefusedTextIsListedAmongTheMessages() {
+    void aRefusedTextIsListedAndTheVerdictSaysSo() {
         Bench bench(QStringLiteral("en"));
         bench.open(example("shaft-30h6-factory.sparkout"));
         bench.window->inputs().showPage(0);
@@ -306,6 +312,13 @@ private slots:
         QTest::keyClicks(field, QStringLiteral("thirty"));
         QTRY_COMPARE(bench.window->messages().item(0)->data(Qt::UserRole).toString(),
                      QStringLiteral("/part/diameter_mm"));
+        const auto* notice = bench.window->findChild<QLabel*>(QStringLiteral("refusedFields"));
+        QTRY_VERIFY(notice->isVisible());
+        QVERIFY(notice->text().startsWith(QStringLiteral("1 field"))
+                && notice->text().contains(QStringLiteral("refused text")));
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("31"));
+        QTRY_VERIFY(!notice->isVisible());
     }
 
     void faultsAreListedAsPathAndSentence() {

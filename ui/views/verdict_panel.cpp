@@ -57,7 +57,7 @@ void VerdictPanel::build() {
     auto* page = new QWidget(area);
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
-    m_layout->setContentsMargins(metrics::margin, metrics::tight, metrics::margin, metrics::gap);
+    m_layout->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::gap);
     m_layout->setSpacing(metrics::gap);
     m_status = addText(m_layout, "status");
     m_model = new VerdictModel(this);
@@ -71,7 +71,7 @@ void VerdictPanel::build() {
 
 void VerdictPanel::buildHead(QWidget* head) {
     auto* layout = new QVBoxLayout(head);
-    layout->setContentsMargins(metrics::margin, metrics::gap, metrics::margin, metrics::hair);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::hair);
     layout->setSpacing(metrics::tight);
     m_notice = addText(layout, "notice");
     m_refused = addText(layout, "refusedFields");

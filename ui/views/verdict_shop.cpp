@@ -90,18 +90,25 @@ ShopSection::ShopSection(QWidget* parent)
     }
     m_remarks->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_remarks->setObjectName(QStringLiteral("shopRemarks"));
+    buildTable();
+    retranslate();
+}
+
+void ShopSection::buildTable() {
     m_table->setObjectName(QStringLiteral("shop"));
     m_table->setModel(m_model);
     m_table->setItemDelegate(new NarrowCells(m_table));
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.92);
+    m_table->verticalHeader()->setFont(small);
     m_table->verticalHeader()->setSectionsClickable(false);
     m_table->verticalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setMinimumSectionSize(10);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     connect(m_table, &CopyTable::resized, this, &ShopSection::fit, Qt::QueuedConnection);
-    retranslate();
 }
 
 void ShopSection::setOutcome(const OutcomePtr& outcome) {

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] CopyTable* table() const { return m_table; }
 
 private:
+    void buildTable();
     void showRemarks();
     void fit();
 
