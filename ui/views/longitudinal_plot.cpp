@@ -6,6 +6,8 @@
 #include "ui/views/plot_style.h"
 #include "ui/views/profiles_text.h"
 
+#include <QApplication>
+
 #include <algorithm>
 #include <limits>
 
@@ -37,6 +39,9 @@ LongitudinalPlot::LongitudinalPlot(QWidget* parent) : QCustomPlot(parent) {
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &LongitudinalPlot::onMouse);
+    connect(this, &QCustomPlot::mousePress, this,
+            [this](QMouseEvent* event) { m_pressed = event->pos(); });
+    connect(this, &QCustomPlot::mouseRelease, this, &LongitudinalPlot::onRelease);
     connect(this, &QCustomPlot::mouseWheel, this, &LongitudinalPlot::onWheel);
     connect(this, &QCustomPlot::mouseDoubleClick, this, &LongitudinalPlot::fitAsked);
 }
@@ -213,13 +218,25 @@ void LongitudinalPlot::onWheel(QWheelEvent* event) {
                              below && !m_toScale ? nullptr : m_rect->axis(QCPAxis::atLeft));
 }
 
+int LongitudinalPlot::profileUnder(const QPoint& at) const {
+    const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
+    const bool inside = m_rect->rect().contains(at) && x >= 0 && x <= m_series.length_mm;
+    return inside ? profileAt(m_series, x) : -1;
+}
+
 void LongitudinalPlot::onMouse(QMouseEvent* event) {
-    if (event->buttons() != Qt::NoButton) {
-        return;
+    if (event->buttons() == Qt::NoButton) {
+        pointAt(profileUnder(event->pos()));
     }
-    const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
-    const bool inside = m_rect->rect().contains(event->pos()) && x >= 0 && x <= m_series.length_mm;
-    pointAt(inside ? profileAt(m_series, x) : -1);
+}
+
+void LongitudinalPlot::onRelease(QMouseEvent* event) {
+    const bool still =
+        (event->pos() - m_pressed).manhattanLength() < QApplication::startDragDistance();
+    const int profile = profileUnder(event->pos());
+    if (event->button() == Qt::LeftButton && still && profile >= 0) {
+        emit profileClicked(profile);
+    }
 }
 
 void LongitudinalPlot::pointAt(int profile) {

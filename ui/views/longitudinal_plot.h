@@ -40,6 +40,7 @@ public:
 signals:
     void pointed(const QString& text); ///< empty: at nothing
     void fitAsked();
+    void profileClicked(int profile); ///< index of the zone or section
 
 protected:
     void leaveEvent(QEvent* event) override;
@@ -66,7 +67,9 @@ private:
     [[nodiscard]] LengthQuantity quantity() const;
     [[nodiscard]] QString nameOf(const Curve& curve) const;
     [[nodiscard]] QCPRange valuesInSight() const;
+    [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
     void onMouse(QMouseEvent* event);
+    void onRelease(QMouseEvent* event);
     void onWheel(QWheelEvent* event);
     void pointAt(int profile);
 
@@ -86,6 +89,7 @@ private:
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointed = -1;
+    QPoint m_pressed;
 };
 
 } // namespace sparkout

@@ -198,9 +198,6 @@ void LongitudinalPlot::restyle() {
     m_gaugeLine->setPen(gauge);
     m_gaugeName->setColor(gauge.color());
     m_gaugeName->setFont(font());
-    QColor ground = palette().color(QPalette::Base);
-    ground.setAlpha(190);
-    m_gaugeName->setBrush(ground);
     fillBands();
 }
 

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double leastReach = 1.15; ///< of the base circle
 constexpr double mostField = 2;     ///< a field that reaches further is cut off
-constexpr double border = 1.04;
-constexpr double edge = 3;      ///< around the drawing [px]
-constexpr int mostMarkers = 36; ///< more radii are not marked one by one
+constexpr double border = 1.12;     ///< room for the names of the angles inside the rim
+constexpr double edge = 3;          ///< around the drawing [px]
+constexpr int mostMarkers = 36;     ///< more radii are not marked one by one
 
 QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
     QVector<QCPCurveData> data;

@@ -243,6 +243,13 @@ void ProfilesView::onSection(int index) {
     replotAll();
 }
 
+/// A section clicked along the axis joins those shown, where not all have room.
+void ProfilesView::choose(int profile) {
+    if (m_section->count() > mostCells + 1) {
+        m_section->setCurrentIndex(m_section->findData(profile));
+    }
+}
+
 void ProfilesView::fillMagnifications() {
     const QSignalBlocker blocker(m_magnification);
     m_magnification->clear();

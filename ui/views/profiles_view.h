@@ -72,6 +72,7 @@ private:
     void fillChoice(QComboBox* box, const std::vector<QString>& texts);
     void onStroke(int number);
     void onSection(int index);
+    void choose(int profile);
     void onMagnification(int index);
     void toggle(ProfileLine line);
     void showOnly(ProfileLine line);

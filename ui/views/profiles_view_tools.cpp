@@ -236,6 +236,7 @@ void ProfilesView::connectPlots() {
     };
     connect(m_across, &ProfilesPlot::pointed, this, tell);
     connect(m_along, &LongitudinalPlot::pointed, this, tell);
+    connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
     connect(m_across, &ProfilesPlot::fitAsked, this, [this] {
         m_across->fit();
         replotAll();
