@@ -20,7 +20,7 @@ QStringList warnings;
 QtMessageHandler before = nullptr;
 
 bool aboutThePlatform(const QString& text) {
-    return text.contains(QStringLiteral("propagateSizeHints"))
+    return text.contains(QStringLiteral("This plugin does not support"))
            || text.contains(QStringLiteral("XDG_RUNTIME_DIR"));
 }
 
