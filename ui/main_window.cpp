@@ -78,7 +78,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    m_views = {new FeedsView(this)};
+    m_views = {new FeedsView(this, &m_settings)};
     m_tabs->setDocumentMode(true);
     for (View* view : m_views) {
         m_tabs->addTab(view, QString());
