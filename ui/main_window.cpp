@@ -91,7 +91,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view : std::initializer_list<View*>{new FeedsView(this), new ProfilesView(this)}) {
+    for (View* view :
+         std::initializer_list<View*>{new FeedsView(this, &m_settings), new ProfilesView(this)}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));

@@ -29,6 +29,7 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
     outcome->shop = shopNumbers(outcome->result);
     const Issues remarks = remarksOn(outcome->result);
     outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());
+    outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
     return outcome;
 }
 
