@@ -110,119 +110,119 @@ QStringList Document::unsavedEdits() const {
     }
     texts.removeDuplicates();
     return texts;
-    const Project* Document::lastWith(Operation operation) const {
-        if (m_project.operation == operation) {
-            return &m_project;
+}
+
+const Project* Document::lastWith(Operation operation) const {
+    if (m_project.operation == operation) {
+        return &m_project;
+    }
+    for (int i = m_history.index() - 1; i >= 0; --i) {
+        const Project& before = editAt(i)->before();
+        if (before.operation == operation) {
+            return &before;
         }
-        for (int i = m_history.index() - 1; i >= 0; --i) {
-            const Project& before = editAt(i)->before();
-            if (before.operation == operation) {
-                return &before;
-            }
-        }
-        return nullptr;
     }
+    return nullptr;
+}
 
-    void Document::startUntitled(Project project) {
-        take(std::move(project), {}, {}, false);
+void Document::startUntitled(Project project) {
+    take(std::move(project), {}, {}, false);
+}
+
+OpenResult Document::open(const QString& path) {
+    LoadedProject loaded = loadProject(path);
+    OpenResult result{std::move(loaded.issues), std::move(loaded.error)};
+    if (loaded.project) {
+        result.taken = true;
+        take(std::move(*loaded.project), path, loaded.hash, false);
     }
+    return result;
+}
 
-    OpenResult Document::open(const QString& path) {
-        LoadedProject loaded = loadProject(path);
-        OpenResult result{std::move(loaded.issues), std::move(loaded.error)};
-        if (loaded.project) {
-            result.taken = true;
-            take(std::move(*loaded.project), path, loaded.hash, false);
-        }
-        return result;
+Issues Document::openCopy(const QByteArray& text) {
+    LoadedProject loaded = parseProject({text.constData(), static_cast<std::size_t>(text.size())});
+    if (loaded.project && !hasErrors(loaded.issues)) {
+        startUntitled(std::move(*loaded.project));
     }
+    return loaded.issues;
+}
 
-    Issues Document::openCopy(const QByteArray& text) {
-        LoadedProject loaded =
-            parseProject({text.constData(), static_cast<std::size_t>(text.size())});
-        if (loaded.project && !hasErrors(loaded.issues)) {
-            startUntitled(std::move(*loaded.project));
-        }
-        return loaded.issues;
+std::optional<FileError> Document::save() {
+    return saveAs(m_filePath);
+}
+
+std::optional<FileError> Document::saveAs(const QString& path) {
+    const SavedProject saved = saveProject(m_project, path);
+    if (!saved.error) {
+        markSaved(path, saved.hash);
     }
+    return saved.error;
+}
 
-    std::optional<FileError> Document::save() {
-        return saveAs(m_filePath);
-    }
+void Document::markSaved(const QString& path, const QByteArray& hash) {
+    m_filePath = path;
+    m_diskHash = hash;
+    m_readOnly = false;
+    endMerge();
+    m_history.setClean();
+    emit historyChanged();
+}
 
-    std::optional<FileError> Document::saveAs(const QString& path) {
-        const SavedProject saved = saveProject(m_project, path);
-        if (!saved.error) {
-            markSaved(path, saved.hash);
-        }
-        return saved.error;
-    }
+void Document::markUnsaved() {
+    m_history.resetClean();
+}
 
-    void Document::markSaved(const QString& path, const QByteArray& hash) {
-        m_filePath = path;
-        m_diskHash = hash;
-        m_readOnly = false;
-        endMerge();
-        m_history.setClean();
-        emit historyChanged();
-    }
+void Document::reload(Project project, const QByteArray& hash) {
+    endMerge();
+    edit(std::move(project), reloadText);
+    m_diskHash = hash;
+    m_history.setClean();
+}
 
-    void Document::markUnsaved() {
+void Document::take(Project project, const QString& path, const QByteArray& hash, bool readOnly) {
+    replace(std::move(project), path, hash, readOnly, Kept::onDisk);
+}
+
+void Document::recover(Project project, const QString& path, const QByteArray& hash,
+                       bool readOnly) {
+    replace(std::move(project), path, hash, readOnly, Kept::nowhere);
+}
+
+void Document::replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
+                       Kept kept) {
+    m_history.clear();
+    if (kept == Kept::nowhere) {
         m_history.resetClean();
     }
+    m_project = std::move(project);
+    m_present = snapshot(m_project);
+    m_filePath = path;
+    m_diskHash = hash;
+    m_readOnly = readOnly;
+    endMerge();
+    emit historyChanged();
+    emit replaced();
+    emit changed();
+}
 
-    void Document::reload(Project project, const QByteArray& hash) {
-        endMerge();
-        edit(std::move(project), reloadText);
-        m_diskHash = hash;
-        m_history.setClean();
+Document::Snapshot Document::snapshot(Project project) const {
+    Snapshot made;
+    made.runs = m_present.runs;
+    if (!made.runs || project.runs != *made.runs) {
+        made.runs = std::make_shared<const std::vector<KeptRun>>(project.runs);
     }
+    project.runs.clear();
+    made.project = std::move(project);
+    return made;
+}
 
-    void Document::take(Project project, const QString& path, const QByteArray& hash,
-                        bool readOnly) {
-        replace(std::move(project), path, hash, readOnly, Kept::onDisk);
-    }
-
-    void Document::recover(Project project, const QString& path, const QByteArray& hash,
-                           bool readOnly) {
-        replace(std::move(project), path, hash, readOnly, Kept::nowhere);
-    }
-
-    void Document::replace(Project project, const QString& path, const QByteArray& hash,
-                           bool readOnly, Kept kept) {
-        m_history.clear();
-        if (kept == Kept::nowhere) {
-            m_history.resetClean();
-        }
-        m_project = std::move(project);
-        m_present = snapshot(m_project);
-        m_filePath = path;
-        m_diskHash = hash;
-        m_readOnly = readOnly;
-        endMerge();
-        emit historyChanged();
-        emit replaced();
-        emit changed();
-    }
-
-    Document::Snapshot Document::snapshot(Project project) const {
-        Snapshot made;
-        made.runs = m_present.runs;
-        if (!made.runs || project.runs != *made.runs) {
-            made.runs = std::make_shared<const std::vector<KeptRun>>(project.runs);
-        }
-        project.runs.clear();
-        made.project = std::move(project);
-        return made;
-    }
-
-    void Document::setProject(const Snapshot& snapshot) {
-        const bool sameRuns = snapshot.runs == m_present.runs;
-        std::vector<KeptRun> runs = sameRuns ? std::move(m_project.runs) : *snapshot.runs;
-        m_present = snapshot;
-        m_project = snapshot.project;
-        m_project.runs = std::move(runs);
-        emit changed();
-    }
+void Document::setProject(const Snapshot& snapshot) {
+    const bool sameRuns = snapshot.runs == m_present.runs;
+    std::vector<KeptRun> runs = sameRuns ? std::move(m_project.runs) : *snapshot.runs;
+    m_present = snapshot;
+    m_project = snapshot.project;
+    m_project.runs = std::move(runs);
+    emit changed();
+}
 
 } // namespace sparkout

@@ -80,14 +80,6 @@ void Settings::setCsvDialect(const QString& dialect) {
     m_file->set(csvKey, dialect);
 }
 
-QString Settings::theme() const {
-    return value(themeKey, QStringLiteral("system")).toString();
-}
-
-void Settings::setTheme(const QString& code) {
-    set(themeKey, code);
-}
-
 QString Settings::lastFolder() const {
     const QString folder = m_file->value(folderKey).toString();
     return folder.isEmpty() ? QDir::homePath() : folder;
