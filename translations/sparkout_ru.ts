@@ -3132,10 +3132,6 @@ target, µm</source>
             <translation>Без названия</translation>
         </message>
         <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Сохранить</translation>
-        </message>
-        <message>
             <source>%1 copy</source>
             <translation>%1 (копия)</translation>
         </message>
@@ -3144,20 +3140,8 @@ target, µm</source>
             <translation>В сохранённых расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
-            <source>&amp;Show…</source>
-            <translation>&amp;Показать…</translation>
-        </message>
-        <message>
             <source>“%1” is open read-only. Saving asks for another name.</source>
             <translation>«%1» открыт только для чтения. При сохранении будет спрошено другое имя.</translation>
-        </message>
-        <message>
-            <source>Save &amp;as…</source>
-            <translation>Сохранить &amp;как…</translation>
-        </message>
-        <message>
-            <source>&amp;Reload</source>
-            <translation>&amp;Перечитать</translation>
         </message>
         <message>
             <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
@@ -3170,10 +3154,6 @@ target, µm</source>
         <message>
             <source>“%1” was changed by another program. Reload it?</source>
             <translation>«%1» изменён другой программой. Перезагрузить его?</translation>
-        </message>
-        <message>
-            <source>&amp;Keep mine</source>
-            <translation>&amp;Оставить мои</translation>
         </message>
         <message>
             <source>This is recovered work of %1. It is not saved yet.</source>
@@ -3202,6 +3182,26 @@ target, µm</source>
         <message>
             <source>“%1” is damaged.</source>
             <translation>«%1» повреждён.</translation>
+        </message>
+        <message>
+            <source>Show…</source>
+            <translation>Показать…</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>Сохранить как…</translation>
+        </message>
+        <message>
+            <source>Reload</source>
+            <translation>Перезагрузить</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Сохранить</translation>
+        </message>
+        <message>
+            <source>Keep mine</source>
+            <translation>Оставить мою</translation>
         </message>
     </context>
     <context>
@@ -3541,8 +3541,8 @@ target, µm</source>
             <translation>Извещение</translation>
         </message>
         <message>
-            <source>C&amp;lose</source>
-            <translation>&amp;Закрыть</translation>
+            <source>Close</source>
+            <translation>Закрыть</translation>
         </message>
     </context>
     <context>
@@ -3626,10 +3626,6 @@ target, µm</source>
             <translation>Вперёд</translation>
         </message>
         <message>
-            <source>Show all (Home, or a double click in the plot). Wheel: zoom, over an axis that axis only, with Shift move. Drag: move. Keys: + − and arrows.</source>
-            <translation>Показать всё (Home или двойной щелчок на графике). Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
-        </message>
-        <message>
             <source>Back to what was in sight before (Backspace)</source>
             <translation>Назад к прежнему виду (Backspace)</translation>
         </message>
@@ -3680,6 +3676,10 @@ target, µm</source>
         <message>
             <source>Copy or save what the plot shows</source>
             <translation>Скопировать или сохранить то, что на графике</translation>
+        </message>
+        <message>
+            <source>Show all (Home); a double click in the plot does it too. Wheel: zoom, over an axis that axis only, with Shift move. Drag: move. Keys: + − and arrows.</source>
+            <translation>Показать всё (Home); так же действует двойной щелчок на графике. Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
         </message>
     </context>
     <context>
@@ -3934,6 +3934,37 @@ target, µm</source>
         <message>
             <source>A number a line in µm, or the last column of a table; the number of values becomes the number of radii per section.</source>
             <translation>По числу в строке, мкм, или последний столбец таблицы; количество значений станет числом радиусов в сечении.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RangeEditor</name>
+        <message>
+            <source>lowest, highest and step are needed, or none of them</source>
+            <translation>нужны наименьшее, наибольшее и шаг либо ничего из них</translation>
+        </message>
+        <message>
+            <source>the lowest value is not below the highest</source>
+            <translation>наименьшее значение не меньше наибольшего</translation>
+        </message>
+        <message>
+            <source>lowest</source>
+            <translation>наименьшее</translation>
+        </message>
+        <message>
+            <source>highest</source>
+            <translation>наибольшее</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <translation>этап</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <translation>%1: %2, %3</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
     </context>
     <context>

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QStringList>
 #include <QTest>
@@ -83,5 +84,5 @@ private:
     QString m_fault;
     qsizetype m_next = 0;
     QTimer m_poll;
-    QDialog* m_last = nullptr;
+    QPointer<QDialog> m_last; ///< null once it is gone: the next one may stand at its address
 };

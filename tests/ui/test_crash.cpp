@@ -171,8 +171,10 @@ private slots:
                        QByteArray::fromStdString(writeProject(newProject(Operation::plunge))));
         const RecoveryStore store(state);
         QVERIFY(makePrivateFolder(store.folder()));
-        const QByteArray good = QByteArray::fromStdString(
-            recoveryText({QStringLiteral("good")}, newProject(Operation::traverse)));
+        RecoveryHeader header;
+        header.title = QStringLiteral("good");
+        const QByteArray good =
+            QByteArray::fromStdString(recoveryText(header, newProject(Operation::traverse)));
         QRandomGenerator chance(9);
         int started = 0;
         constexpr int cases = 10;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The widgets of the feeds view: building and connecting.
 #include "ui/metrics.h"
+#include "ui/theme.h"
 #include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
 #include "ui/views/feeds_view.h"
@@ -86,7 +87,7 @@ void FeedsView::buildToolBar(QWidget* bar) {
     m_note = new QToolButton(bar);
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
-    m_note->setIcon(QIcon(QStringLiteral(":/icons/info.svg")));
+    m_note->setIcon(themeIcon(u"info"));
     m_note->setAutoRaise(true);
     m_strokeLabel->setTextFormat(Qt::PlainText);
     for (QToolButton* button : {m_previous, m_next, m_note}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/plot_tools.h"
+#include "ui/theme.h"
 
 #include "ui/dialogs/save_dialog.h"
 #include "ui/views/hair_line.h"
@@ -19,18 +20,6 @@ namespace {
 
 constexpr int clipboardScale = 2;
 constexpr int message_ms = 6000;
-
-/// Black on white, whatever the theme of the window.
-QPalette lightPalette() {
-    QPalette light;
-    for (const auto role : {QPalette::Base, QPalette::Window, QPalette::AlternateBase}) {
-        light.setColor(role, Qt::white);
-    }
-    for (const auto role : {QPalette::Text, QPalette::WindowText}) {
-        light.setColor(role, QColor(0x1a, 0x1a, 0x1a));
-    }
-    return light;
-}
 
 } // namespace
 
@@ -61,7 +50,7 @@ QAction* PlotTools::make(const char16_t* icon, const QList<QKeySequence>& keys) 
     auto* action = new QAction(this);
     const QStringView name(icon);
     if (!name.isEmpty()) {
-        action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(name)));
+        action->setIcon(themeIcon(name));
     }
     action->setShortcuts(keys);
     action->setShortcutContext(Qt::WidgetShortcut);
@@ -143,7 +132,7 @@ QToolButton* PlotTools::button(QAction* action, QWidget* parent) {
 
 QToolButton* PlotTools::exportButton(QWidget* parent) {
     auto* button = new QToolButton(parent);
-    button->setIcon(QIcon(QStringLiteral(":/icons/export.svg")));
+    button->setIcon(themeIcon(u"export"));
     button->setMenu(m_export);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setAutoRaise(true);
@@ -188,7 +177,7 @@ auto PlotTools::inLightLook(Draw draw) const {
             hairLine->setVisible(line);
         }
     };
-    look(lightPalette(), false);
+    look(paletteOf(Theme::light), false);
     auto drawn = draw(picture());
     look(own, true);
     return drawn;
@@ -236,8 +225,9 @@ void PlotTools::retranslate() {
     fit->setText(tr("Show all"));
     back->setText(tr("Back"));
     forward->setText(tr("Forward"));
-    fit->setToolTip(tr("Show all (Home, or a double click in the plot). Wheel: zoom, over an axis "
-                       "that axis only, with Shift move. Drag: move. Keys: + − and arrows."));
+    fit->setToolTip(
+        tr("Show all (Home); a double click in the plot does it too. Wheel: zoom, over an axis "
+           "that axis only, with Shift move. Drag: move. Keys: + − and arrows."));
     back->setToolTip(tr("Back to what was in sight before (Backspace)"));
     forward->setToolTip(tr("Forward again (Alt+Right)"));
     copyPicture->setText(tr("&Copy the picture"));

@@ -22,6 +22,7 @@
 namespace sparkout {
 
 ProfilesView::ProfilesView(QWidget* parent) : View(parent) {
+    setObjectName(QStringLiteral("profiles"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->setSpacing(4);

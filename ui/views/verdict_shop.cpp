@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_shop.h"
+#include "ui/theme.h"
 
 #include "ui/views/copy_table.h"
 #include "ui/views/verdict_shop_model.h"
@@ -128,8 +129,7 @@ void ShopSection::showRemarks() {
     const QStringList sentences = m_outcome ? shop::remarks(m_outcome->shop) : QStringList();
     m_remarks->setText(sentences.join(QLatin1Char('\n')));
     m_remarksLine->setVisible(!sentences.isEmpty());
-    m_icon->setPixmap(QIcon(QStringLiteral(":/icons/warning.svg"))
-                          .pixmap(QSize(iconSize, iconSize), devicePixelRatioF()));
+    m_icon->setPixmap(themeIcon(u"warning").pixmap(QSize(iconSize, iconSize), devicePixelRatioF()));
 }
 
 /// Columns are as wide as their numbers and share what is left; when they need more, a scroll bar

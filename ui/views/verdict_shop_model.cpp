@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_shop_model.h"
+#include "ui/theme.h"
 
 #include <QGuiApplication>
 #include <QIcon>
@@ -123,8 +124,7 @@ QVariant ShopModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case Qt::DisplayRole: return text(row, column);
     case Qt::DecorationRole:
-        return isOutside(row, column) ? QVariant(QIcon(QStringLiteral(":/icons/warning.svg")))
-                                      : QVariant();
+        return isOutside(row, column) ? QVariant(themeIcon(u"warning")) : QVariant();
     case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ForegroundRole:
         return m_grey
