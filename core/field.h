@@ -33,6 +33,7 @@ struct Range {
         return low == -std::numeric_limits<double>::infinity()
                && high == std::numeric_limits<double>::infinity();
     }
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// One value of an enumeration: its name in the file and its label (translated as "Choice").

@@ -72,24 +72,26 @@ const StructInfo& tableOf<MachineLimits>() {
         SPARKOUT_FIELD(MachineLimits, radial_feed_mm,
                        .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm",
                        .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .unchecked = true,
+                       .count = 3, .unchecked = true, .page = Page::machine,
                        .hint =
                            SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
         SPARKOUT_FIELD(MachineLimits, axial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Range of the axial feed"), .unit = "mm/min",
                        .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .unchecked = true,
+                       .count = 3, .unchecked = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(
-            MachineLimits, plunge_feed_mm_min,
-            .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
-            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
-            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(
-            MachineLimits, work_speed_rpm,
-            .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",
-            .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
-            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(MachineLimits, plunge_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"),
+                       .unit = "mm/min", .hard = {0, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+                       .unchecked = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(MachineLimits, work_speed_rpm,
+                       .label = SPARKOUT_NOOP("Input", "Range of the work speed"),
+                       .unit = "rev/min", .hard = {0, 1e5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+                       .unchecked = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
@@ -196,7 +198,7 @@ const StructInfo& tableOf<Machine>() {
                                            "sources."),
             .source = "HASHIMOTO2020"),
         SPARKOUT_FIELD(Machine, limits, .label = SPARKOUT_NOOP("Input", "Machine ranges"),
-                       .source = "MODEL-8"),
+                       .page = Page::machine, .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Machine>(SPARKOUT_NOOP("Struct", "Machine"), rows);
     return info;

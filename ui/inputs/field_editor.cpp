@@ -4,6 +4,7 @@
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/number_editor.h"
 #include "ui/inputs/radii_editor.h"
+#include "ui/inputs/range_editor.h"
 #include "ui/inputs/text_editor.h"
 #include "ui/session/defaults.h"
 #include "ui/session/document.h"
@@ -71,6 +72,9 @@ std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& fi
     case Kind::optionalNumberList:
         if (path == "/part/radii_um") {
             return std::make_unique<RadiiEditor>(path, field, document, parent);
+        }
+        if (field.count == 3) {
+            return std::make_unique<RangeEditor>(path, field, document, parent);
         }
         return nullptr;
     default: return nullptr;

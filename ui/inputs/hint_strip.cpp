@@ -34,6 +34,7 @@ const Field* hintField(const QWidget* widget) {
 HintStrip::HintStrip(QWidget* parent) : QFrame(parent), m_text(new QLabel(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::margin, metrics::row, metrics::margin, metrics::row);
+    setObjectName(QStringLiteral("hintStrip"));
     m_text->setTextFormat(Qt::RichText);
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -42,6 +43,10 @@ HintStrip::HintStrip(QWidget* parent) : QFrame(parent), m_text(new QLabel(this))
     connect(qApp, &QApplication::focusChanged, this,
             [this](const QWidget*, const QWidget* now) { follow(now); });
     retranslate();
+}
+
+HintStrip::~HintStrip() {
+    disconnect(qApp, nullptr, this, nullptr);
 }
 
 void HintStrip::fitFont() {

@@ -21,6 +21,7 @@ class HintStrip : public QFrame {
 
 public:
     explicit HintStrip(QWidget* parent = nullptr);
+    ~HintStrip() override;
 
     void showField(const Field& field);
     void retranslate();

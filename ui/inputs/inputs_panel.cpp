@@ -4,6 +4,7 @@
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/list_table.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -57,7 +58,10 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
         auto* page = new FormPage(entry.page, document, m_stack);
         m_stack->addWidget(page);
         m_pages.push_back(page);
-        connect(page, &FormPage::refusalsChanged, this, &InputsPanel::followRefusals);
+        connect(page, &FormPage::refusalsChanged, this, [this] {
+            noteRefusals();
+            emit refusalsChanged();
+        });
         for (const ListTable* table : page->findChildren<ListTable*>()) {
             connect(table, &ListTable::currentFieldChanged, this, [this, table] {
                 if (table->view().hasFocus()) {
@@ -81,8 +85,14 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
     layout->addWidget(rule());
     layout->addWidget(m_hint);
     connect(m_group, &QButtonGroup::idClicked, m_stack, &QStackedWidget::setCurrentIndex);
+    // A text just typed is not announced before a pause; it is noted when the focus goes on.
+    connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
     showPage(static_cast<int>(pageEntries.size()) - 1); // the cycle: what one works on most
     retranslate();
+}
+
+InputsPanel::~InputsPanel() {
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while the pages go
 }
 
 void InputsPanel::showPage(int index) {
@@ -120,7 +130,7 @@ void InputsPanel::focusPath(const std::string& path) {
     }
 }
 
-void InputsPanel::followRefusals() {
+void InputsPanel::noteRefusals() {
     std::vector<std::string> now;
     for (const Refusal& refusal : refusals()) {
         now.push_back(refusal.path);
@@ -133,11 +143,10 @@ void InputsPanel::followRefusals() {
             m_refused.push_back(std::move(path));
         }
     }
-    emit refusalsChanged();
 }
 
 bool InputsPanel::dropNewestRefusal() {
-    followRefusals(); // one that was typed a moment ago is not announced yet
+    noteRefusals();
     if (m_refused.empty()) {
         return false;
     }

@@ -22,6 +22,7 @@ class InputsPanel : public QWidget {
 
 public:
     explicit InputsPanel(Document& document, QWidget* parent = nullptr);
+    ~InputsPanel() override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
@@ -37,7 +38,7 @@ signals:
     void refusalsChanged();
 
 private:
-    void followRefusals();
+    void noteRefusals(); ///< in the order in which they came
 
     QButtonGroup* m_group;
     QStackedWidget* m_stack;

@@ -214,8 +214,11 @@ QString ListModel::tableText() const {
     for (int row = -1; row < m_rows; ++row) {
         QStringList cells{row < 0 ? structText(m_list.nested->name) : QString::number(row + 1)};
         for (int column = 0; column < columnCount(); ++column) {
-            cells += row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
-                             : index(row, column).data().toString();
+            const QModelIndex cell = index(std::max(0, row), column);
+            const bool empty = row >= 0 && isField(cell) && !relevant(cell);
+            cells += empty     ? QString()
+                     : row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
+                               : cell.data().toString();
         }
         lines += cells
                      .replaceInStrings(QRegularExpression(QStringLiteral("[\\t\\n\\r]+")),

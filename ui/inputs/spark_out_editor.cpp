@@ -39,10 +39,22 @@ SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* paren
     connect(m_count, &NumberField::remarkChanged, this, &SparkOutEditor::edited);
     connect(m_count, &QLineEdit::returnPressed, this, &SparkOutEditor::left);
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
-        if (now && now != this && !isAncestorOf(now)) {
+        if (now && !holds(now)) {
             emit left();
         }
     });
+}
+
+SparkOutEditor::~SparkOutEditor() {
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while it goes
+}
+
+/// Also what opens in a window of its own, as the list of the choices does.
+bool SparkOutEditor::holds(const QWidget* widget) const {
+    while (widget && widget != this) {
+        widget = widget->parentWidget();
+    }
+    return widget;
 }
 
 SparkOut::Mode SparkOutEditor::mode() const {

@@ -17,6 +17,7 @@ class SparkOutEditor : public QWidget {
 
 public:
     SparkOutEditor(const Field& field, bool traverse, QWidget* parent);
+    ~SparkOutEditor() override;
 
     [[nodiscard]] SparkOut value() const; ///< with the last good count
     void setValue(const SparkOut& value);
@@ -32,6 +33,7 @@ signals:
     void left(); ///< the focus went elsewhere, or Return ended the edit
 
 private:
+    [[nodiscard]] bool holds(const QWidget* widget) const;
     void showCount();
     [[nodiscard]] SparkOut::Mode mode() const;
     void setMode(SparkOut::Mode mode);

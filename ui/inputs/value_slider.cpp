@@ -45,7 +45,8 @@ void ValueSlider::display(const SliderSpec& spec, std::optional<double> value,
     }
     m_value = value;
     m_unit = unit;
-    if (!dragging()) {
+    const bool holds = value && *value >= m_scale.low() && *value <= m_scale.high();
+    if (!dragging() && (spec != m_spec || !holds || m_scale.extended())) {
         m_spec = spec;
         m_scale = SliderScale(spec, value);
     }

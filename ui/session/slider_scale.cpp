@@ -11,10 +11,12 @@ namespace sparkout {
 
 namespace {
 
-constexpr double stops = 100;          ///< about as many round values over a scale
+constexpr double stopsWanted = 100; ///< about as many round values over a scale
+constexpr std::size_t mostStops = 2000;
 constexpr double logarithmicFrom = 20; ///< high over low
 constexpr double finestShare = 0.1;    ///< below it a scale from zero gets no finer
 constexpr double tolerance = 1e-9;     ///< of a number of steps
+constexpr double beyond = 1e-6;        ///< what a great step must at least go, of the value
 
 /// Without the last bits a multiplication leaves: 0.0038000000000000004 → 0.0038.
 double tidy(double value) {
@@ -95,6 +97,11 @@ SliderScale::SliderScale(const SliderSpec& spec, std::optional<double> value)
     } else if (m_low > 0 && m_high / m_low >= logarithmicFrom) {
         m_kind = Kind::logarithmic;
     }
+    findStops();
+}
+
+bool SliderScale::extended() const {
+    return m_high > m_spec.usual.high || (m_low < m_spec.usual.low && !m_spec.zero);
 }
 
 double SliderScale::shareOf(double value) const {
@@ -120,7 +127,7 @@ double SliderScale::slopeAt(double value) const {
 }
 
 double SliderScale::stepAt(double value) const {
-    const double wanted = slopeAt(value) / stops;
+    const double wanted = slopeAt(value) / stopsWanted;
     if (m_spec.step) {
         return tidy(*m_spec.step * roundBelow(std::max(1.0, wanted / *m_spec.step)));
     }
@@ -128,56 +135,51 @@ double SliderScale::stepAt(double value) const {
     return m_spec.integer ? std::max(1.0, step) : step;
 }
 
-double SliderScale::inside(double value) const {
-    const double within = std::clamp(tidy(value), m_low, m_high);
-    return m_spec.allowed.contains(within) ? within : within + stepAt(within); // an open end
-}
-
-double SliderScale::snapped(double value, double step) const {
+/// From the low end on, each time to the next whole number of the steps that are right there.
+void SliderScale::findStops() {
     const double origin = m_spec.step ? m_spec.usual.low : 0;
-    return inside(origin + std::round((value - origin) / step) * step);
+    double value = m_low;
+    while (value < m_high && m_stops.size() < mostStops) {
+        if (m_spec.allowed.contains(value)) {
+            m_stops.push_back(value);
+        }
+        const double step = stepAt(value);
+        value = tidy(origin + (std::floor((value - origin) / step + tolerance) + 1) * step);
+    }
+    m_stops.push_back(m_high);
 }
 
 double SliderScale::valueAt(double share) const {
-    if (share <= 0 || share >= 1) {
-        return inside(share <= 0 ? m_low : m_high);
+    const auto above =
+        std::lower_bound(m_stops.begin(), m_stops.end(), share,
+                         [this](double stop, double wanted) { return shareOf(stop) < wanted; });
+    if (above == m_stops.begin() || above == m_stops.end()) {
+        return above == m_stops.end() ? m_stops.back() : *above;
     }
-    double value = 0;
-    switch (m_kind) {
-    case Kind::fromZero: value = m_high * share * share; break;
-    case Kind::logarithmic: value = m_low * std::pow(m_high / m_low, share); break;
-    case Kind::even: value = m_low + share * (m_high - m_low); break;
-    }
-    return snapped(value, stepAt(value));
-}
-
-double SliderScale::stepOnce(double value, bool up) const {
-    // Down, the step of what lies below: where steps change, the way back is the way up.
-    const double step = stepAt(up ? value * (1 + tolerance) : value * (1 - tolerance));
-    const double origin = m_spec.step ? m_spec.usual.low : 0;
-    const double at = (value - origin) / step;
-    const double to = up ? std::floor(at + tolerance) + 1 : std::ceil(at - tolerance) - 1;
-    return inside(origin + to * step);
-}
-
-double SliderScale::leapOnce(double value, bool up) const {
-    if (m_kind != Kind::logarithmic) {
-        return stepped(value, up ? 10 : -10);
-    }
-    const double to = up ? roundAbove(value * (1 + 1e-6)) : roundBelow(value * (1 - 1e-6));
-    return snapped(to, m_spec.step.value_or(to));
+    const double below = *std::prev(above);
+    return share - shareOf(below) < shareOf(*above) - share ? below : *above;
 }
 
 double SliderScale::stepped(double value, int steps) const {
-    for (int i = 0; i < std::abs(steps); ++i) {
-        value = stepOnce(value, steps > 0);
+    for (; steps > 0; --steps) {
+        const auto next = std::upper_bound(m_stops.begin(), m_stops.end(), value);
+        value = next == m_stops.end() ? m_stops.back() : *next;
+    }
+    for (; steps < 0; ++steps) {
+        const auto next = std::lower_bound(m_stops.begin(), m_stops.end(), value);
+        value = next == m_stops.begin() ? m_stops.front() : *std::prev(next);
     }
     return value;
 }
 
 double SliderScale::leapt(double value, int leaps) const {
+    if (m_kind != Kind::logarithmic) {
+        return stepped(value, 10 * leaps);
+    }
     for (int i = 0; i < std::abs(leaps); ++i) {
-        value = leapOnce(value, leaps > 0);
+        const double to =
+            leaps > 0 ? roundAbove(value * (1 + beyond)) : roundBelow(value * (1 - beyond));
+        value = valueAt(shareOf(to));
     }
     return value;
 }

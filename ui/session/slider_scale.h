@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sparkout {
 
@@ -15,6 +16,8 @@ struct SliderSpec {
     bool integer = false;
     bool zero = false;          ///< zero is to be reached, too
     std::optional<double> step; ///< of the machine; counted from usual.low
+
+    friend bool operator==(const SliderSpec&, const SliderSpec&) = default;
 };
 
 /// The slider of an input: the usual range, or the machine's own where it states one for a feed or
@@ -32,6 +35,7 @@ public:
 
     [[nodiscard]] double low() const { return m_low; }
     [[nodiscard]] double high() const { return m_high; }
+    [[nodiscard]] bool extended() const;              ///< beyond the usual range
     [[nodiscard]] double shareOf(double value) const; ///< 0 at the low end, 1 at the high one
     [[nodiscard]] double valueAt(double share) const; ///< a round value
     /// The round value so many steps up or down, as arrow keys go.
@@ -44,15 +48,13 @@ private:
 
     [[nodiscard]] double slopeAt(double value) const; ///< d value / d share
     [[nodiscard]] double stepAt(double value) const;
-    [[nodiscard]] double inside(double value) const;
-    [[nodiscard]] double snapped(double value, double step) const;
-    [[nodiscard]] double stepOnce(double value, bool up) const;
-    [[nodiscard]] double leapOnce(double value, bool up) const;
+    void findStops();
 
     SliderSpec m_spec;
     double m_low = 0;
     double m_high = 1;
     Kind m_kind = Kind::even;
+    std::vector<double> m_stops; ///< rising
 };
 
 } // namespace sparkout
