@@ -79,7 +79,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    m_views = {new FeedsView(this), new ProfilesView(this)};
+    m_views = {new FeedsView(this, &m_settings), new ProfilesView(this)};
     m_tabs->setDocumentMode(true);
     for (View* view : m_views) {
         m_tabs->addTab(view, QString());

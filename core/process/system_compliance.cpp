@@ -4,8 +4,9 @@
 #include "core/process/compliance.h"
 #include "core/units.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace sparkout {
 
@@ -109,6 +110,13 @@ std::vector<CompliantPoint> compliantPoints(const Project& project) {
 int gaugeSection(const Project& project) {
     if (project.operation == Operation::traverse) {
         return 1; // the middle of НЗ
+    }
+    if (project.gauge.position_mm) {
+        const std::vector<double> middles = positions(project);
+        const auto nearest = std::ranges::min_element(middles, {}, [&](double middle) {
+            return std::abs(middle - *project.gauge.position_mm);
+        });
+        return static_cast<int>(nearest - middles.begin());
     }
     return project.gauge.section.value_or(project.sections / 2);
 }

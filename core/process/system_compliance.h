@@ -25,7 +25,8 @@ struct CompliantPoint {
 /// G(x,s) over the contact, internal the quill's [MODEL-6].
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project);
 
-/// Index into compliantPoints() of the zone or section that carries the gauge.
+/// Index into compliantPoints() of the zone or section that carries the gauge, or whose middle is
+/// nearest to its free position.
 [[nodiscard]] int gaugeSection(const Project& project);
 
 /// The gauge's free position in plunge with its γ: given, computed from the shaft, or interpolated

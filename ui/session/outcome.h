@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/simulation/feed_series.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -17,6 +18,7 @@ struct Outcome {
     Issues issues; ///< errors and warnings of the inputs
     SimulationResult result;
     Trajectory trajectory;
+    FeedSeries feeds; ///< the trajectory summed up for the view "Feeds by stage"
     std::vector<ConstraintResult> constraints;
 
     [[nodiscard]] bool ran() const { return !hasErrors(issues); }

@@ -25,6 +25,7 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
         return nullptr;
     }
     outcome->constraints = evaluateConstraints(outcome->result);
+    outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
     return outcome;
 }
 

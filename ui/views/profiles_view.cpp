@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles_view.h"
 
-#include "ui/views/feed_series.h"
+#include "core/simulation/feed_series.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
 #include "ui/views/names.h"
