@@ -69,7 +69,7 @@ void FileCommands::tellOpened(const Issues& issues) {
                                   "They stay in the file as they are, but cannot be computed "
                                   "again.");
                     },
-                    {{[] { return tr("&Show…"); },
+                    {{[] { return tr("Show…"); },
                       [this, path, faults] {
                           FaultsDialog(path, faults, m_window, FaultsDialog::File::opened).exec();
                       }}}});
@@ -81,12 +81,12 @@ void FileCommands::tellReadOnly() {
         {readOnlyKey,
          Mark::none,
          [name] { return tr("“%1” is open read-only. Saving asks for another name.").arg(name); },
-         {{[] { return tr("Save &as…"); }, [this] { saveAs(); }}}});
+         {{[] { return tr("Save as…"); }, [this] { saveAs(); }}}});
 }
 
 void FileCommands::tellChangedOnDisk(const DiskState& state) {
     const QString name = nameOf(m_document.filePath());
-    const Notice::Button reloadButton{[] { return tr("&Reload"); }, [this] { reload(); }};
+    const Notice::Button reloadButton{[] { return tr("Reload"); }, [this] { reload(); }};
     if (state.kind != DiskState::Kind::file) {
         m_document.markUnsaved();
         m_notices->add({diskKey,
@@ -96,7 +96,7 @@ void FileCommands::tellChangedOnDisk(const DiskState& state) {
                                       "now is in this window only.")
                                 .arg(name);
                         },
-                        {{[] { return tr("&Save"); }, [this] { save(); }}}});
+                        {{[] { return tr("Save"); }, [this] { save(); }}}});
     } else if (m_document.modified()) {
         m_notices->add({diskKey,
                         Mark::warning,
@@ -112,7 +112,7 @@ void FileCommands::tellChangedOnDisk(const DiskState& state) {
              Mark::warning,
              [name] { return tr("“%1” was changed by another program. Reload it?").arg(name); },
              {reloadButton,
-              {[] { return tr("&Keep mine"); }, [this] { m_document.markUnsaved(); }}}});
+              {[] { return tr("Keep mine"); }, [this] { m_document.markUnsaved(); }}}});
     }
 }
 
@@ -129,7 +129,7 @@ void FileCommands::tellRecovered(const RecoveryHeader& header) {
                              "yet; the file is as it was.")
                               .arg(when, nameOf(header.path));
          },
-         {{[] { return tr("&Save"); }, [this] { save(); }}}});
+         {{[] { return tr("Save"); }, [this] { save(); }}}});
 }
 
 void FileCommands::tellDamagedSettings() {

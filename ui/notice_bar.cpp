@@ -109,7 +109,7 @@ QWidget* NoticeBar::makeRow(const Notice& notice) {
     for (const Notice::Button& button : notice.buttons) {
         addButton(button.text(), button.act);
     }
-    addButton(tr("C&lose"), {});
+    addButton(tr("Close"), {});
     return row;
 }
 

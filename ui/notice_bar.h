@@ -18,7 +18,7 @@ using Worded = std::function<QString()>;
 /// Something the user should know that need not stop the work.
 struct Notice {
     struct Button {
-        Worded text;
+        Worded text;               ///< without a mnemonic: the menus and the forms have theirs
         std::function<void()> act; ///< the notice is gone by then
     };
     QString key; ///< a notice replaces the one of the same key

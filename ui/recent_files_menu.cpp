@@ -31,10 +31,12 @@ QString shown(const QString& path) {
 RecentFilesMenu::RecentFilesMenu(Settings& settings, QWidget* parent)
     : QMenu(parent)
     , m_settings(settings)
+    , m_separator(addSeparator())
     , m_removeMissing(new QAction(this))
     , m_clear(new QAction(this)) {
     setIcon(QIcon(QStringLiteral(":/icons/open.svg")));
     setToolTipsVisible(true);
+    addActions({m_removeMissing, m_clear});
     connect(this, &QMenu::aboutToShow, this, &RecentFilesMenu::fill);
     connect(m_removeMissing, &QAction::triggered, this, &RecentFilesMenu::removeMissing);
     connect(m_clear, &QAction::triggered, this, [this] {
@@ -46,20 +48,18 @@ RecentFilesMenu::RecentFilesMenu(Settings& settings, QWidget* parent)
 }
 
 void RecentFilesMenu::fill() {
-    clear();
     for (const Entry& entry : m_entries) {
-        entry.action->deleteLater();
+        removeAction(entry.action);
+        entry.action->deleteLater(); // perhaps it is the one being triggered
     }
     m_entries.clear();
-    int digit = 0;
     for (const QString& path : m_settings.recentFiles()) {
-        auto* action = addAction(QStringLiteral("&%1  %2").arg(++digit).arg(shown(path)));
+        auto* action = new QAction(this);
         action->setToolTip(path);
         connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
+        insertAction(m_separator, action);
         m_entries.push_back({path, action});
     }
-    addSeparator();
-    addActions({m_removeMissing, m_clear});
     m_clear->setEnabled(!m_entries.empty());
     menuAction()->setEnabled(!m_entries.empty());
     showMissing(m_missing);

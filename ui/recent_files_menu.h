@@ -39,6 +39,7 @@ private:
 
     Settings& m_settings;
     std::vector<Entry> m_entries;
+    QAction* m_separator; ///< the files stand above it
     QAction* m_removeMissing;
     QAction* m_clear;
     QStringList m_missing;

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QStringList>
 #include <QTest>
@@ -15,7 +16,8 @@
 #include <functional>
 
 /// Answers the dialogs that come up, one after the other, with real clicks and keys: the object
-/// name of a button, "Escape", "Enter", or "file:PATH" for a file dialog. A dialog that nobody
+/// name of a button, "Escape", "Enter", "yes" for a question of Qt's own, or "file:PATH" for a file
+/// dialog. A dialog that nobody
 /// expected, or that does not go away, is an error.
 class DialogAnswers : public QObject {
 public:
@@ -69,6 +71,8 @@ private:
             auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
             name->setText(what.mid(5));
             QTest::keyClick(name, Qt::Key_Return);
+        } else if (auto* box = qobject_cast<QMessageBox*>(&dialog); box && what == u"yes") {
+            QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
         } else if (auto* button = dialog.findChild<QAbstractButton*>(what)) {
             QTest::mouseClick(button, Qt::LeftButton);
         } else {
@@ -83,5 +87,5 @@ private:
     QString m_fault;
     qsizetype m_next = 0;
     QTimer m_poll;
-    QDialog* m_last = nullptr;
+    QPointer<QDialog> m_last; ///< null once it is gone: the next one may stand at its address
 };

@@ -47,6 +47,21 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
                        .arg(m_store.folder(), m_store.discardedFolder()),
                    this);
     folder->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* buttons = makeButtons();
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &RecoveryDialog::followSelection);
+    connect(m_list, &QTreeWidget::itemActivated, m_recover, &QPushButton::click);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(plainLabel(tr("Work that was not saved was found. Recovering opens it here, "
+                                    "still unsaved; your own files are not touched."),
+                                 this));
+    layout->addWidget(m_list, 1);
+    layout->addWidget(folder);
+    layout->addWidget(buttons);
+    resize(760, 360);
+    fill();
+}
+
+QDialogButtonBox* RecoveryDialog::makeButtons() {
     auto* buttons = new QDialogButtonBox(this);
     m_recover = buttons->addButton(tr("&Recover"), QDialogButtonBox::AcceptRole);
     m_discard = buttons->addButton(tr("&Discard"), QDialogButtonBox::ActionRole);
@@ -59,17 +74,7 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_discard, &QPushButton::clicked, this, &RecoveryDialog::discard);
-    connect(m_list, &QTreeWidget::itemSelectionChanged, this, &RecoveryDialog::followSelection);
-    connect(m_list, &QTreeWidget::itemActivated, m_recover, &QPushButton::click);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(plainLabel(tr("Work that was not saved was found. Recovering opens it here, "
-                                    "still unsaved; your own files are not touched."),
-                                 this));
-    layout->addWidget(m_list, 1);
-    layout->addWidget(folder);
-    layout->addWidget(buttons);
-    resize(760, 360);
-    fill();
+    return buttons;
 }
 
 void RecoveryDialog::fill() {

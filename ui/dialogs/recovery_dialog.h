@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+class QDialogButtonBox;
 class QPushButton;
 class QTreeWidget;
 
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] std::optional<RecoveryItem> chosen() const;
 
 private:
+    QDialogButtonBox* makeButtons();
     void fill();
     void discard();
     void followSelection();

@@ -25,6 +25,23 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
         this);
     head->setTextFormat(Qt::PlainText);
     head->setWordWrap(true);
+    fill();
+    auto* buttons = new QDialogButtonBox(this);
+    auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);
+    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
+    open->setDefault(true);
+    open->setEnabled(!m_versions.empty());
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_list, &QTreeWidget::itemActivated, this, &QDialog::accept);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(head);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    resize(720, 320);
+}
+
+void VersionsDialog::fill() {
     m_list->setAccessibleName(tr("Earlier versions"));
     m_list->setRootIsDecorated(false);
     m_list->setHeaderLabels({tr("Replaced at"), tr("Size"), tr("File")});
@@ -39,19 +56,6 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
         m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
-    auto* buttons = new QDialogButtonBox(this);
-    auto* open = buttons->addButton(tr("&Open a copy"), QDialogButtonBox::AcceptRole);
-    buttons->addButton(tr("&Cancel"), QDialogButtonBox::RejectRole);
-    open->setDefault(true);
-    open->setEnabled(!m_versions.empty());
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_list, &QTreeWidget::itemActivated, this, &QDialog::accept);
-    auto* layout = new QVBoxLayout(this);
-    layout->addWidget(head);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(buttons);
-    resize(720, 320);
 }
 
 QString VersionsDialog::chosenFile() const {

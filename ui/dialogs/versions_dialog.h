@@ -22,6 +22,8 @@ public:
     [[nodiscard]] QString chosenFile() const; ///< empty: none
 
 private:
+    void fill();
+
     std::vector<EarlierVersion> m_versions;
     QTreeWidget* m_list;
 };
