@@ -141,6 +141,10 @@
             <source>Move a stage</source>
             <translation>Перестановка ступеней</translation>
         </message>
+        <message>
+            <source>Reload the file</source>
+            <translation>Перезагрузка файла</translation>
+        </message>
     </context>
     <context>
         <name>FeedText</name>
@@ -278,6 +282,169 @@
         <message>
             <source>“%1” was not saved: %2. Nothing on the disk was changed.</source>
             <translation>Файл «%1» не сохранён: %2. На диске ничего не изменилось.</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileQuestion</name>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>“%1” has never been saved. Save it?</source>
+            <translation>«%1» ещё ни разу не сохранён. Сохранить?</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без имени</translation>
+        </message>
+        <message>
+            <source>Save the changes to “%1”?</source>
+            <translation>Сохранить изменения в «%1»?</translation>
+        </message>
+        <message>
+            <source>Not saved:</source>
+            <translation>Не сохранено:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>и ещё %n правка</numerusform>
+                <numerusform>и ещё %n правки</numerusform>
+                <numerusform>и ещё %n правок</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>Replace the file?</source>
+            <translation>Заменить файл?</translation>
+        </message>
+        <message>
+            <source>“%1” exists already. Replace it?</source>
+            <translation>«%1» уже существует. Заменить его?</translation>
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation>&amp;Заменить</translation>
+        </message>
+        <message>
+            <source>Unsaved changes</source>
+            <translation>Несохранённые изменения</translation>
+        </message>
+        <message>
+            <source>&amp;Save as…</source>
+            <translation>&amp;Сохранить как…</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>&amp;Do not save</source>
+            <translation>&amp;Не сохранять</translation>
+        </message>
+        <message>
+            <source>The lock file beside it cannot be understood; it belongs to the user %1 and is of %2.</source>
+            <translation>Файл блокировки рядом с ним не читается; его владелец — %1, время — %2.</translation>
+        </message>
+        <message>
+            <source>User: %1
+Computer: %2
+Program: %3, process %4
+Since: %5</source>
+            <translation>Пользователь: %1
+Компьютер: %2
+Программа: %3, процесс %4
+Открыт: %5</translation>
+        </message>
+        <message>
+            <source>“%1” is open already.</source>
+            <translation>«%1» уже открыт.</translation>
+        </message>
+        <message>
+            <source>“%1” seems to be open already.</source>
+            <translation>«%1», по-видимому, уже открыт.</translation>
+        </message>
+        <message>
+            <source>Take it over only if nobody works in it any more.</source>
+            <translation>Забирайте его себе, только если с ним больше никто не работает.</translation>
+        </message>
+        <message>
+            <source>The file is in use</source>
+            <translation>Файл занят</translation>
+        </message>
+        <message>
+            <source>Open &amp;read-only</source>
+            <translation>Только &amp;чтение</translation>
+        </message>
+        <message>
+            <source>Open a co&amp;py</source>
+            <translation>Открыть &amp;копию</translation>
+        </message>
+        <message>
+            <source>&amp;Take over</source>
+            <translation>&amp;Забрать себе</translation>
+        </message>
+        <message>
+            <source>Changed outside</source>
+            <translation>Файл изменён извне</translation>
+        </message>
+        <message>
+            <source>“%1” has been removed or renamed since it was opened.</source>
+            <translation>«%1» удалён или переименован после открытия.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program since it was opened.
+
+Saving replaces that version; it is kept as the previous one.
+Reloading takes that version; your changes stay in Undo.</source>
+            <translation>«%1» изменён другой программой после открытия.
+
+Сохранение заменит ту версию; она останется как предыдущая.
+Перезагрузка возьмёт ту версию; ваши изменения останутся в «Отменить».</translation>
+        </message>
+        <message>
+            <source>Save an&amp;yway</source>
+            <translation>&amp;Всё равно сохранить</translation>
+        </message>
+        <message>
+            <source>Save &amp;as…</source>
+            <translation>Сохранить &amp;как…</translation>
+        </message>
+        <message>
+            <source>&amp;Reload</source>
+            <translation>&amp;Перезагрузить</translation>
+        </message>
+        <message>
+            <source>“%1” is open in another window.</source>
+            <translation>«%1» открыт в другом окне.</translation>
+        </message>
+        <message>
+            <source>The file has several names</source>
+            <translation>У файла несколько имён</translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” has %n other names (hard links). They will keep the old text and no longer be the same file.</source>
+            <translation>
+                <numerusform>У «%1» есть ещё %n имя (жёсткая ссылка). Под ним останется прежний текст, и это будет уже другой файл.</numerusform>
+                <numerusform>У «%1» есть ещё %n имени (жёсткие ссылки). Под ними останется прежний текст, и это будет уже другой файл.</numerusform>
+                <numerusform>У «%1» есть ещё %n имён (жёсткие ссылки). Под ними останется прежний текст, и это будет уже другой файл.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The project was not saved</source>
+            <translation>Проект не сохранён</translation>
+        </message>
+        <message>
+            <source>The project in the window is unchanged and still counts as not saved.</source>
+            <translation>Проект в окне не изменился и по-прежнему считается несохранённым.</translation>
+        </message>
+        <message>
+            <source>&amp;Try again</source>
+            <translation>&amp;Повторить</translation>
         </message>
     </context>
     <context>
@@ -2090,6 +2257,14 @@
             <source>&amp;About Sparkout</source>
             <translation>&amp;О программе Sparkout</translation>
         </message>
+        <message>
+            <source>Earlier &amp;versions…</source>
+            <translation>&amp;Прежние версии…</translation>
+        </message>
+        <message>
+            <source>Re&amp;cover work…</source>
+            <translation>Восс&amp;тановить работу…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BooleanEditor</name>
@@ -2171,6 +2346,14 @@
         <message>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>%1 (%2): %3</source>
+            <translation>%1 (%2): %3</translation>
+        </message>
+        <message>
+            <source>“%1” is open, but these values are refused:</source>
+            <translation>«%1» открыт, но эти значения не приняты:</translation>
         </message>
     </context>
     <context>
@@ -2385,26 +2568,6 @@ target, µm</source>
     <context>
         <name>sparkout::FileCommands</name>
         <message>
-            <source>C&amp;lose</source>
-            <translation>&amp;Закрыть</translation>
-        </message>
-        <message>
-            <source>Replace the file?</source>
-            <translation>Заменить файл?</translation>
-        </message>
-        <message>
-            <source>“%1” exists already. Replace it?</source>
-            <translation>Файл «%1» уже есть. Заменить его?</translation>
-        </message>
-        <message>
-            <source>&amp;Replace</source>
-            <translation>&amp;Заменить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>От&amp;мена</translation>
-        </message>
-        <message>
             <source>Open a project</source>
             <translation>Открыть проект</translation>
         </message>
@@ -2425,28 +2588,80 @@ target, µm</source>
             <translation>Проекты Sparkout (*.sparkout)</translation>
         </message>
         <message>
-            <source>The project was not saved</source>
-            <translation>Проект не сохранён</translation>
-        </message>
-        <message>
             <source>Untitled</source>
             <translation>Без названия</translation>
         </message>
         <message>
-            <source>Unsaved changes</source>
-            <translation>Несохранённые изменения</translation>
+            <source>%1 copy</source>
+            <translation>%1 (копия)</translation>
         </message>
         <message>
-            <source>The project has changes that are not saved. Save them?</source>
-            <translation>В проекте есть несохранённые изменения. Сохранить их?</translation>
+            <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
+            <translation>В сохранённых расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Сохранить</translation>
+            <source>Show…</source>
+            <translation>Показать…</translation>
         </message>
         <message>
-            <source>&amp;Do not save</source>
-            <translation>&amp;Не сохранять</translation>
+            <source>“%1” is open read-only. Saving asks for another name.</source>
+            <translation>«%1» открыт только для чтения. При сохранении будет спрошено другое имя.</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>Сохранить как…</translation>
+        </message>
+        <message>
+            <source>Reload</source>
+            <translation>Перезагрузить</translation>
+        </message>
+        <message>
+            <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
+            <translation>«%1» удалён или переименован другой программой. Проект теперь есть только в этом окне.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Сохранить</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program while it has unsaved changes here. Saving will ask which version counts.</source>
+            <translation>«%1» изменён другой программой, а здесь есть несохранённые изменения. При сохранении будет спрошено, какая версия нужна.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program. Reload it?</source>
+            <translation>«%1» изменён другой программой. Перезагрузить его?</translation>
+        </message>
+        <message>
+            <source>Keep mine</source>
+            <translation>Оставить мою</translation>
+        </message>
+        <message>
+            <source>This is recovered work of %1. It is not saved yet.</source>
+            <translation>Это восстановленная работа от %1. Она ещё не сохранена.</translation>
+        </message>
+        <message>
+            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is as it was.</source>
+            <translation>Это восстановленная работа от %1 над «%2». Она ещё не сохранена; сам файл прежний.</translation>
+        </message>
+        <message>
+            <source>The settings file was damaged and is kept as %1. The settings are the default ones.</source>
+            <translation>Файл настроек был повреждён и сохранён как %1. Действуют настройки по умолчанию.</translation>
+        </message>
+        <message>
+            <source>Unsaved work is not protected from a crash: %1</source>
+            <translation>Несохранённая работа не защищена от сбоя: %1</translation>
+        </message>
+        <message>
+            <source>Recover work</source>
+            <translation>Восстановление работы</translation>
+        </message>
+        <message>
+            <source>No unsaved work was found.</source>
+            <translation>Несохранённой работы не найдено.</translation>
+        </message>
+        <message>
+            <source>“%1” is damaged.</source>
+            <translation>«%1» повреждён.</translation>
         </message>
     </context>
     <context>
@@ -2645,6 +2860,10 @@ target, µm</source>
             <source>Close the panel</source>
             <translation>Закрыть панель</translation>
         </message>
+        <message>
+            <source>%1[*] (read-only) — Sparkout</source>
+            <translation>%1[*] (только чтение) — Sparkout</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MessagesPanel</name>
@@ -2667,6 +2886,17 @@ target, µm</source>
         <message>
             <source>Messages</source>
             <translation>Сообщения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NoticeBar</name>
+        <message>
+            <source>Notice</source>
+            <translation>Извещение</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Закрыть</translation>
         </message>
     </context>
     <context>
@@ -2733,6 +2963,96 @@ target, µm</source>
         <message>
             <source>A number a line in µm, or the last column of a table; the number of values becomes the number of radii per section.</source>
             <translation>По числу в строке, мкм, или последний столбец таблицы; количество значений станет числом радиусов в сечении.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RecentFilesMenu</name>
+        <message>
+            <source>%1 (missing)</source>
+            <translation>%1 (отсутствует)</translation>
+        </message>
+        <message>
+            <source>Open &amp;recent</source>
+            <translation>Открыть не&amp;давние</translation>
+        </message>
+        <message>
+            <source>Remove the &amp;missing ones</source>
+            <translation>Убрать &amp;отсутствующие</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>О&amp;чистить список</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RecoveryDialog</name>
+        <message>
+            <source>complete</source>
+            <translation>цел</translation>
+        </message>
+        <message>
+            <source>damaged</source>
+            <translation>повреждён</translation>
+        </message>
+        <message>
+            <source>discarded</source>
+            <translation>отброшен</translation>
+        </message>
+        <message>
+            <source>Recover work</source>
+            <translation>Восстановление работы</translation>
+        </message>
+        <message>
+            <source>Unsaved work</source>
+            <translation>Несохранённая работа</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Проект</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
+            <source>Kept at</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recovery files are kept in %1; discarded ones stay in %2 for %n days.</source>
+            <translation>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n день.</numerusform>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n дня.</numerusform>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n дней.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files are not touched.</source>
+            <translation>Найдена несохранённая работа. Восстановленный проект откроется здесь и останется несохранённым; ваши файлы не изменятся.</translation>
+        </message>
+        <message>
+            <source>&amp;Recover</source>
+            <translation>&amp;Восстановить</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Отбросить</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>&amp;Позже</translation>
+        </message>
+        <message>
+            <source>never saved</source>
+            <translation>не сохранялся</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без имени</translation>
         </message>
     </context>
     <context>
@@ -2912,6 +3232,41 @@ target, µm</source>
         <message>
             <source>Requirements that are not checked</source>
             <translation>Требования, которые не проверяются</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::VersionsDialog</name>
+        <message>
+            <source>Earlier versions</source>
+            <translation>Прежние версии</translation>
+        </message>
+        <message>
+            <source>No earlier version of “%1” is kept yet.</source>
+            <translation>Прежних версий «%1» пока нет.</translation>
+        </message>
+        <message>
+            <source>Versions of “%1” that a save has replaced. The chosen one is opened as a copy; the file stays as it is.</source>
+            <translation>Версии «%1», которые заменило сохранение. Выбранная откроется как копия; сам файл не изменится.</translation>
+        </message>
+        <message>
+            <source>&amp;Open a copy</source>
+            <translation>&amp;Открыть копию</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+        <message>
+            <source>Replaced at</source>
+            <translation>Заменена</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Размер</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
         </message>
     </context>
 </TS>

@@ -8,6 +8,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QRegularExpression>
 #include <QStandardPaths>
 
@@ -77,7 +78,9 @@ bool FileCommands::saveTo(const QString& path) {
     std::optional<FileError> error;
     const auto attempt = [&] {
         m_busy = true;
+        QGuiApplication::setOverrideCursor(Qt::WaitCursor);
         error = m_guard.save(path);
+        QGuiApplication::restoreOverrideCursor();
         m_busy = false;
         return !error;
     };
