@@ -2090,6 +2090,42 @@
             <source>&amp;About Sparkout</source>
             <translation>&amp;О программе Sparkout</translation>
         </message>
+        <message>
+            <source>&amp;Theme</source>
+            <translation>&amp;Тема</translation>
+        </message>
+        <message>
+            <source>&amp;Show a view</source>
+            <translation>&amp;Показать вид</translation>
+        </message>
+        <message>
+            <source>&amp;Detach or attach the view</source>
+            <translation>&amp;Отделить или вернуть вид</translation>
+        </message>
+        <message>
+            <source>&amp;Next panel</source>
+            <translation>С&amp;ледующая панель</translation>
+        </message>
+        <message>
+            <source>&amp;Previous panel</source>
+            <translation>П&amp;редыдущая панель</translation>
+        </message>
+        <message>
+            <source>As the &amp;system</source>
+            <translation>Как в с&amp;истеме</translation>
+        </message>
+        <message>
+            <source>&amp;Light</source>
+            <translation>&amp;Светлая</translation>
+        </message>
+        <message>
+            <source>&amp;Dark</source>
+            <translation>&amp;Тёмная</translation>
+        </message>
+        <message>
+            <source>High &amp;contrast</source>
+            <translation>&amp;Контрастная</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BooleanEditor</name>
@@ -2626,10 +2662,6 @@ target, µm</source>
             <translation>Сообщения</translation>
         </message>
         <message>
-            <source>Views</source>
-            <translation>Виды</translation>
-        </message>
-        <message>
             <source>Status</source>
             <translation>Состояние</translation>
         </message>
@@ -2644,6 +2676,22 @@ target, µm</source>
         <message>
             <source>Close the panel</source>
             <translation>Закрыть панель</translation>
+        </message>
+        <message>
+            <source>More commands</source>
+            <translation>Другие команды</translation>
+        </message>
+        <message>
+            <source>More menus</source>
+            <translation>Другие меню</translation>
+        </message>
+        <message>
+            <source>Scroll to the left</source>
+            <translation>Прокрутить влево</translation>
+        </message>
+        <message>
+            <source>Scroll to the right</source>
+            <translation>Прокрутить вправо</translation>
         </message>
     </context>
     <context>
@@ -2912,6 +2960,33 @@ target, µm</source>
         <message>
             <source>Requirements that are not checked</source>
             <translation>Требования, которые не проверяются</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ViewTabs</name>
+        <message>
+            <source>&amp;Detach into a window of its own</source>
+            <translation>&amp;Отделить в своё окно</translation>
+        </message>
+        <message>
+            <source>Detach the view into a window of its own (also: double click on its tab). It comes back when the window is closed.</source>
+            <translation>Отделить вид в своё окно (или двойным щелчком по его вкладке). Он вернётся, когда окно закроют.</translation>
+        </message>
+        <message>
+            <source>The last view stays in the main window.</source>
+            <translation>Последний вид остаётся в главном окне.</translation>
+        </message>
+        <message>
+            <source>%1 — Sparkout</source>
+            <translation>%1 — Sparkout</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <translation>Виды</translation>
+        </message>
+        <message>
+            <source>Detach the view</source>
+            <translation>Отделить вид</translation>
         </message>
     </context>
 </TS>
