@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    static constexpr int nodes = 64;
+    static constexpr int nodes = 96;
     const BurnModel& m_model;
     double m_U, m_last;
     BurnLimitPoint m_from, m_to;
@@ -44,35 +44,42 @@ private:
 
 } // namespace
 
-BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm)
-    : m_deepest(std::max(deepest_mm, 0.0)) {
-    constexpr double stepsPerReach = 50; // of heat, 2√(Ωτ) where burning begins
+BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
+    constexpr double stepsPerScale = 50;
     constexpr double fewest = 16, most = 4096;
-    const double reach = model.limitPoint(U, 0).stockSlope_mm;
-    const double steps = std::clamp(std::ceil(stepsPerReach * m_deepest / reach), fewest, most);
-    m_perStep = m_deepest > 0 ? steps / m_deepest : 0;
-    Curve curve(model, U, m_deepest);
-    double root = curve.at(0);
-    for (double i = 0; i < steps; ++i) {
-        const double middle = curve.at(m_deepest * (i + 0.5) / steps);
-        const double next = curve.at(m_deepest * (i + 1) / steps);
-        const double bend = 2 * (root + next - 2 * middle);
-        m_pieces.push_back({root, next - root - bend, bend});
-        root = next;
+    const double deepest = std::max(deepest_mm, 0.0);
+    const BurnLimitPoint surface = model.limitPoint(U, 0);
+    // The stock over which the curve bends: the reach of heat, or over which √a doubles.
+    const double scale = surface.stockSlope_mm * std::min(1.0, surface.root / surface.rootSlope);
+    m_last = std::clamp(std::ceil(stepsPerScale * deepest / scale), fewest, most);
+    m_perStep = deepest > 0 ? m_last / deepest : 0;
+    Curve curve(model, U, deepest);
+    double inverse = 1 / curve.at(0);
+    for (double i = 0; i < m_last; ++i) {
+        const double middle = 1 / curve.at(deepest * (i + 0.5) / m_last);
+        const double next = 1 / curve.at(deepest * (i + 1) / m_last);
+        const double bend = 2 * (inverse + next - 2 * middle);
+        m_pieces.push_back({inverse, next - inverse - bend, bend});
+        inverse = next;
     }
-    m_pieces.push_back({root, 0, 0});
+    m_pieces.push_back({inverse, 0, 0});
 }
 
 BurnTable::Worst BurnTable::worst(const double* root, const double* depth_mm, std::size_t count,
-                                  double totalInfeed_mm) const {
-    Worst found;
+                                  double totalInfeed_mm, double atLeast) const {
+    double most = 0;
     for (std::size_t lane = 0; lane < count; ++lane) {
         const double used = usage(root[lane], totalInfeed_mm - depth_mm[lane]);
-        if (used > found.usage) {
-            found = {used, lane};
-        }
+        most = used > most ? used : most;
     }
-    return found;
+    if (!(most > atLeast)) {
+        return {};
+    }
+    std::size_t lane = 0;
+    while (lane + 1 < count && usage(root[lane], totalInfeed_mm - depth_mm[lane]) != most) {
+        ++lane;
+    }
+    return {most, lane};
 }
 
 } // namespace sparkout

@@ -350,6 +350,9 @@ private slots:
         QCOMPARE(worst.lane, std::size_t(3)); // beyond the target: nothing left
         QCOMPARE(worst.usage, table.usage(0.06, 0));
         QVERIFY(table.usage(0.06, 0) > table.usage(0.06, 0.001));
+        QCOMPARE(table.worst(root.data(), depth.data(), 4, 0.2, worst.usage).usage, 0.0);
+        QCOMPARE(table.worst(root.data(), depth.data(), 4, 0.2, 0.99 * worst.usage).lane,
+                 std::size_t(3));
     }
 
     // The bound of a pass spares its lanes only where none of them can be the worst.
