@@ -36,6 +36,7 @@ const std::map<std::string, Dimension>& dimensions() {
         {"s", {0, 0, 1}},
         {"N", {0, 1}},
         {"N/mm", {-1, 1}},
+        {"mm/N", {1, -1}},
         {"MPa", {-2, 1}},
         {"N/mm^1.5", {-1.5, 1}},
         {"mW", {1, 1, -1}},

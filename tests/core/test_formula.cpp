@@ -4,6 +4,7 @@
 #include "core/quality/formula.h"
 
 #include "core/quality/accuracy.h"
+#include "core/quality/balance.h"
 #include "core/quality/burn.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
@@ -47,6 +48,7 @@ std::vector<FormulaSheet> everySheet(const Case& c) {
     const PartAccuracy part = partAccuracy(sections, 0.001);
     return {normalForceSheet(p, c.b, c.a),
             tangentialForceSheet(p, c.b, c.a),
+            balanceSheet(p, c.b, c.h * 1e-4, c.a),
             temperatureSheet(p, c.h, c.a),
             damagedDepthSheet(p, c.a, c.U),
             damagedDepthSheet(p, BurnModel(p).burnFreeDepth(c.U) * 1.3, c.U),
@@ -156,6 +158,18 @@ private slots:
             const FormulaSheet limit = *selfSharpeningSheet(p);
             RC_ASSERT(limit.result().value == wheel->limitDepth().value_or(wheel->allowed));
         }));
+    }
+
+    // The balance's depth is that of the engine's pass: the full-law case of the vectors, first
+    // revolution of 5 µm.
+    void balanceOfTheVectorsComesOut() {
+        const FormulaSheet sheet = balanceSheet(fixtures::plunge(), 40, 2e-5, 0.005);
+        const FormulaStep& depth = sheet.steps[sheet.steps.size() - 2];
+        QCOMPARE(depth.result.symbol, "a");
+        QVERIFY(fixtures::within(depth.result.value * 1000, 2.244004, 0.5e-6));
+        QVERIFY(fixtures::within(
+            sheet.result().value,
+            2e-5 * forceLaw(fixtures::plunge()).normal(40, std::sqrt(depth.result.value)), 1e-15));
     }
 
     // Every source is a key of core/SOURCES.md.
