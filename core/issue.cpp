@@ -63,6 +63,9 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::complianceMissing:
         return SPARKOUT_NOOP("Issue", "no compliance is given and none can be computed; needed: "
                                       "{limit}");
+    case IssueCode::influenceUnknown:
+        return SPARKOUT_NOOP("Issue", "how a force in one section deflects the others does not "
+                                      "follow from compliances as given; needed: {limit}");
     case IssueCode::sparkOutNotLast:
         return SPARKOUT_NOOP("Issue", "only the last stage may be a spark-out; this is stage "
                                       "{value} of {limit}");

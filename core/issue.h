@@ -33,6 +33,7 @@ enum class IssueCode {
     wheelTooNarrow,
     wheelTooLarge,
     complianceMissing,
+    influenceUnknown,
     sparkOutNotLast,
     feedUnused,
     feedMissing,

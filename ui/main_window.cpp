@@ -211,6 +211,9 @@ void MainWindow::showStatus() {
         m_status->setText(tr("The cycle is too long to be computed to its end."));
         break;
     case RunStatus::stopped: break;
+    case RunStatus::notSolved:
+        m_status->setText(tr("The balance of the coupled sections was not solved."));
+        break;
     }
     m_time->setText(tr("Computed in %1 ms").arg(QLocale().toString(m_runs.lastRun_ms(), 'f', 1)));
 }

@@ -187,7 +187,13 @@ private:
         const auto* sections = std::get_if<std::vector<double>>(&given);
         if (std::holds_alternative<std::monostate>(given)) {
             checkStiffness();
-        } else if (project().operation == Operation::traverse) {
+            return;
+        }
+        if (project().sections_coupled && project().operation == Operation::plunge) {
+            add(IssueCode::influenceUnknown, "/sections_coupled", "true",
+                "compliance_mm_per_n = null, stiffness_n_um, part.shaft");
+        }
+        if (project().operation == Operation::traverse) {
             if (sections) {
                 add(IssueCode::wrongType, path, "[…]", "{ rz1, nz, rz2 }");
             }
@@ -293,9 +299,6 @@ private:
     }
 
     void checkNotComputed() {
-        if (project().sections_coupled && project().operation == Operation::plunge) {
-            warn(IssueCode::notComputed, "/sections_coupled", "true", {});
-        }
         if (project().machine.wheel_contact) {
             warn(IssueCode::notComputed, "/machine/wheel_contact", "wheel_contact", {});
         }

@@ -979,8 +979,10 @@ private:
             {{"/gauge/position_mm", 40.5}});
         row("gauge section in traverse", IssueCode::notUsedHere, "/gauge/section", traverse,
             {{"/gauge/section", 0}}, warning);
-        row("coupled sections", IssueCode::notComputed, "/sections_coupled", plunge,
-            {{"/sections_coupled", true}}, warning);
+        row("coupled sections of given compliance", IssueCode::influenceUnknown,
+            "/sections_coupled", plunge, {{"/sections_coupled", true}});
+        row("wheel contact", IssueCode::notComputed, "/machine/wheel_contact", plunge,
+            {{"/machine/wheel_contact", json::object()}}, warning);
         row("numbers of a pair", IssueCode::wrongCount, "/batch/factors/dullness/uniform", plunge,
             {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
         row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,
