@@ -24,6 +24,7 @@ public:
         checkBlank();
         project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
         checkCompliance();
+        checkWheelContact();
         checkStages();
         checkOptimisation();
         checkNotComputed();
@@ -237,6 +238,34 @@ private:
                     "/part/shaft/steady_rests/" + std::to_string(i) + "/position_mm";
                 add(IssueCode::outOfRange, path, mm(shaft.steady_rests[i].position_mm),
                     "0…" + mm(length));
+            }
+        }
+    }
+
+    /// Forces that rise, and a stiffness that is one.
+    void checkWheelContact() {
+        const auto& contact = project().machine.wheel_contact;
+        if (!contact || !contact->n_um_at_n) {
+            return;
+        }
+        const auto& rows = *contact->n_um_at_n;
+        const std::string path = "/machine/wheel_contact/n_um_at_n";
+        if (rows.empty()) {
+            add(IssueCode::wrongCount, path, "0", "≥ 1");
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::string row = path + "/" + std::to_string(i);
+            if (rows[i].size() != 2) {
+                continue; // the ranges' fault
+            }
+            constexpr double softest = 1e-3;
+            if (rows[i][1] < softest) {
+                add(IssueCode::outOfRange, row + "/1", numberText(rows[i][1]) + " N/µm",
+                    "≥ 0.001 N/µm");
+            }
+            if (i > 0 && !rows[i - 1].empty() && !(rows[i][0] > rows[i - 1][0])) {
+                add(IssueCode::outOfRange, row + "/0", numberText(rows[i][0]) + " N",
+                    "> " + numberText(rows[i - 1][0]) + " N");
             }
         }
     }

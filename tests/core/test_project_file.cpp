@@ -983,6 +983,12 @@ private:
             "/sections_coupled", plunge, {{"/sections_coupled", true}});
         row("wheel contact", IssueCode::notComputed, "/machine/wheel_contact", plunge,
             {{"/machine/wheel_contact", json::object()}}, warning);
+        const std::string rows = "/machine/wheel_contact/n_um_at_n";
+        row("no contact rows", IssueCode::wrongCount, rows, plunge, {{rows, json::array()}});
+        row("contact forces that fall", IssueCode::outOfRange, rows + "/1/0", plunge,
+            {{rows, {{10, 5}, {10, 20}}}});
+        row("contact without stiffness", IssueCode::outOfRange, rows + "/0/1", plunge,
+            {{rows, json::array({json{10, 0}})}});
         row("numbers of a pair", IssueCode::wrongCount, "/batch/factors/dullness/uniform", plunge,
             {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
         row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,
