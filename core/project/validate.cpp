@@ -289,6 +289,13 @@ private:
         }
     }
 
+    /// The wheel head may be drawn back between stages that feed, where the gauge ends stages.
+    bool mayRetract(std::size_t index) const {
+        return project().operation == Operation::plunge && index > 0
+               && index + 1 < project().cycle.stages.size()
+               && project().gauge.control == Control::gauge;
+    }
+
     void checkStage(const Stage& stage, std::size_t index) {
         const bool traverse = project().operation == Operation::traverse;
         const std::size_t count = project().cycle.stages.size();
@@ -306,7 +313,7 @@ private:
         }
         if (!sparks && !feed) {
             add(IssueCode::missingKey, feedPath, {}, "> 0" + unit);
-        } else if (!sparks && *feed < 1e-6) {
+        } else if (!sparks && *feed < 1e-6 && !(*feed < 0 && mayRetract(index))) {
             add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit, "≥ 0.000001" + unit);
         }
         if (traverse && !stage.axial_feed_mm_min) {

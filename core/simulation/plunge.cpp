@@ -3,6 +3,7 @@
 #include "core/simulation/run.h"
 #include "core/units.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace sparkout {
@@ -52,11 +53,16 @@ public:
             m_hasFreeGauge ? m_sections : static_cast<std::size_t>(gaugeSection(m_project));
         while (!m_control.finished() && !m_run.mustEnd()) {
             const bool waits = m_control.waitsForSize();
+            const bool retracts = m_control.retracts();
+            const std::size_t stage = m_control.stage();
             if (!revolution()) {
                 break; // in the middle of a revolution, which then does not count
             }
             m_control.stepDone(m_run.remaining(gaugePoint), m_run.fed_mm);
             const double root = m_run.takeLargestRoot();
+            if (retracts && m_control.stage() == stage && root * root <= noProgress_mm) {
+                m_control.endStage();
+            }
             m_idle = waits && root * root <= noProgress_mm ? m_idle + 1 : 0;
             if (!m_control.finished() && m_idle >= idleRevolutions) {
                 m_run.setStatus(RunStatus::cannotReachSize);
@@ -82,7 +88,7 @@ private:
             place.cycleCount = m_revolutions;
         }
         const double duration = units::secondsPerMinute / m_project.machine.work_speed_rpm;
-        const PassFeed feed{m_run.fed_mm, 0, infeed, infeed};
+        const PassFeed feed{m_run.fed_mm, 0, infeed, std::max(infeed, 0.0)};
         if (m_coupling && !couple(feed)) {
             return false;
         }
