@@ -92,6 +92,9 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::notComputed:
         return SPARKOUT_NOOP("Issue", "{value} is kept in the file, but the cycle is computed "
                                       "without it");
+    case IssueCode::sourceMissing:
+        return SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
+                                      "estimate; needed: its line in {limit}");
     }
     return "";
 }

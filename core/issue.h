@@ -44,6 +44,7 @@ enum class IssueCode {
     shaftTooShort,
     targetOutsideField,
     notComputed,
+    sourceMissing, ///< in catalogues
 };
 
 /// One fault of an input: where, what stands there, what may stand there.
