@@ -447,10 +447,6 @@
             <translation>Сечения связаны</translation>
         </message>
         <message>
-            <source>Whether a force in one section deflects the others too.</source>
-            <translation>Отжимает ли сила в одном сечении и остальные.</translation>
-        </message>
-        <message>
             <source>Batch</source>
             <translation>Партия</translation>
         </message>
@@ -689,10 +685,6 @@
         <message>
             <source>Radial feed</source>
             <translation>Радиальная подача</translation>
-        </message>
-        <message>
-            <source>Programmed plunge feed; S_p/n per revolution of the part.</source>
-            <translation>Программная врезная подача; S_p/n на оборот детали.</translation>
         </message>
         <message>
             <source>Stock of the stage</source>
@@ -1358,6 +1350,106 @@
             <source>Share of the grinding heat that enters the part.</source>
             <translation>Доля тепла шлифования, уходящая в деталь.</translation>
         </message>
+        <message>
+            <source>What the entry is looked up by.</source>
+            <translation>По чему запись находят.</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Примечание</translation>
+        </message>
+        <message>
+            <source>What it is used for, or under which conditions it holds.</source>
+            <translation>Для чего применяется или при каких условиях верно.</translation>
+        </message>
+        <message>
+            <source>Note in Russian</source>
+            <translation>Примечание по-русски</translation>
+        </message>
+        <message>
+            <source>The same for the Russian window.</source>
+            <translation>То же для русского окна.</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>Where each number comes from.</source>
+            <translation>Откуда взято каждое число.</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Key of the number.</source>
+            <translation>Ключ числа.</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Источник</translation>
+        </message>
+        <message>
+            <source>Key of the source; empty: an estimate, to be calibrated.</source>
+            <translation>Ключ источника; пусто: оценка, подлежит калибровке.</translation>
+        </message>
+        <message>
+            <source>Plausible range</source>
+            <translation>Правдоподобный диапазон</translation>
+        </message>
+        <message>
+            <source>Lowest and highest value to expect.</source>
+            <translation>Наименьшее и наибольшее ожидаемое значение.</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>Температура</translation>
+        </message>
+        <message>
+            <source>At which the entry's conductivity and diffusivity are taken.</source>
+            <translation>При которой взяты теплопроводность и температуропроводность записи.</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Плотность</translation>
+        </message>
+        <message>
+            <source>At room temperature.</source>
+            <translation>При комнатной температуре.</translation>
+        </message>
+        <message>
+            <source>Conductivity over temperature</source>
+            <translation>Теплопроводность от температуры</translation>
+        </message>
+        <message>
+            <source>Rows of temperature and conductivity.</source>
+            <translation>Строки: температура и теплопроводность.</translation>
+        </message>
+        <message>
+            <source>Heat capacity over temperature</source>
+            <translation>Теплоёмкость от температуры</translation>
+        </message>
+        <message>
+            <source>Rows of temperature and heat capacity.</source>
+            <translation>Строки: температура и теплоёмкость.</translation>
+        </message>
+        <message>
+            <source>Key of the source.</source>
+            <translation>Ключ источника.</translation>
+        </message>
+        <message>
+            <source>Heat data over temperature</source>
+            <translation>Теплофизические данные от температуры</translation>
+        </message>
+        <message>
+            <source>Whether a force in one section deflects the others too; needs the compliance from stiffness and shaft.</source>
+            <translation>Отжимает ли сила в одном сечении и остальные; нужна податливость, рассчитанная по жёсткости узлов и валу.</translation>
+        </message>
+        <message>
+            <source>Programmed plunge feed; S_p/n per revolution of the part. Beyond the sources: a stage between others may retract (negative feed) until its stock is off or nothing is cut.</source>
+            <translation>Программная врезная подача; S_p/n за оборот заготовки. Сверх источников: ступень между другими может отводить бабку (отрицательная подача), пока не снят её припуск или пока идёт съём.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -1492,6 +1584,14 @@
         <message>
             <source>{value} is kept in the file, but the cycle is computed without it</source>
             <translation>{value} хранится в файле, но цикл рассчитан без этого</translation>
+        </message>
+        <message>
+            <source>how a force in one section deflects the others does not follow from compliances as given; needed: {limit}</source>
+            <translation>по заданным податливостям не видно, как сила в одном сечении отжимает другие; нужно: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} says neither where it comes from nor that it is an estimate; needed: its line in {limit}</source>
+            <translation>для {value} не указан ни источник, ни что это оценка; нужна строка в {limit}</translation>
         </message>
     </context>
     <context>
@@ -1654,6 +1754,10 @@
             <source>and %1 more</source>
             <translation>и ещё %1</translation>
         </message>
+        <message>
+            <source>The balance of the coupled sections was not solved</source>
+            <translation>Равновесие связанных сечений не решено</translation>
+        </message>
     </context>
     <context>
         <name>ProfileCsv</name>
@@ -1782,6 +1886,26 @@
         <message>
             <source>Material</source>
             <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Source of a value</source>
+            <translation>Источник величины</translation>
+        </message>
+        <message>
+            <source>Heat data</source>
+            <translation>Теплофизические данные</translation>
+        </message>
+        <message>
+            <source>Material of the catalogue</source>
+            <translation>Материал каталога</translation>
+        </message>
+        <message>
+            <source>Wheel of the catalogue</source>
+            <translation>Круг каталога</translation>
+        </message>
+        <message>
+            <source>Machine of the catalogue</source>
+            <translation>Станок каталога</translation>
         </message>
     </context>
     <context>
@@ -2644,6 +2768,10 @@ target, µm</source>
         <message>
             <source>Close the panel</source>
             <translation>Закрыть панель</translation>
+        </message>
+        <message>
+            <source>The balance of the coupled sections was not solved.</source>
+            <translation>Равновесие связанных сечений не решено.</translation>
         </message>
     </context>
     <context>
