@@ -91,8 +91,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view :
-         std::initializer_list<View*>{new FeedsView(this, &m_settings), new ProfilesView(this)}) {
+    for (View* view : std::initializer_list<View*>{new FeedsView(this, &m_settings),
+                                                   new ProfilesView(this, &m_settings)}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));

@@ -5,15 +5,18 @@
 #include "ui/views/band_layer.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
+#include "ui/views/plot_tools.h"
 #include "ui/views/profiles_layers.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_view.h"
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -210,6 +213,10 @@ private slots:
     void aDarkPaletteReachesEveryColour();
     void theDescriptionTellsWhatIsDrawn();
     void theDrawingGoesIntoAPdf();
+    void backAndForwardGoThroughWhatWasInSight();
+    void theDataCopiedAreTheProfiles();
+    void theDataAlongTheAxisNameTheZones();
+    void anExportedPictureTellsWhatItShows();
     void aNewOutcomeIsDrawnQuickly();
 
 private:
@@ -859,6 +866,72 @@ void TestProfilesView::theDrawingGoesIntoAPdf() {
         const QPixmap picture = plot->toPixmap(800, 500, 2);
         QCOMPARE(picture.size(), QSize(1600, 1000));
     }
+}
+
+void TestProfilesView::backAndForwardGoThroughWhatWasInSight() {
+    ProfilesView view;
+    show(view, m_traverse);
+    for (QCustomPlot* plot : std::initializer_list<QCustomPlot*>{view.across(), view.along()}) {
+        const QCPAxis* axis = plot->axisRect(0)->axis(QCPAxis::atBottom);
+        const QCPRange all = axis->range();
+        wheel(plot, plot->axisRect(0)->rect().center(), 120);
+        const QCPRange zoomed = axis->range();
+        QVERIFY(zoomed.size() < all.size());
+        plot->setFocus();
+        QTest::keyClick(plot, Qt::Key_Backspace);
+        settle();
+        QCOMPARE(axis->range(), all);
+        QTest::keyClick(plot, Qt::Key_Right, Qt::AltModifier);
+        settle();
+        QVERIFY(std::abs(axis->range().size() - zoomed.size()) < 1e-9 * zoomed.size());
+        QTest::keyClick(plot, Qt::Key_Home);
+        settle();
+        QCOMPARE(axis->range(), all);
+    }
+    QVERIFY(sameScaleEverywhere(view.across(), 3));
+}
+
+void TestProfilesView::theDataCopiedAreTheProfiles() {
+    ProfilesView view;
+    show(view, m_traverse);
+    view.across()->setFocus();
+    QTest::keyClick(view.across(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
+    QCOMPARE(lines.size(), 37);
+    const QStringList header = lines[0].trimmed().split(u'\t');
+    QCOMPARE(header.size(), 8); // number, angle, and profile and circle of three zones
+    QVERIFY(header[2].startsWith(QStringLiteral("RZ1")));
+    const QStringList row = lines[10].trimmed().split(u'\t');
+    QCOMPARE(row[1].toDouble(), 90.0);
+    const ProfileSeries& s = view.across()->series();
+    QVERIFY(std::abs(row[2].toDouble() - (s.profiles[0].radii_mm[9] - s.target_mm) * 1000) < 1e-9);
+    clickLegend(view, QStringLiteral("least-squares circle"));
+    view.acrossTools()->copyData->trigger();
+    QCOMPARE(QApplication::clipboard()->text().split(u'\n')[0].split(u'\t').size(), 5);
+}
+
+void TestProfilesView::theDataAlongTheAxisNameTheZones() {
+    ProfilesView view;
+    show(view, m_traverse);
+    view.alongTools()->copyData->trigger();
+    const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
+    QCOMPARE(lines.size(), 4);
+    QVERIFY(lines[2].startsWith(QStringLiteral("NZ\t38\t46\t54\t")));
+    const QStringList header = lines[0].trimmed().split(u'\t');
+    const qsizetype upper = header.indexOf(QStringLiteral("upper limit radius from target, µm"));
+    QVERIFY(upper > 0);
+    QVERIFY(std::abs(lines[1].trimmed().split(u'\t')[upper].toDouble() - 4) < 1e-9);
+}
+
+void TestProfilesView::anExportedPictureTellsWhatItShows() {
+    ProfilesView view;
+    show(view, m_plunge);
+    view.setStroke(12);
+    view.acrossTools()->copyPicture->trigger();
+    const QImage picture = QApplication::clipboard()->image();
+    QVERIFY(picture.width() >= 2 * view.across()->width());
+    QVERIFY(picture.height() > 2 * view.across()->height()); // heading and legend
+    QVERIFY(!part<QToolButton>(view, "export")->menu()->isEmpty());
 }
 
 void TestProfilesView::aNewOutcomeIsDrawnQuickly() {

@@ -30,20 +30,15 @@ QVector<QCPGraphData> toData(const std::vector<ProfilePoint>& line, double facto
 } // namespace
 
 LongitudinalPlot::LongitudinalPlot(QWidget* parent) : QCustomPlot(parent) {
-    setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &LongitudinalPlot::onMouse);
     connect(this, &QCustomPlot::mousePress, this,
             [this](QMouseEvent* event) { m_pressed = event->pos(); });
     connect(this, &QCustomPlot::mouseRelease, this, &LongitudinalPlot::onRelease);
-    connect(this, &QCustomPlot::mouseWheel, this, &LongitudinalPlot::onWheel);
-    connect(this, &QCustomPlot::mouseDoubleClick, this, &LongitudinalPlot::fitAsked);
 }
 
 void LongitudinalPlot::setSeries(ProfileSeries series, std::vector<ShaftStep> shaft,
@@ -90,6 +85,25 @@ void LongitudinalPlot::setDimmed(bool dim) {
 void LongitudinalPlot::fit() {
     m_sight.reset();
     fill();
+}
+
+std::vector<double> LongitudinalPlot::sight() const {
+    return m_sight ? std::vector<double>{m_sight->x(), m_sight->y(), m_sight->width(),
+                                         m_sight->height()}
+                   : std::vector<double>();
+}
+
+void LongitudinalPlot::setSight(const std::vector<double>& sight) {
+    m_sight.reset();
+    if (sight.size() != 4) {
+        fitAxes();
+        return;
+    }
+    m_linking = true;
+    m_sight = QRectF(sight[0], sight[1], sight[2], sight[3]);
+    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), m_sight->left(), m_sight->right());
+    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), m_sight->top(), m_sight->bottom());
+    m_linking = false;
 }
 
 // --- contents -----------------------------------------------------------------------------------
@@ -209,14 +223,6 @@ QCPGraph* LongitudinalPlot::graph(LengthLine line, bool mirrored) const {
 }
 
 // --- pointing -----------------------------------------------------------------------------------
-
-void LongitudinalPlot::onWheel(QWheelEvent* event) {
-    const QPointF at = event->position();
-    const bool beside = at.x() < m_rect->left() || at.x() > m_rect->right();
-    const bool below = at.y() > m_rect->bottom();
-    m_rect->setRangeZoomAxes(beside && !m_toScale ? nullptr : m_rect->axis(QCPAxis::atBottom),
-                             below && !m_toScale ? nullptr : m_rect->axis(QCPAxis::atLeft));
-}
 
 int LongitudinalPlot::profileUnder(const QPoint& at) const {
     const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());

@@ -28,19 +28,22 @@ public:
     void setHidden(ProfileLines hidden);
     void setDimmed(bool dim);
     void fit();
+    /// What the user has moved to: left, bottom, width and height; empty: all.
+    [[nodiscard]] std::vector<double> sight() const;
+    void setSight(const std::vector<double>& sight);
     void retranslate();
     void restyle();
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] bool toScale() const { return m_toScale; }
+    [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
     [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
     [[nodiscard]] BandLayer* bands() const { return m_bands; }
     [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
 
 signals:
     void pointed(const QString& text); ///< empty: at nothing
-    void fitAsked();
-    void profileClicked(int profile); ///< index of the zone or section
+    void profileClicked(int profile);  ///< index of the zone or section
 
 protected:
     void leaveEvent(QEvent* event) override;
@@ -64,13 +67,11 @@ private:
     void keepScale();
     void showScale();
     [[nodiscard]] bool visible(LengthLine line) const;
-    [[nodiscard]] LengthQuantity quantity() const;
     [[nodiscard]] QString nameOf(const Curve& curve) const;
     [[nodiscard]] QCPRange valuesInSight() const;
     [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
     void onMouse(QMouseEvent* event);
     void onRelease(QMouseEvent* event);
-    void onWheel(QWheelEvent* event);
     void pointAt(int profile);
 
     ProfileSeries m_series;

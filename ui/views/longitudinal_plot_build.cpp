@@ -113,8 +113,13 @@ void LongitudinalPlot::fillBands() {
         } else if (p.zone == Zone::rz2) {
             name = tr("%1 (exit)").arg(name);
         }
-        bands.push_back(
-            {.from = p.from_mm, .to = p.to_mm, .colour = colour, .name = name, .meaning = full});
+        Band band;
+        band.from = p.from_mm;
+        band.to = p.to_mm;
+        band.colour = colour;
+        band.name = name;
+        band.meaning = full;
+        bands.push_back(band);
     }
     std::ranges::sort(bands, {}, &Band::from);
     m_bands->setBands(std::move(bands));

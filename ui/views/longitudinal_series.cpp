@@ -54,18 +54,26 @@ LengthSpread spreadOf(const std::vector<double>& radii_mm, const ProfileSeries& 
     return spread;
 }
 
+double lengthValue(const ProfileSeries& series, const Profile& profile, LengthLine line,
+                   LengthQuantity quantity) {
+    switch (line) {
+    case LengthLine::lowerLimit: return valueOf(series.lowerLimit_mm, series, quantity);
+    case LengthLine::upperLimit: return valueOf(series.upperLimit_mm, series, quantity);
+    case LengthLine::target: return valueOf(series.target_mm, series, quantity);
+    case LengthLine::blankMin:
+    case LengthLine::blankMax: return edgeOf(spreadOf(series.blank_mm, series, quantity), line);
+    default: return edgeOf(spreadOf(profile.radii_mm, series, quantity), line);
+    }
+}
+
 std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine line,
                                      LengthQuantity quantity) {
-    switch (line) {
-    case LengthLine::lowerLimit:
-        return level(series, valueOf(series.lowerLimit_mm, series, quantity));
-    case LengthLine::upperLimit:
-        return level(series, valueOf(series.upperLimit_mm, series, quantity));
-    case LengthLine::target: return level(series, valueOf(series.target_mm, series, quantity));
-    case LengthLine::blankMin:
-    case LengthLine::blankMax:
-        return level(series, edgeOf(spreadOf(series.blank_mm, series, quantity), line));
-    default: break;
+    const bool ofProfile =
+        line == LengthLine::min || line == LengthLine::max || line == LengthLine::mean;
+    if (!ofProfile) {
+        return series.profiles.empty()
+                   ? std::vector<ProfilePoint>()
+                   : level(series, lengthValue(series, series.profiles[0], line, quantity));
     }
     std::vector<ProfilePoint> points;
     const std::size_t count = series.profiles.size();
@@ -74,7 +82,7 @@ std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine lin
         count > 1 && series.profiles.front().from_mm > series.profiles.back().from_mm;
     for (std::size_t i = 0; i < count; ++i) {
         const Profile& p = series.profiles[backwards ? count - 1 - i : i];
-        const double value = edgeOf(spreadOf(p.radii_mm, series, quantity), line);
+        const double value = lengthValue(series, p, line, quantity);
         if (series.operation == Operation::plunge) {
             points.push_back({p.position_mm, value});
         } else {

@@ -28,6 +28,10 @@ struct LengthSpread {
 [[nodiscard]] LengthSpread spreadOf(const std::vector<double>& radii_mm,
                                     const ProfileSeries& series, LengthQuantity quantity);
 
+/// Height of a line at a zone or section.
+[[nodiscard]] double lengthValue(const ProfileSeries& series, const Profile& profile,
+                                 LengthLine line, LengthQuantity quantity);
+
 /// Limits, target and blank run over the whole ground length. Traverse: a zone's value is held over
 /// the zone, with a step to the next. Plunge: the sections' values at their middles, joined by
 /// straight lines. x never falls.

@@ -30,14 +30,10 @@ QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
 } // namespace
 
 ProfilesPlot::ProfilesPlot(QWidget* parent) : QCustomPlot(parent) {
-    setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
     connect(this, &QCustomPlot::afterLayout, this, &ProfilesPlot::keepScales);
     connect(this, &QCustomPlot::mouseMove, this, &ProfilesPlot::onMouse);
-    connect(this, &QCustomPlot::mouseDoubleClick, this, &ProfilesPlot::fitAsked);
 }
 
 void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
@@ -170,6 +166,19 @@ void ProfilesPlot::onRangeChanged(QCPAxisRect* rect) {
     const QCPRange x = rect->axis(QCPAxis::atBottom)->range();
     const QCPRange y = rect->axis(QCPAxis::atLeft)->range();
     m_sight = QRectF(x.lower, y.lower, x.size(), y.size());
+}
+
+std::vector<double> ProfilesPlot::sight() const {
+    return m_sight ? std::vector<double>{m_sight->x(), m_sight->y(), m_sight->width(),
+                                         m_sight->height()}
+                   : std::vector<double>();
+}
+
+void ProfilesPlot::setSight(const std::vector<double>& sight) {
+    m_sight.reset();
+    if (sight.size() == 4) {
+        m_sight = QRectF(sight[0], sight[1], sight[2], sight[3]);
+    }
 }
 
 void ProfilesPlot::keepScales() {

@@ -30,6 +30,9 @@ public:
     void setHidden(ProfileLines hidden);
     void setDimmed(bool dim);
     void fit(); ///< all of the cells in sight
+    /// What the user has moved to: left, bottom, width and height; empty: all.
+    [[nodiscard]] std::vector<double> sight() const;
+    void setSight(const std::vector<double>& sight);
     void retranslate();
     void restyle();
 
@@ -49,7 +52,6 @@ public:
 
 signals:
     void pointed(const QString& text); ///< empty: at nothing
-    void fitAsked();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -5,6 +5,7 @@
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_tools.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_text.h"
 
@@ -23,8 +24,14 @@
 namespace sparkout {
 
 namespace {
-constexpr int mostCells = 4; ///< cross-sections side by side
-}
+
+using enum ProfileLine;
+
+const std::vector<ProfileLine> acrossLines{profile, target, leastSquares, field, blank};
+const std::vector<ProfileLine> alongLines{profile, spread, target, field, blank, gauge};
+const std::vector<ProfileLine> allLines{profile, spread, target, leastSquares, field, blank, gauge};
+
+} // namespace
 
 void ProfilesView::setOutcome(OutcomePtr outcome) {
     m_latest = std::move(outcome);
@@ -81,6 +88,8 @@ void ProfilesView::showOutcome() {
     showLegend();
     m_across->replot();
     m_along->replot();
+    m_acrossTools->navigation().amendView();
+    m_alongTools->navigation().amendView();
     m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
     emit updated();
 }
@@ -93,16 +102,6 @@ bool ProfilesView::recorded() const {
 
 int ProfilesView::stroke() const {
     return m_good ? m_stroke.value_or(m_good->result.cycleCount) : 0;
-}
-
-std::vector<int> ProfilesView::shownProfiles() const {
-    const SimulationResult& result = m_good->result;
-    const int count = static_cast<int>(result.sections.size());
-    const bool many = count > mostCells;
-    if (m_chosen && (!many || m_alone->isChecked())) {
-        return {std::clamp(*m_chosen, 0, count - 1)};
-    }
-    return shownSections(count, gaugeProfile(result), m_chosen, mostCells);
 }
 
 void ProfilesView::showSeries() {
@@ -144,6 +143,8 @@ void ProfilesView::showState() {
                                                          m_reference, m_blank, m_fit}) {
         tool->setEnabled(m_good != nullptr);
     }
+    m_acrossTools->setEnabled(m_good != nullptr);
+    m_alongTools->setEnabled(m_good != nullptr);
     showParts();
 }
 
@@ -153,6 +154,8 @@ void ProfilesView::showParts() {
     m_splitter->setVisible(m_good != nullptr);
     m_across->setVisible(part != 2);
     m_along->setVisible(part != 1);
+    m_acrossExport->setVisible(part != 2);
+    m_alongExport->setVisible(part != 1);
     m_magnification->setVisible(part != 2);
     m_reference->setVisible(part != 2);
     m_quantity->setVisible(part != 1);
@@ -211,130 +214,50 @@ void ProfilesView::onStroke(int number) {
     emit strokeChosen(stroke());
 }
 
-// --- choices ------------------------------------------------------------------------------------
-
-void ProfilesView::fillSections() {
-    const QSignalBlocker blocker(m_section);
-    m_section->clear();
-    if (!m_good) {
-        return;
-    }
-    const auto& sections = m_good->result.sections;
-    const bool traverse = m_good->result.project.operation == Operation::traverse;
-    const int count = static_cast<int>(sections.size());
-    m_section->addItem(traverse            ? tr("All zones")
-                       : count > mostCells ? tr("Evenly chosen")
-                                           : tr("All sections"),
-                       -1);
-    for (int i = 0; i < count; ++i) {
-        m_section->addItem(Names::zone(sections[static_cast<std::size_t>(i)].zone, i), i);
-    }
-    m_section->setCurrentIndex(std::clamp(m_chosen.value_or(-1) + 1, 0, count));
-    m_alone->setVisible(count > mostCells);
-    m_alone->setEnabled(m_chosen.has_value());
-}
-
-void ProfilesView::onSection(int index) {
-    const int chosen = m_section->itemData(index).toInt();
-    m_chosen = chosen < 0 ? std::nullopt : std::optional<int>(chosen);
-    m_alone->setEnabled(m_chosen.has_value());
-    showSeries();
-    m_across->fit();
-    replotAll();
-}
-
-/// A section clicked along the axis joins those shown, where not all have room.
-void ProfilesView::choose(int profile) {
-    if (m_section->count() > mostCells + 1) {
-        m_section->setCurrentIndex(m_section->findData(profile));
-    }
-}
-
-void ProfilesView::fillMagnifications() {
-    const QSignalBlocker blocker(m_magnification);
-    m_magnification->clear();
-    const QString used = ProfilesText::magnification(m_across->magnification());
-    m_magnification->addItem(m_wantedMagnification ? tr("Auto") : tr("Auto: %1").arg(used), 0.0);
-    for (const double value : m_across->magnifications()) {
-        m_magnification->addItem(ProfilesText::magnification(value), value);
-        if (m_wantedMagnification && value <= *m_wantedMagnification) {
-            m_magnification->setCurrentIndex(m_magnification->count() - 1);
-        }
-    }
-}
-
-void ProfilesView::onMagnification(int index) {
-    const double value = m_magnification->itemData(index).toDouble();
-    m_wantedMagnification = value > 0 ? std::optional<double>(value) : std::nullopt;
-    m_across->setMagnification(m_wantedMagnification);
-    fillMagnifications();
-    replotAll();
-}
-
-void ProfilesView::toggle(ProfileLine line) {
-    if (!m_hidden.erase(line)) {
-        m_hidden.insert(line);
-    }
-    showHidden();
-}
-
-/// Hides all other lines; asked again, shows all.
-void ProfilesView::showOnly(ProfileLine line) {
-    const std::vector<ProfileLine> all = legendLines();
-    ProfileLines others(all.begin(), all.end());
-    others.erase(line);
-    const bool alone = m_hidden == others;
-    m_hidden = alone ? ProfileLines() : others;
-    showHidden();
-}
-
-void ProfilesView::showHidden() {
-    const QSignalBlocker blocker(m_blank);
-    m_blank->setChecked(!m_hidden.contains(ProfileLine::blank));
-    m_across->setHidden(m_hidden);
-    m_along->setHidden(m_hidden);
-    fillMagnifications();
-    showLegend();
-    replotAll();
-}
+// --- drawing ------------------------------------------------------------------------------------
 
 void ProfilesView::fit() {
-    m_across->fit();
-    m_along->fit();
-    replotAll();
+    m_acrossTools->navigation().fit();
+    m_alongTools->navigation().fit();
 }
 
 void ProfilesView::replotAll() {
     m_across->replot(QCustomPlot::rpQueuedReplot);
     m_along->replot(QCustomPlot::rpQueuedReplot);
+    m_acrossTools->navigation().amendView();
+    m_alongTools->navigation().amendView();
 }
 
 // --- texts --------------------------------------------------------------------------------------
 
 std::vector<ProfileLine> ProfilesView::legendLines() const {
-    using enum ProfileLine;
     switch (m_parts->currentIndex()) {
-    case 1: return {profile, target, leastSquares, field, blank};
-    case 2: return {profile, spread, target, field, blank, gauge};
-    default: return {profile, spread, target, leastSquares, field, blank, gauge};
+    case 1: return acrossLines;
+    case 2: return alongLines;
+    default: return allLines;
     }
 }
 
-void ProfilesView::showLegend() {
-    std::vector<LegendEntry> entries;
+LegendEntries ProfilesView::entriesOf(const std::vector<ProfileLine>& lines,
+                                      const QPalette& palette) const {
+    LegendEntries entries;
     const bool dim = m_good && m_latest && !m_latest->ran();
-    for (const ProfileLine line : legendLines()) {
+    for (const ProfileLine line : lines) {
         LegendEntry entry;
         const bool swatch = line == ProfileLine::spread || line == ProfileLine::field;
-        const QPen pen = ProfileLook::pen(line, palette(), dim);
-        entry.colour = swatch ? ProfileLook::fill(line, palette(), dim) : pen.color();
+        const QPen pen = ProfileLook::pen(line, palette, dim);
+        entry.colour = swatch ? ProfileLook::fill(line, palette, dim) : pen.color();
         entry.pen = swatch ? Qt::NoPen : pen.style();
         entry.text = ProfileLook::name(line);
         entry.key = static_cast<int>(line);
         entry.shown = !m_hidden.contains(line);
         entries.push_back(entry);
     }
-    m_legend->setEntries(std::move(entries));
+    return entries;
+}
+
+void ProfilesView::showLegend() {
+    m_legend->setEntries(entriesOf(legendLines(), palette()));
 }
 
 void ProfilesView::showDescription() {
@@ -349,6 +272,9 @@ QString ProfilesView::title() const {
 }
 
 void ProfilesView::retranslate() {
+    m_acrossTools->retranslate();
+    m_alongTools->retranslate();
+    m_legend->retranslate();
     buildLabels();
     if (m_good) {
         fillSections();

@@ -19,7 +19,10 @@ namespace sparkout {
 
 class LegendStrip;
 class LongitudinalPlot;
+class PlotTools;
 class ProfilesPlot;
+class Settings;
+struct LegendEntry;
 struct ProfileSeries;
 
 /// The view "Zone profiles": cross-sections with magnified deviations above, the part along its
@@ -27,11 +30,13 @@ struct ProfileSeries;
 class ProfilesView : public View {
     Q_OBJECT
 public:
-    explicit ProfilesView(QWidget* parent = nullptr);
+    explicit ProfilesView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] ProfilesPlot* across() const { return m_across; }
     [[nodiscard]] LongitudinalPlot* along() const { return m_along; }
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
+    [[nodiscard]] PlotTools* acrossTools() const { return m_acrossTools; }
+    [[nodiscard]] PlotTools* alongTools() const { return m_alongTools; }
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -51,6 +56,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void buildPlotTools(Settings* settings);
     void buildToolBar(QWidget* bar);
     void buildStrokeBar(QWidget* bar);
     void nameObjects();
@@ -81,10 +87,17 @@ private:
     void replotAll();
     [[nodiscard]] std::vector<int> shownProfiles() const;
     [[nodiscard]] std::vector<ProfileLine> legendLines() const;
+    [[nodiscard]] std::vector<LegendEntry> entriesOf(const std::vector<ProfileLine>& lines,
+                                                     const QPalette& palette) const;
+    [[nodiscard]] QStringList headingOf(const QString& plot) const;
     [[nodiscard]] bool recorded() const;
 
     ProfilesPlot* m_across = nullptr;
     LongitudinalPlot* m_along = nullptr;
+    PlotTools* m_acrossTools = nullptr;
+    PlotTools* m_alongTools = nullptr;
+    QWidget* m_acrossExport = nullptr;
+    QWidget* m_alongExport = nullptr;
     QSplitter* m_splitter = nullptr;
     LegendStrip* m_legend = nullptr;
     QLabel* m_notice = nullptr;

@@ -4,7 +4,10 @@
 
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
+#include "ui/views/plot_tools.h"
 #include "ui/views/profiles_plot.h"
+#include "ui/views/profiles_table.h"
+#include "ui/views/profiles_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -21,7 +24,7 @@
 
 namespace sparkout {
 
-ProfilesView::ProfilesView(QWidget* parent) : View(parent) {
+ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     setObjectName(QStringLiteral("profiles"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
@@ -40,6 +43,7 @@ ProfilesView::ProfilesView(QWidget* parent) : View(parent) {
     m_splitter->setStretchFactor(0, 5);
     m_splitter->setStretchFactor(1, 3);
     m_splitter->setSizes({500, 300});
+    buildPlotTools(settings);
     buildToolBar(bar);
     buildStrokeBar(m_strokeBar);
     for (QLabel* label : {m_notice, m_values}) {
@@ -64,6 +68,46 @@ ProfilesView::ProfilesView(QWidget* parent) : View(parent) {
     retranslate();
 }
 
+QStringList ProfilesView::headingOf(const QString& plot) const {
+    QStringList heading{tr("%1: %2").arg(title(), plot)};
+    if (m_good) {
+        heading << QString::fromStdString(m_good->result.project.title).simplified()
+                << ProfilesText::moment(m_across->series());
+    }
+    heading.removeAll(QString());
+    return heading;
+}
+
+void ProfilesView::buildPlotTools(Settings* settings) {
+    PlotSubject across, along;
+    across.heading = [this] { return headingOf(tr("cross-sections")); };
+    across.legend = [this] {
+        using enum ProfileLine;
+        return entriesOf({profile, target, leastSquares, field, blank}, m_across->palette());
+    };
+    across.table = [this] {
+        return ProfilesTable::across(m_across->series(), m_across->shown(), m_hidden);
+    };
+    across.navigation.fit = [this] { m_across->fit(); };
+    across.navigation.state = [this] { return m_across->sight(); };
+    across.navigation.setState = [this](const auto& state) { m_across->setSight(state); };
+    along.heading = [this] { return headingOf(tr("along the axis")); };
+    along.legend = [this] {
+        using enum ProfileLine;
+        return entriesOf({profile, spread, target, field, blank, gauge}, m_along->palette());
+    };
+    along.table = [this] {
+        return ProfilesTable::along(m_across->series(), m_along->quantity(), m_hidden);
+    };
+    along.navigation.fit = [this] { m_along->fit(); };
+    along.navigation.state = [this] { return m_along->sight(); };
+    along.navigation.setState = [this](const auto& state) { m_along->setSight(state); };
+    m_acrossTools = new PlotTools(*m_across, std::move(across));
+    m_alongTools = new PlotTools(*m_along, std::move(along));
+    m_acrossTools->setSettings(settings);
+    m_alongTools->setSettings(settings);
+}
+
 void ProfilesView::buildToolBar(QWidget* bar) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
@@ -75,6 +119,8 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     m_reference = new QComboBox(bar);
     m_fit = new QToolButton(bar);
     m_alone->setCheckable(true);
+    m_fit->setIcon(QIcon(QStringLiteral(":/icons/fit.svg")));
+    m_fit->setAutoRaise(true);
     for (QToolButton* button : {m_alone, m_fit}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
@@ -109,7 +155,7 @@ void ProfilesView::buildStrokeBar(QWidget* bar) {
         button->setFocusPolicy(Qt::TabFocus);
         button->setAutoRepeat(true);
     }
-    m_slider->setMinimumWidth(80);
+    m_slider->setMinimumWidth(60);
     m_number->setKeyboardTracking(false);
     m_quantity->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (QWidget* w : std::initializer_list<QWidget*>{m_strokeLabel, m_previous}) {
@@ -120,6 +166,8 @@ void ProfilesView::buildStrokeBar(QWidget* bar) {
          std::initializer_list<QWidget*>{m_next, m_number, m_blank, m_quantity, m_toScale}) {
         row->addWidget(w);
     }
+    m_alongExport = m_alongTools->exportButton(bar);
+    row->addWidget(m_alongExport);
 }
 
 void ProfilesView::nameObjects() {
@@ -162,7 +210,6 @@ void ProfilesView::buildLabels() {
     m_across->setAccessibleName(tr("Cross-sections with magnified deviations"));
     m_along->setAccessibleName(tr("Profile along the axis"));
     m_legend->setAccessibleName(tr("Legend of the curves"));
-    m_legend->setToolTip(tr("Click: hide or show. Ctrl+click: show only this."));
     m_notice->setAccessibleName(tr("State of the profiles"));
     m_values->setAccessibleName(tr("Values under the pointer"));
     fillChoice(m_parts, {tr("Sections and length"), tr("Sections only"), tr("Length only")});
@@ -171,7 +218,6 @@ void ProfilesView::buildLabels() {
     m_alone->setText(tr("Only this"));
     m_blank->setText(tr("Blank"));
     m_toScale->setText(tr("To scale"));
-    m_fit->setText(tr("Fit"));
     const auto tell = [](QWidget* widget, const QString& name) {
         widget->setAccessibleName(name);
         widget->setToolTip(name);
@@ -184,7 +230,8 @@ void ProfilesView::buildLabels() {
     tell(m_reference, tr("Radius the deviations are counted from: the target shows size and "
                          "form, the own mean shows form alone"));
     tell(m_blank, tr("The profile before the first touch"));
-    tell(m_fit, tr("Show all (double click in a plot). Wheel: zoom. Drag: move."));
+    tell(m_fit, tr("Show all in both plots; in one of them: Home, or a double click in it. "
+                   "Wheel: zoom. Drag: move."));
     tell(m_previous, tr("Previous"));
     tell(m_next, tr("Next"));
     tell(m_quantity, tr("Along the axis: deviations of radii from the target, or of diameters "
@@ -238,14 +285,6 @@ void ProfilesView::connectPlots() {
     connect(m_across, &ProfilesPlot::pointed, this, tell);
     connect(m_along, &LongitudinalPlot::pointed, this, tell);
     connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
-    connect(m_across, &ProfilesPlot::fitAsked, this, [this] {
-        m_across->fit();
-        replotAll();
-    });
-    connect(m_along, &LongitudinalPlot::fitAsked, this, [this] {
-        m_along->fit();
-        replotAll();
-    });
 }
 
 } // namespace sparkout
