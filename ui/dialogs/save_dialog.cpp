@@ -2,6 +2,7 @@
 #include "ui/dialogs/save_dialog.h"
 
 #include "core/project/safe_file.h"
+#include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
 
@@ -14,6 +15,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
+
+#include <optional>
 
 namespace sparkout {
 
@@ -51,17 +54,20 @@ bool SaveDialog::offerAnother(QWidget* window, const QString& text) {
 /// Nothing, or why the file was not saved.
 QString save(const QString& path, const SaveRequest& request) {
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const QByteArray bytes = request.bytes();
-    QString failure;
-    if (bytes.isEmpty()) {
-        failure = SaveDialog::failure();
-    } else if (const auto error =
-                   writeFileSafely(QFile::encodeName(path).toStdString(),
-                                   {bytes.constData(), static_cast<std::size_t>(bytes.size())})) {
-        failure = saveErrorText(*error);
-    }
+    const std::function<QByteArray()> make = request.prepare();
+    const std::string target = QFile::encodeName(path).toStdString();
+    bool made = false;
+    std::optional<FileError> error;
+    runAside([&] {
+        const QByteArray bytes = make();
+        made = !bytes.isEmpty();
+        if (made) {
+            error = writeFileSafely(target,
+                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        }
+    });
     QGuiApplication::restoreOverrideCursor();
-    return failure;
+    return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
 }
 
 } // namespace

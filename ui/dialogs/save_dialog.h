@@ -14,11 +14,13 @@ class Settings;
 
 /// What is to be saved, and how the dialog asks for its place.
 struct SaveRequest {
-    QString title;                     ///< of the dialog
-    QString name;                      ///< proposed, without folder and suffix
-    QString suffix;                    ///< "png"
-    QString filter;                    ///< "Pictures (*.png)"
-    std::function<QByteArray()> bytes; ///< made once a place is chosen; empty: could not be made
+    QString title;  ///< of the dialog
+    QString name;   ///< proposed, without folder and suffix
+    QString suffix; ///< "png"
+    QString filter; ///< "Pictures (*.png)"
+    /// Called once a place is chosen. What it returns makes the bytes, in a thread of its own; no
+    /// bytes: they could not be made.
+    std::function<std::function<QByteArray()>()> prepare;
 };
 
 /// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown

@@ -123,6 +123,7 @@ private:
     [[nodiscard]] static int keyOf(Quantity quantity);
     [[nodiscard]] std::vector<Band> stepBands(const FeedColumn& column) const;
     [[nodiscard]] bool showsSteps() const;
+    [[nodiscard]] std::vector<std::pair<Zone, Step>> stepsInSight() const;
     [[nodiscard]] bool isTraverse() const { return series().operation == Operation::traverse; }
     void onMouse(QMouseEvent* event);
     [[nodiscard]] double visibleStrokes() const {
@@ -140,7 +141,7 @@ private:
     CurveChoice m_choice;
     double m_from_s = 0, m_to_s = 0;
     Detail m_detail = Detail::stroke;
-    bool m_stepsShown = false;
+    std::vector<std::pair<Zone, Step>> m_steps; ///< in sight, one of each colour
     bool m_dim = false;
     bool m_linking = false;
     std::array<RowValues, rowCount> m_values{};

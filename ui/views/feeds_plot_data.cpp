@@ -28,9 +28,9 @@ QCPGraphData toData(const XY& p) {
 
 void FeedsPlot::refresh() {
     const Detail before = m_detail;
-    const bool stepsBefore = m_stepsShown;
+    const auto stepsBefore = m_steps;
     chooseDetail();
-    m_stepsShown = showsSteps();
+    m_steps = stepsInSight();
     for (Column& column : m_columns) {
         fillColumn(column);
     }
@@ -39,7 +39,7 @@ void FeedsPlot::refresh() {
     if (before != m_detail) {
         labelAxes();
     }
-    if (before != m_detail || stepsBefore != m_stepsShown) {
+    if (before != m_detail || stepsBefore != m_steps) {
         emit contentChanged();
     }
 }
@@ -57,6 +57,28 @@ void FeedsPlot::chooseDetail() {
 
 bool FeedsPlot::showsSteps() const {
     return isTraverse() && visibleStrokes() <= mostStrokesWithSteps;
+}
+
+std::vector<std::pair<Zone, Step>> FeedsPlot::stepsInSight() const {
+    std::vector<std::pair<Zone, Step>> steps;
+    for (const Column& column : m_columns) {
+        const FeedColumn& zone = series().columns[column.index];
+        if (!showsSteps()) {
+            continue;
+        }
+        for (const StepSpan& span : stepSpans(zone, m_outcome->trajectory, m_from_s, m_to_s)) {
+            const StrokeStep step = strokeStep(zone.zone, span.place.step);
+            const bool inSight = span.end_s > m_from_s && span.start_s < m_to_s;
+            if (inSight && std::ranges::none_of(steps, [step](const auto& known) {
+                    return strokeStep(known.first, known.second) == step;
+                })) {
+                steps.emplace_back(zone.zone, span.place.step);
+            }
+        }
+    }
+    // In the order of the double stroke.
+    std::ranges::sort(steps, {}, [](const auto& s) { return strokeStep(s.first, s.second); });
+    return steps;
 }
 
 void FeedsPlot::fillColumn(Column& column) {

@@ -263,7 +263,7 @@ void FeedsPlot::showHeaders(int plotWidth, int left, int right) {
         const QString form = zone.gauge ? tr("%1 (gauge)") : QStringLiteral("%1");
         full << form.arg(Names::zoneFull(zone.zone, zone.section));
         brief << form.arg(Names::zone(zone.zone, zone.section));
-        fits = fits && metrics.horizontalAdvance(full.back()) <= plotWidth;
+        fits = fits && metrics.horizontalAdvance(full.back()) <= plotWidth + 2 * gap - 4;
     }
     for (int i = 0; i < columnCount(); ++i) {
         QCPTextElement* header = m_columns[static_cast<std::size_t>(i)].header;
@@ -271,7 +271,7 @@ void FeedsPlot::showHeaders(int plotWidth, int left, int right) {
         header->setFont(font());
         // Centred over the plot, not over its labels.
         header->setMargins(
-            QMargins(i == 0 ? left : gap, 0, i + 1 == columnCount() ? right : gap, 0));
+            QMargins(i == 0 ? left - gap : 0, 0, i + 1 == columnCount() ? right - gap : 0, 0));
     }
 }
 

@@ -104,15 +104,9 @@ LegendEntries FeedsPlot::legendEntries() const {
         entries.push_back(
             {grey, Qt::NoPen, tr("spread over the radii"), spreadKey, m_choice.shows(spreadKey)});
     }
-    if (showsSteps()) {
-        const auto step = [&](Zone zone, Step s) {
-            entries.push_back(
-                {stepColour(zone, s, palette()), Qt::NoPen, Names::stepMeaning(zone, s)});
-        };
-        for (Step s : {Step::e1, Step::e2, Step::e3, Step::e4}) {
-            step(Zone::rz1, s);
-        }
-        step(Zone::rz2, Step::e2);
+    for (const auto& [zone, step] : m_steps) {
+        entries.push_back(
+            {stepColour(zone, step, palette()), Qt::NoPen, Names::stepMeaning(zone, step)});
     }
     return entries;
 }

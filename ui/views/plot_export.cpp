@@ -7,6 +7,7 @@
 
 #include <QBuffer>
 #include <QPdfWriter>
+#include <QPicture>
 
 #include <qcustomplot.h>
 
@@ -19,11 +20,6 @@ namespace {
 
 constexpr double mmPerInch = 25.4;
 constexpr int margin = 8;
-
-/// The plot is laid out for its screen; the sheet takes the same resolution.
-int dotsPerInch(const PlotPicture& picture) {
-    return picture.plot->logicalDpiX();
-}
 
 QFont titleFont(const QCustomPlot& plot) {
     QFont font = plot.font();
@@ -92,6 +88,66 @@ void paint(QCPPainter& painter, const PlotPicture& picture, const Sheet& sheet) 
     painter.restore();
 }
 
+/// What was drawn, apart from the plot: another thread may draw it again.
+struct Recording {
+    QPicture drawing;
+    QSize size;
+    int dotsPerInch;
+    QString title;
+};
+
+Recording record(const PlotPicture& picture, bool vectors) {
+    const Sheet sheet = layOut(picture);
+    Recording recording{QPicture(), sheet.size, picture.plot->logicalDpiX(),
+                        picture.heading.join(QStringLiteral(" — "))};
+    QCPPainter painter(&recording.drawing);
+    painter.setModes(QCPPainter::pmNoCaching | QCPPainter::pmNonCosmetic);
+    painter.setMode(QCPPainter::pmVectorized, vectors);
+    paint(painter, picture, sheet);
+    painter.end();
+    return recording;
+}
+
+bool replay(const Recording& recording, QPaintDevice& device, int scale) {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    painter.scale(scale, scale);
+    painter.drawPicture(0, 0, recording.drawing);
+    return painter.end();
+}
+
+QImage rendered(const Recording& recording, int scale) {
+    scale = std::clamp(scale, 1, largestPictureScale);
+    QImage image(recording.size * scale, QImage::Format_RGB32);
+    if (image.isNull() || !replay(recording, image, scale)) {
+        return {};
+    }
+    // Only now: it would enlarge the fonts.
+    const int dotsPerMetre = qRound(recording.dotsPerInch * scale * units::mmPerM / mmPerInch);
+    image.setDotsPerMeterX(dotsPerMetre);
+    image.setDotsPerMeterY(dotsPerMetre);
+    return image;
+}
+
+QByteArray pdf(const Recording& recording) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly)) {
+        return {};
+    }
+    QPdfWriter writer(&buffer);
+    writer.setTitle(recording.title);
+    writer.setCreator(QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version)));
+    writer.setResolution(recording.dotsPerInch);
+    const QSizeF inches = QSizeF(recording.size) / recording.dotsPerInch;
+    writer.setPageSize(QPageSize(inches, QPageSize::Inch, {}, QPageSize::ExactMatch));
+    writer.setPageMargins(QMarginsF());
+    const bool drawn = replay(recording, writer, 1);
+    return drawn && bytes.contains("%%EOF") ? bytes : QByteArray();
+}
+
 } // namespace
 
 QSize pictureSize(const PlotPicture& picture) {
@@ -99,67 +155,28 @@ QSize pictureSize(const PlotPicture& picture) {
 }
 
 QImage pictureImage(const PlotPicture& picture, int scale) {
-    const Sheet sheet = layOut(picture);
-    scale = std::clamp(scale, 1, largestPictureScale);
-    QImage image(sheet.size * scale, QImage::Format_RGB32);
-    if (image.isNull()) {
-        return image;
-    }
-    QCPPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setMode(QCPPainter::pmNonCosmetic, scale > 1);
-    painter.scale(scale, scale);
-    paint(painter, picture, sheet);
-    painter.end();
-    // Only now: it would enlarge the fonts.
-    const int dotsPerMetre = qRound(dotsPerInch(picture) * scale * units::mmPerM / mmPerInch);
-    image.setDotsPerMeterX(dotsPerMetre);
-    image.setDotsPerMeterY(dotsPerMetre);
-    return image;
+    return rendered(record(picture, false), scale);
 }
 
-QByteArray picturePng(const PlotPicture& picture, int scale) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    const QImage image = pictureImage(picture, scale);
-    const bool written = buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG");
-    return written ? bytes : QByteArray();
+PictureWork pngWork(const PlotPicture& picture, int scale) {
+    return [recording = record(picture, false), scale] {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        const QImage image = rendered(recording, scale);
+        const bool written = buffer.open(QIODevice::WriteOnly) && image.save(&buffer, "PNG");
+        return written ? bytes : QByteArray();
+    };
 }
 
-QByteArray pictureSvg(const PlotPicture& picture) {
-    const Sheet sheet = layOut(picture);
-    SvgDevice device(sheet.size, dotsPerInch(picture), picture.heading.join(QStringLiteral(" — ")));
-    QCPPainter painter(&device);
-    painter.setModes(QCPPainter::pmVectorized | QCPPainter::pmNoCaching
-                     | QCPPainter::pmNonCosmetic);
-    paint(painter, picture, sheet);
-    painter.end();
-    return device.document();
+PictureWork svgWork(const PlotPicture& picture) {
+    return [recording = record(picture, true)] {
+        SvgDevice device(recording.size, recording.dotsPerInch, recording.title);
+        return replay(recording, device, 1) ? device.document() : QByteArray();
+    };
 }
 
-QByteArray picturePdf(const PlotPicture& picture) {
-    const Sheet sheet = layOut(picture);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    if (!buffer.open(QIODevice::WriteOnly)) {
-        return {};
-    }
-    QPdfWriter writer(&buffer);
-    writer.setTitle(picture.heading.value(0));
-    writer.setCreator(QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version)));
-    writer.setResolution(dotsPerInch(picture));
-    const QSizeF inches = QSizeF(sheet.size) / dotsPerInch(picture);
-    writer.setPageSize(QPageSize(inches, QPageSize::Inch, {}, QPageSize::ExactMatch));
-    writer.setPageMargins(QMarginsF());
-    QCPPainter painter(&writer);
-    if (!painter.isActive()) {
-        return {};
-    }
-    painter.setModes(QCPPainter::pmVectorized | QCPPainter::pmNoCaching
-                     | QCPPainter::pmNonCosmetic);
-    paint(painter, picture, sheet);
-    painter.end();
-    return bytes.contains("%%EOF") ? bytes : QByteArray();
+PictureWork pdfWork(const PlotPicture& picture) {
+    return [recording = record(picture, true)] { return pdf(recording); };
 }
 
 } // namespace sparkout

@@ -7,6 +7,8 @@
 #include <QImage>
 #include <QStringList>
 
+#include <functional>
+
 class QCustomPlot;
 
 /// A plot as a picture of its own: title lines, legend and the plot as it is on the screen, on the
@@ -27,9 +29,13 @@ inline constexpr int largestPictureScale = 4;
 /// `scale` 1…4; the resolution is noted in the image, so that its size on paper stays the same.
 [[nodiscard]] QImage pictureImage(const PlotPicture& picture, int scale);
 
-/// The bytes of a file; empty when they could not be made.
-[[nodiscard]] QByteArray picturePng(const PlotPicture& picture, int scale);
-[[nodiscard]] QByteArray pictureSvg(const PlotPicture& picture);
-[[nodiscard]] QByteArray picturePdf(const PlotPicture& picture); ///< vectors, fonts embedded
+/// Makes the bytes of a file, which may take a second; in any thread. Empty: they could not be
+/// made.
+using PictureWork = std::function<QByteArray()>;
+
+/// The drawing is taken down at once; the plot may change afterwards.
+[[nodiscard]] PictureWork pngWork(const PlotPicture& picture, int scale);
+[[nodiscard]] PictureWork svgWork(const PlotPicture& picture);
+[[nodiscard]] PictureWork pdfWork(const PlotPicture& picture); ///< vectors, fonts embedded
 
 } // namespace sparkout

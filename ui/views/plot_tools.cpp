@@ -88,14 +88,13 @@ void PlotTools::connectActions() {
     for (int scale = 1; scale <= largestPictureScale; ++scale) {
         connect(png[static_cast<std::size_t>(scale - 1)], &QAction::triggered, this, [this, scale] {
             savePicture(QStringLiteral("png"), tr("PNG pictures (*.png)"),
-                        [scale](const PlotPicture& p) { return picturePng(p, scale); });
+                        [scale](const PlotPicture& p) { return pngWork(p, scale); });
         });
     }
     connect(svg, &QAction::triggered, this,
-            [this] { savePicture(QStringLiteral("svg"), tr("SVG drawings (*.svg)"), pictureSvg); });
-    connect(pdf, &QAction::triggered, this, [this] {
-        savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), picturePdf);
-    });
+            [this] { savePicture(QStringLiteral("svg"), tr("SVG drawings (*.svg)"), svgWork); });
+    connect(pdf, &QAction::triggered, this,
+            [this] { savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), pdfWork); });
     connect(csvRussian, &QAction::triggered, this, [this] { saveTable(CsvDialect::russianExcel); });
     connect(csvEnglish, &QAction::triggered, this, [this] { saveTable(CsvDialect::english); });
 }
@@ -195,7 +194,7 @@ void PlotTools::copyDataNow() {
 }
 
 void PlotTools::savePicture(const QString& suffix, const QString& filter,
-                            const std::function<QByteArray(const PlotPicture&)>& draw) {
+                            const std::function<PictureWork(const PlotPicture&)>& draw) {
     SaveRequest request{tr("Save the picture"), fileName(), suffix, filter,
                         [&] { return inLightLook(draw); }};
     if (saveWithDialog(m_plot.window(), m_settings, request)) {
@@ -205,8 +204,11 @@ void PlotTools::savePicture(const QString& suffix, const QString& filter,
 
 void PlotTools::saveTable(CsvDialect dialect) {
     SaveRequest request{tr("Save the data"), fileName(), QStringLiteral("csv"),
-                        tr("CSV tables (*.csv)"),
-                        [&] { return csvBytes(m_subject.table(), dialect); }};
+                        tr("CSV tables (*.csv)"), [&]() -> PictureWork {
+                            return [table = m_subject.table(), dialect] {
+                                return csvBytes(table, dialect);
+                            };
+                        }};
     if (saveWithDialog(m_plot.window(), m_settings, request)) {
         say(tr("Saved."));
     }

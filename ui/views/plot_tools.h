@@ -24,7 +24,7 @@ class Settings;
 struct PlotSubject {
     std::function<QStringList()> heading; ///< over an exported picture: the view, then the project
     std::function<LegendEntries()> legend;
-    std::function<CsvTable()> table;  ///< the visible curves within the visible range
+    std::function<CsvTable()> table; ///< the visible curves within the visible range
     /// Colours the plot by its palette; not needed by a plot that follows its palette itself.
     std::function<void()> restyle;
     PlotNavigation::Hooks navigation; ///< how wheel, drag and keys move it
@@ -72,7 +72,7 @@ private:
     void copyPictureNow();
     void copyDataNow();
     void savePicture(const QString& suffix, const QString& filter,
-                     const std::function<QByteArray(const PlotPicture&)>& draw);
+                     const std::function<PictureWork(const PlotPicture&)>& draw);
     void saveTable(CsvDialect dialect);
     void say(const QString& text); ///< in the status bar, for a while
 

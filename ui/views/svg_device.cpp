@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QFont>
 #include <QFontInfo>
+#include <QHash>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPainterPath>
@@ -73,7 +74,9 @@ public:
     [[nodiscard]] Type type() const override { return User; }
     bool begin(QPaintDevice*) override {
         m_body.clear();
-        m_clips.clear();
+        m_clipPaths.clear();
+        m_clipNames.clear();
+        m_clipping = false;
         return true;
     }
     bool end() override { return true; }
@@ -98,11 +101,10 @@ private:
 
     int m_dotsPerInch;
     QString m_body;
-    QString m_clipPaths; ///< <clipPath> elements
-    QString m_clips;     ///< data of the clip path in force, in device coordinates
+    QString m_clipPaths;                 ///< <clipPath> elements
+    QHash<QString, QString> m_clipNames; ///< by path data, in device coordinates
     QString m_clipName;
     bool m_clipping = false;
-    int m_clipCount = 0;
     QPainterPath m_clip;
     QPen m_pen;
     QBrush m_brush;
@@ -153,10 +155,14 @@ void SvgEngine::readClip(const QPaintEngineState& now) {
     } else {
         m_clipping = now.isClipEnabled();
     }
-    const QString data = m_clipping ? pathData(m_clip) : QString();
-    if (m_clipping && data != m_clips) {
-        m_clips = data;
-        m_clipName = QStringLiteral("c%1").arg(++m_clipCount);
+    if (!m_clipping) {
+        return;
+    }
+    const QString data = pathData(m_clip);
+    m_clipName = m_clipNames.value(data);
+    if (m_clipName.isEmpty()) {
+        m_clipName = QStringLiteral("c%1").arg(m_clipNames.size() + 1);
+        m_clipNames.insert(data, m_clipName);
         m_clipPaths += QStringLiteral("<clipPath id=\"%1\"><path d=\"%2\"/></clipPath>\n")
                            .arg(m_clipName, data);
     }
