@@ -1401,7 +1401,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Uniform</source>
-            <translation>Равномерно</translation>
+            <translation>Выборочно</translation>
         </message>
         <message>
             <source>not this form</source>
@@ -1947,6 +1947,93 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>ProfilesTable</name>
+        <message>
+            <source>radius no.</source>
+            <translation>№ радиуса</translation>
+        </message>
+        <message>
+            <source>angle, °</source>
+            <translation>угол, °</translation>
+        </message>
+        <message>
+            <source>blank: radius from target, µm</source>
+            <translation>заготовка: радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: radius from target, µm</source>
+            <translation>%1: радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: least-squares circle from target, µm</source>
+            <translation>%1: средняя окружность (МНК) от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>radius, mm</source>
+            <translation>радиус, мм</translation>
+        </message>
+        <message>
+            <source>diameter from nominal, µm</source>
+            <translation>диаметр от номинала, мкм</translation>
+        </message>
+        <message>
+            <source>radius from target, µm</source>
+            <translation>радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>средний %1</translation>
+        </message>
+        <message>
+            <source>smallest %1</source>
+            <translation>наименьший %1</translation>
+        </message>
+        <message>
+            <source>largest %1</source>
+            <translation>наибольший %1</translation>
+        </message>
+        <message>
+            <source>blank, smallest %1</source>
+            <translation>заготовка, наименьший %1</translation>
+        </message>
+        <message>
+            <source>blank, largest %1</source>
+            <translation>заготовка, наибольший %1</translation>
+        </message>
+        <message>
+            <source>target %1</source>
+            <translation>целевой %1</translation>
+        </message>
+        <message>
+            <source>lower limit %1</source>
+            <translation>нижняя граница: %1</translation>
+        </message>
+        <message>
+            <source>upper limit %1</source>
+            <translation>верхняя граница: %1</translation>
+        </message>
+        <message>
+            <source>zone</source>
+            <translation>зона</translation>
+        </message>
+        <message>
+            <source>section</source>
+            <translation>сечение</translation>
+        </message>
+        <message>
+            <source>from, mm</source>
+            <translation>от, мм</translation>
+        </message>
+        <message>
+            <source>middle, mm</source>
+            <translation>середина, мм</translation>
+        </message>
+        <message>
+            <source>to, mm</source>
+            <translation>до, мм</translation>
+        </message>
+    </context>
+    <context>
         <name>ProfilesText</name>
         <message>
             <source>; blank %1 µm from target</source>
@@ -2266,6 +2353,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Hashimoto, 2020, contact stiffness of the wheel</source>
             <translation>Хасимото, 2020, контактная жёсткость круга</translation>
+        </message>
+        <message>
+            <source>J. A. Badger, 2010, waviness of ground parts</source>
+            <translation>Дж. А. Баджер, 2010, волнистость шлифованных деталей</translation>
         </message>
     </context>
     <context>
@@ -3090,7 +3181,7 @@ target, µm</source>
         </message>
         <message>
             <source>Evenly chosen</source>
-            <translation>Равномерно выбранные</translation>
+            <translation>Выборочно</translation>
         </message>
         <message>
             <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict is of the whole cycle.</source>
@@ -3626,14 +3717,6 @@ target, µm</source>
             <translation>Вперёд</translation>
         </message>
         <message>
-            <source>Back to what was in sight before (Backspace)</source>
-            <translation>Назад к прежнему виду (Backspace)</translation>
-        </message>
-        <message>
-            <source>Forward again (Alt+Right)</source>
-            <translation>Снова вперёд (Alt+вправо)</translation>
-        </message>
-        <message>
             <source>&amp;Copy the picture</source>
             <translation>&amp;Копировать рисунок</translation>
         </message>
@@ -3678,8 +3761,16 @@ target, µm</source>
             <translation>Скопировать или сохранить то, что на графике</translation>
         </message>
         <message>
-            <source>Show all (Home); a double click in the plot does it too. Wheel: zoom, over an axis that axis only, with Shift move. Drag: move. Keys: + − and arrows.</source>
-            <translation>Показать всё (Home); так же действует двойной щелчок на графике. Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
+            <source>Show all; a double click in the plot does it too. Wheel: zoom, over an axis that axis only, with Shift move. Drag: move. Keys: + − and arrows.</source>
+            <translation>Показать всё; так же действует двойной щелчок на графике. Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
+        </message>
+        <message>
+            <source>Back to what was in sight before</source>
+            <translation>Назад, к тому, что было видно раньше</translation>
+        </message>
+        <message>
+            <source>Forward again</source>
+            <translation>Снова вперёд</translation>
         </message>
     </context>
     <context>
@@ -3732,10 +3823,6 @@ target, µm</source>
             <translation>Условные обозначения кривых</translation>
         </message>
         <message>
-            <source>Click: hide or show. Ctrl+click: show only this.</source>
-            <translation>Щелчок: скрыть или показать. Ctrl+щелчок: показать только это.</translation>
-        </message>
-        <message>
             <source>State of the profiles</source>
             <translation>Состояние профилей</translation>
         </message>
@@ -3784,10 +3871,6 @@ target, µm</source>
             <translation>В масштабе</translation>
         </message>
         <message>
-            <source>Fit</source>
-            <translation>Всё</translation>
-        </message>
-        <message>
             <source>What is in sight</source>
             <translation>Что показано</translation>
         </message>
@@ -3810,10 +3893,6 @@ target, µm</source>
         <message>
             <source>The profile before the first touch</source>
             <translation>Профиль до первого касания</translation>
-        </message>
-        <message>
-            <source>Show all (double click in a plot). Wheel: zoom. Drag: move.</source>
-            <translation>Показать всё (двойной щелчок по графику). Колесо: масштаб. Перетаскивание: сдвиг.</translation>
         </message>
         <message>
             <source>Previous</source>
@@ -3878,7 +3957,7 @@ target, µm</source>
         </message>
         <message>
             <source>Evenly chosen</source>
-            <translation>Равномерно</translation>
+            <translation>Выборочно</translation>
         </message>
         <message>
             <source>All sections</source>
@@ -3891,6 +3970,22 @@ target, µm</source>
         <message>
             <source>Auto: %1</source>
             <translation>Авто: %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>cross-sections</source>
+            <translation>поперечные сечения</translation>
+        </message>
+        <message>
+            <source>along the axis</source>
+            <translation>вдоль оси</translation>
+        </message>
+        <message>
+            <source>Show all in both plots; in one of them: Home, or a double click in it. Wheel: zoom. Drag: move.</source>
+            <translation>Показать всё на обоих графиках; на одном: Home или двойной щелчок по нему. Колесо: масштаб. Перетаскивание: сдвиг.</translation>
         </message>
     </context>
     <context>
@@ -3948,11 +4043,11 @@ target, µm</source>
         </message>
         <message>
             <source>lowest</source>
-            <translation>наименьшее</translation>
+            <translation>мин.</translation>
         </message>
         <message>
             <source>highest</source>
-            <translation>наибольшее</translation>
+            <translation>макс.</translation>
         </message>
         <message>
             <source>step</source>

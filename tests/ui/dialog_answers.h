@@ -16,8 +16,8 @@
 #include <functional>
 
 /// Answers the dialogs that come up, one after the other, with real clicks and keys: the object
-/// name of a button, "Escape", "Enter", or "file:PATH" for a file dialog. A dialog that nobody
-/// expected, or that does not go away, is an error.
+/// name of a button, "Yes", "Escape", "Enter", or "file:PATH" for a file dialog. A dialog that
+/// nobody expected, or that does not go away, is an error.
 class DialogAnswers : public QObject {
 public:
     explicit DialogAnswers(QStringList answers) : m_answers(std::move(answers)) {
@@ -41,10 +41,9 @@ public:
 private:
     void look() {
         auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-        if (!dialog || !dialog->isVisible() || dialog == m_last) {
+        if (!dialog || !dialog->isVisible() || m_beingAnswered.contains(dialog)) {
             return;
         }
-        m_last = dialog;
         if (const auto* box = qobject_cast<QMessageBox*>(dialog)) {
             m_texts += box->text().remove(QChar(0x200b));
         }
@@ -57,10 +56,17 @@ private:
         if (seen) {
             seen(*dialog);
         }
-        answer(*dialog, m_answers[m_next++]);
-        if (dialog->isVisible() && m_fault.isEmpty()) {
-            m_last = nullptr; // the next answer is for the same dialog
-        }
+        m_beingAnswered += dialog;
+        // Not within the timer: a dialog that opens another one would keep it from firing.
+        QMetaObject::invokeMethod(
+            this,
+            [this, dialog, open = QPointer(dialog), what = m_answers[m_next++]] {
+                if (open) {
+                    answer(*open, what);
+                }
+                m_beingAnswered.removeOne(dialog); // still there: the next answer is for it too
+            },
+            Qt::QueuedConnection);
     }
 
     void answer(QDialog& dialog, const QString& what) {
@@ -70,6 +76,8 @@ private:
             auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
             name->setText(what.mid(5));
             QTest::keyClick(name, Qt::Key_Return);
+        } else if (auto* box = qobject_cast<QMessageBox*>(&dialog); box && what == u"Yes") {
+            QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
         } else if (auto* button = dialog.findChild<QAbstractButton*>(what)) {
             QTest::mouseClick(button, Qt::LeftButton);
         } else {
@@ -84,5 +92,5 @@ private:
     QString m_fault;
     qsizetype m_next = 0;
     QTimer m_poll;
-    QPointer<QDialog> m_last; ///< null once it is gone: the next one may stand at its address
+    QList<QDialog*> m_beingAnswered; ///< they may have opened others meanwhile
 };

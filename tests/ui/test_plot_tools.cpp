@@ -4,14 +4,11 @@
 #include "ui/views/legend_strip.h"
 #include "ui/views/plot_history.h"
 #include "ui/views/plot_tools.h"
-#include "ui/views/table_copy.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QStandardItemModel>
-#include <QTableView>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -302,44 +299,6 @@ private slots:
         PlotTools tools(plot, subject);
         QVERIFY(!tools.copyData->isEnabled() && !tools.csvEnglish->isEnabled());
         QVERIFY(tools.svg->isEnabled());
-    }
-
-    // --- tables ---------------------------------------------------------------------------------
-
-    void aTableIsCopiedAsItIsShown() {
-        QStandardItemModel model(3, 3);
-        model.setHorizontalHeaderLabels(
-            {QStringLiteral("zone"), QStringLiteral("secret"), QStringLiteral("margin, µm")});
-        const char* texts[3][3] = {{"RZ1", "a", "-9.6"}, {"NZ", "b", "+6.4"}, {"=1+1", "c", "–"}};
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 3; ++column) {
-                model.setItem(row, column,
-                              new QStandardItem(QString::fromUtf8(texts[row][column])));
-            }
-        }
-        QTableView table;
-        table.setModel(&model);
-        table.hideColumn(1);
-        makeCopyable(table);
-        table.show();
-        QApplication::setActiveWindow(&table);
-        table.setFocus();
-        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
-        const QString whole = QStringLiteral("zone\tmargin, µm\nRZ1\t-9.6\nNZ\t+6.4\n'=1+1\t–\n");
-        QCOMPARE(QApplication::clipboard()->text(), whole);
-        table.selectAll();
-        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
-        QCOMPARE(QApplication::clipboard()->text(), whole);
-        // A part goes without headers, its columns under one another.
-        table.clearSelection();
-        const auto take = [&](int row, int column) {
-            table.selectionModel()->select(model.index(row, column), QItemSelectionModel::Select);
-        };
-        take(0, 2);
-        take(1, 0);
-        take(1, 2);
-        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
-        QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("\t-9.6\nNZ\t+6.4\n"));
     }
 
     void everyTextIsTranslated() {

@@ -71,6 +71,7 @@ QStringList heads(const QTableView& view) {
 /// Opens the spark-out of the last stage; its choice of what to do.
 QComboBox* sparkOutEditor(Bench& bench) {
     const int row = int(bench.stages().size()) - 1;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // an editor closed before
     bench.select(row, bench.table.view().model()->columnCount() - 2);
     QTest::keyClick(&bench.table.view(), Qt::Key_F2);
     return bench.table.view().findChild<QComboBox*>();
@@ -306,6 +307,7 @@ private slots:
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("much"));
         QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(bench.table.refusals().size(), 1u); // the editor closes by a later event
         QVERIFY(!bench.table.dropRefusal("/cycle/stages/1/radial_feed_mm"));
         QVERIFY(bench.table.dropRefusal("/cycle/stages/0/radial_feed_mm"));
         QCOMPARE(bench.table.view().model()->index(0, 0).data().toString(),

@@ -100,9 +100,11 @@ QString englishIn(QString text) {
     static const QStringList allowed =
         QStringLiteral(
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
-            "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return "
+            "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
+            "Excel "
             "HRC MODEL ISO DIN cos sin tan exp log max min JSON CSV TSV PNG SVG PDF XLSX")
             .split(u' ');
+    text.replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));
     text.replace(tags, QStringLiteral(" ")).remove(u'&');
     QStringList found;
     for (auto it = word.globalMatch(text); it.hasNext();) {

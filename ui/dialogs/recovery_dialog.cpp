@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -73,6 +74,7 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
 }
 
 void RecoveryDialog::fill() {
+    const QSignalBlocker blocker(m_list); // its rows are not the items until it is full
     m_list->clear();
     for (const RecoveryItem& item : m_items) {
         const QString title = item.header.title.simplified();

@@ -65,6 +65,14 @@ void ColumnHeader::fit(int width) {
     setFixedHeight(int(std::ceil(height)) + 2 * metrics::row);
 }
 
+QSize ColumnHeader::needOf(int section) const {
+    QTextDocument title;
+    prepare(title, section);
+    title.setTextWidth(sectionSize(section) - 2 * sideMargin);
+    return {int(std::ceil(title.idealWidth())) + 2 * sideMargin,
+            int(std::ceil(title.size().height()))};
+}
+
 void ColumnHeader::paintSection(QPainter* painter, const QRect& rect, int section) const {
     painter->save();
     QStyleOptionHeader option;

@@ -18,6 +18,7 @@ public:
     explicit ColumnHeader(QWidget* parent = nullptr);
 
     void fit(int width); ///< shares a width among the columns and takes the height they need
+    [[nodiscard]] QSize needOf(int section) const; ///< of its title, in lines of its width
 
 protected:
     void paintSection(QPainter* painter, const QRect& rect, int section) const override;

@@ -74,7 +74,7 @@ QString columnText(const Field& field) {
 QString columnMarkup(const Field& field) {
     QString text = inputText(*field.column ? field.column : field.label).toHtmlEscaped();
     if (*field.symbol) {
-        text += QStringLiteral("&nbsp;") + symbolMarkup(field);
+        text += u' ' + symbolMarkup(field); // on a line of its own in a narrow column
     }
     if (*field.unit) {
         QString unit = unitText(field.unit).toHtmlEscaped();

@@ -63,7 +63,7 @@ ListTable::ListTable(const std::string& path, const Field& list, Document& docum
     , m_delegate(delegate)
     , m_view(new QTableView(this))
     , m_header(new ColumnHeader(m_view))
-    , m_sliders(new RowSliders(*model, document, this))
+    , m_sliders(new RowSliders(*model, document, *m_view, this))
     , m_title(new QLabel(this))
     , m_reasons(new QLabel(this)) {
     model->setParent(this);

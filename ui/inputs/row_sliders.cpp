@@ -23,8 +23,12 @@ constexpr int valueWidth = 80;
 
 } // namespace
 
-RowSliders::RowSliders(ListModel& model, Document& document, QWidget* parent)
-    : QWidget(parent), m_model(model), m_document(document), m_title(new QLabel(this)) {
+RowSliders::RowSliders(ListModel& model, Document& document, QWidget& before, QWidget* parent)
+    : QWidget(parent)
+    , m_model(model)
+    , m_document(document)
+    , m_before(before)
+    , m_title(new QLabel(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(metrics::row);
@@ -59,6 +63,11 @@ void RowSliders::build() {
     layout()->addWidget(m_body);
     for (const int column : columns()) {
         addLine(column);
+    }
+    QWidget* last = &m_before;
+    for (const Line& line : m_lines) {
+        setTabOrder(last, line.slider);
+        last = line.slider;
     }
 }
 

@@ -20,7 +20,8 @@ class RowSliders : public QWidget {
     Q_OBJECT
 
 public:
-    RowSliders(ListModel& model, Document& document, QWidget* parent = nullptr);
+    /// The sliders come after `before` in the tab order.
+    RowSliders(ListModel& model, Document& document, QWidget& before, QWidget* parent = nullptr);
 
     void showRow(int row); ///< of the model as it is now; none: −1
     void retranslate();
@@ -43,6 +44,7 @@ private:
 
     ListModel& m_model;
     Document& m_document;
+    QWidget& m_before;
     int m_row = -1;
     QLabel* m_title;
     QWidget* m_body = nullptr;

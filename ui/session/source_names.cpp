@@ -42,6 +42,8 @@ constexpr std::array names{
     SourceName{"KORCHAK", QT_TRANSLATE_NOOP("Source", "S. N. Korchak, force of a single grain")},
     SourceName{"ISO12180", QT_TRANSLATE_NOOP("Source", "ISO 12180-1:2011, cylindricity")},
     SourceName{"ISO12181", QT_TRANSLATE_NOOP("Source", "ISO 12181-1:2011, roundness")},
+    SourceName{"BADGER2010", QT_TRANSLATE_NOOP("Source", "J. A. Badger, 2010, waviness of ground "
+                                                         "parts")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
 };

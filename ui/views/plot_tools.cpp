@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/plot_tools.h"
-#include "ui/theme.h"
 
 #include "ui/dialogs/save_dialog.h"
+#include "ui/keyboard.h"
+#include "ui/theme.h"
 #include "ui/views/hair_line.h"
 
 #include <QApplication>
@@ -228,12 +229,15 @@ void PlotTools::retranslate() {
     back->setText(tr("Back"));
     forward->setText(tr("Forward"));
     fit->setToolTip(
-        tr("Show all (Home); a double click in the plot does it too. Wheel: zoom, over an axis "
-           "that axis only, with Shift move. Drag: move. Keys: + − and arrows."));
-    back->setToolTip(tr("Back to what was in sight before (Backspace)"));
-    forward->setToolTip(tr("Forward again (Alt+Right)"));
+        tr("Show all; a double click in the plot does it too. Wheel: zoom, over an axis that axis "
+           "only, with Shift move. Drag: move. Keys: + − and arrows."));
+    back->setToolTip(tr("Back to what was in sight before"));
+    forward->setToolTip(tr("Forward again"));
     copyPicture->setText(tr("&Copy the picture"));
     copyData->setText(tr("Copy the &data"));
+    for (QAction* action : {fit, back, forward, copyPicture, copyData}) {
+        nameShortcut(*action);
+    }
     m_png->setTitle(tr("P&NG picture"));
     m_csv->setTitle(tr("CSV &table"));
     svg->setText(tr("&SVG drawing…"));

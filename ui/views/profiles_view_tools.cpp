@@ -2,6 +2,7 @@
 // The widgets of the view of zone profiles: building, naming and connecting.
 #include "ui/views/profiles_view.h"
 
+#include "ui/theme.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
 #include "ui/views/plot_tools.h"
@@ -119,7 +120,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     m_reference = new QComboBox(bar);
     m_fit = new QToolButton(bar);
     m_alone->setCheckable(true);
-    m_fit->setIcon(QIcon(QStringLiteral(":/icons/fit.svg")));
+    m_fit->setIcon(themeIcon(u"fit"));
     m_fit->setAutoRaise(true);
     for (QToolButton* button : {m_alone, m_fit}) {
         button->setFocusPolicy(Qt::TabFocus);
@@ -131,7 +132,9 @@ void ProfilesView::buildToolBar(QWidget* bar) {
         row->addWidget(w);
     }
     row->addStretch();
-    for (QWidget* w : std::initializer_list<QWidget*>{m_reference, m_magnification, m_fit}) {
+    m_acrossExport = m_acrossTools->exportButton(bar);
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_reference, m_magnification, m_fit, m_acrossExport}) {
         row->addWidget(w);
     }
 }
