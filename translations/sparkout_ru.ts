@@ -4341,7 +4341,7 @@ target, µm</source>
         </message>
         <message>
             <source>fails</source>
-            <translation>не выполнено</translation>
+            <translation>нарушено</translation>
         </message>
         <message>
             <source>Value</source>
