@@ -3,6 +3,7 @@
 #include "app/examples.h"
 #include "core/project/project_file.h"
 #include "core/project/safe_file.h"
+#include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -124,6 +125,9 @@ int runSimulate(const Options& options) {
             return refused;
         }
         result = simulate(*project, &trajectory);
+    }
+    for (const Issue& remark : remarksOn(result)) {
+        print(stderr, issueLine(options.operand, remark) + '\n');
     }
     const auto constraints = evaluateConstraints(result);
     print(stdout, options.json ? resultJson(result, constraints) : resultText(result, constraints));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_report.h"
 
+#include "app/cli_shop.h"
 #include "core/project/strict_json.h"
 #include "core/project/validate.h"
 #include "core/units.h"
@@ -43,13 +44,6 @@ std::string sectionName(Zone zone, int section) {
     return zone == Zone::section ? "section " + std::to_string(section) : zoneKey(zone);
 }
 
-std::string placeText(const Place& place) {
-    const bool plunge = place.zone == Zone::section;
-    return sectionName(place.zone, place.section) + (plunge ? "" : " ") + stepKey(place.step)
-           + " stage " + std::to_string(place.stage) + (plunge ? " revolution " : " double stroke ")
-           + std::to_string(place.cycleCount);
-}
-
 ordered_json zoneJson(const SimulationResult& result, const SectionResult& section) {
     const double nominal = result.project.part.diameter_mm / 2;
     ordered_json radii = ordered_json::array();
@@ -76,14 +70,21 @@ ordered_json constraintJson(const ConstraintResult& constraint) {
             {"ok", constraint.holds}};
 }
 
+} // namespace
+
+std::string placeText(const Place& place) {
+    const bool plunge = place.zone == Zone::section;
+    return sectionName(place.zone, place.section) + (plunge ? "" : " ") + stepKey(place.step)
+           + " stage " + std::to_string(place.stage) + (plunge ? " revolution " : " double stroke ")
+           + std::to_string(place.cycleCount);
+}
+
 std::string fixed(double value, int decimals) {
     char buffer[400]; // the largest double has 309 digits before the point
     const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0,
                                             std::chars_format::fixed, decimals);
     return {buffer, end};
 }
-
-} // namespace
 
 std::string issueLine(const std::string& file, const Issue& issue) {
     std::string line = file + ": ";
@@ -126,6 +127,7 @@ std::string resultJson(const SimulationResult& result,
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},
                     {"power_where", placeText(result.peakPowerAt)}};
+    root["shop"] = shopJson(shopNumbers(result));
     ordered_json list = ordered_json::array();
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
         list.push_back(constraintJson(constraint));
@@ -193,7 +195,7 @@ std::string resultText(const SimulationResult& result,
     if (!unchecked.empty()) {
         text += "given, not checked   " + unchecked + '\n';
     }
-    return text;
+    return text + shopText(shopNumbers(result));
 }
 
 std::string traceCsv(const SimulationResult& result, const Trajectory& trajectory) {

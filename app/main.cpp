@@ -7,14 +7,14 @@
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/session/operation.h"
+#include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
+#include "ui/views/view.h"
 
 #include <QApplication>
 #include <QBuffer>
 #include <QFile>
-#include <QPalette>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QTimer>
 
 #include <algorithm>
@@ -33,12 +33,15 @@ constexpr int pictureSettle_ms = 400; ///< for queued replots and layouts
 
 constexpr const char* usage =
     "Usage: sparkout [FILE]\n"
-    "       sparkout --picture OUT.png [--lang en|ru] [--size WIDTHxHEIGHT] FILE\n"
+    "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
+    "                [--size WIDTHxHEIGHT] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
     "  --lang en|ru       language of the window, this time only\n"
+    "  --theme THEME      system, light, dark or contrast, this time only\n"
+    "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --size WxH         size of the window, 1366x768 unless told\n"
     "  --version          print the version\n"
     "  --help             print this text\n"
@@ -51,6 +54,8 @@ struct Options {
     QString file;
     QString picture;
     QString language;
+    QString theme;
+    QString view;
     QSize size{1366, 768};
     bool version = false;
     bool help = false;
@@ -81,6 +86,13 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         if (options.language != u"en" && options.language != u"ru") {
             options.fault = QStringLiteral("--lang is en or ru");
         }
+    } else if (word == u"--theme") {
+        options.theme = words[++i];
+        if (!isThemeCode(options.theme)) {
+            options.fault = QStringLiteral("--theme is system, light, dark or contrast");
+        }
+    } else if (word == u"--view") {
+        options.view = words[++i];
     } else if (word == u"--size") {
         if (!readSize(words[++i], options.size)) {
             options.fault = QStringLiteral("--size is WIDTHxHEIGHT, 400x300 to 10000x10000");
@@ -117,19 +129,6 @@ void say(std::FILE* stream, const QString& text) {
 bool displayMissing() {
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
     return !set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM");
-}
-
-/// The light look. A dark one is another palette here: widgets take their colours from it.
-void setLook() {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QPalette light = QApplication::style()->standardPalette();
-    light.setColor(QPalette::Window, QColor(0xf3, 0xf4, 0xf6));
-    light.setColor(QPalette::Base, Qt::white);
-    light.setColor(QPalette::AlternateBase, QColor(0xf7, 0xf8, 0xfa));
-    light.setColor(QPalette::Highlight, QColor(0x2f, 0x6f, 0xb0));
-    light.setColor(QPalette::HighlightedText, Qt::white);
-    light.setColor(QPalette::PlaceholderText, QColor(0x6b, 0x72, 0x7c));
-    QApplication::setPalette(light);
 }
 
 void openFirstExample(Document& document) {
@@ -189,12 +188,24 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
+    window.files().protect(userStateFolder());
     window.show();
     openFirstExample(window.document());
-    if (!options.file.isEmpty()) {
-        window.files().openFile(options.file);
-    }
+    QTimer::singleShot(0, &window, [&] { window.files().start(options.file); });
     return app.exec();
+}
+
+bool showWantedView(MainWindow& window, const QString& name) {
+    if (name.isEmpty() || window.showView(name)) {
+        return true;
+    }
+    QStringList names;
+    for (const View* view : window.views()) {
+        names += view->objectName();
+    }
+    say(stderr, QStringLiteral("sparkout: there is no view “%1”; there are: %2")
+                    .arg(name, names.join(QStringLiteral(", "))));
+    return false;
 }
 
 } // namespace
@@ -229,10 +240,13 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
-    setLook();
     Settings settings = picture ? Settings::transient() : Settings();
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
+    applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
     MainWindow window(settings, language);
+    if (!showWantedView(window, options.view)) {
+        return exitUsage;
+    }
     return picture ? makePicture(app, window, options) : runWindow(app, window, options);
 }

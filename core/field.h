@@ -33,6 +33,7 @@ struct Range {
         return low == -std::numeric_limits<double>::infinity()
                && high == std::numeric_limits<double>::infinity();
     }
+    friend bool operator==(const Range&, const Range&) = default;
 };
 
 /// One value of an enumeration: its name in the file and its label (translated as "Choice").
@@ -114,10 +115,13 @@ struct Row {
     Condition relevant = nullptr; ///< is read by the model when it holds; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
     bool slider = false;          ///< one of the numbers one plays with
+    bool positive = false;        ///< a rule refuses zero where the member is read
     bool unchecked = false;       ///< a requirement that is kept, but not evaluated
     Page page = Page::none;       ///< the form page that shows it
     const char* hint = "";
-    const char* source = ""; ///< key of core/SOURCES.md
+    const char* formula = ""; ///< where the member enters the model, in the model page's letters
+    const char* column = "";  ///< label at the head of a table's column, where it must be short
+    const char* source = "";  ///< key of core/SOURCES.md
 };
 
 /// A row bound to its member. `member` gives the member's address inside its struct.

@@ -89,6 +89,10 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::notComputed:
         return SPARKOUT_NOOP("Issue", "{value} is kept in the file, but the cycle is computed "
                                       "without it");
+    case IssueCode::sparkOutLeaves:
+        return SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
+                                      "nothing, and the deflection did not give back its stock of "
+                                      "{limit}");
     }
     return "";
 }

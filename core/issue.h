@@ -43,6 +43,7 @@ enum class IssueCode {
     shaftTooShort,
     targetOutsideField,
     notComputed,
+    sparkOutLeaves,
 };
 
 /// One fault of an input: where, what stands there, what may stand there.

@@ -9,5 +9,7 @@ inline constexpr double umPerMm = 1000.0;
 inline constexpr double secondsPerMinute = 60.0;
 inline constexpr double mmPerM = 1000.0;
 inline constexpr double mpaPerGpa = 1000.0;
+inline constexpr double wPerKw = 1000.0;
+inline constexpr double jPerKj = 1000.0;
 
 } // namespace sparkout::units

@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en_US">
     <context>
+        <name>FileQuestion</name>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>%n more</numerusform>
+                <numerusform>%n more</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” has %n other names (hard links). They will keep the old text and no longer be the same file.</source>
+            <translation>
+                <numerusform>“%1” has %n other name (hard link). It will keep the old text and no longer be the same file.</numerusform>
+                <numerusform>“%1” has %n other names (hard links). They will keep the old text and no longer be the same file.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message numerus="yes">
             <source>it holds %n values; needed: an even number, %1</source>
@@ -39,6 +56,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::RecoveryDialog</name>
+        <message numerus="yes">
+            <source>Recovery files are kept in %1; discarded ones stay in %2 for %n days.</source>
+            <translation>
+                <numerusform>Recovery files are kept in %1; discarded ones stay in %2 for %n day.</numerusform>
+                <numerusform>Recovery files are kept in %1; discarded ones stay in %2 for %n days.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::StageModel</name>
         <message numerus="yes">
             <source>%n double strokes</source>
@@ -52,6 +79,16 @@
             <translation>
                 <numerusform>%n revolution</numerusform>
                 <numerusform>%n revolutions</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::VerdictPanel</name>
+        <message numerus="yes">
+            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <translation>
+                <numerusform>%n field holds a refused text; the verdict is of the value before it.</numerusform>
+                <numerusform>%n fields hold a refused text; the verdict is of the values before it.</numerusform>
             </translation>
         </message>
     </context>

@@ -97,6 +97,17 @@
         </message>
     </context>
     <context>
+        <name>Default</name>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+    </context>
+    <context>
         <name>Detail</name>
         <message>
             <source>plunge</source>
@@ -140,6 +151,10 @@
         <message>
             <source>Move a stage</source>
             <translation>Перестановка ступеней</translation>
+        </message>
+        <message>
+            <source>Reload the file</source>
+            <translation>Перезагрузка файла</translation>
         </message>
     </context>
     <context>
@@ -207,6 +222,18 @@
         <message>
             <source>axial feed %1 mm/min</source>
             <translation>осевая подача %1 мм/мин</translation>
+        </message>
+        <message>
+            <source>%1, mm/min</source>
+            <translation>%1, мм/мин</translation>
+        </message>
+        <message>
+            <source>%1, N</source>
+            <translation>%1, Н</translation>
+        </message>
+        <message>
+            <source>%1, µm</source>
+            <translation>%1, мкм</translation>
         </message>
     </context>
     <context>
@@ -278,6 +305,204 @@
         <message>
             <source>“%1” was not saved: %2. Nothing on the disk was changed.</source>
             <translation>Файл «%1» не сохранён: %2. На диске ничего не изменилось.</translation>
+        </message>
+    </context>
+    <context>
+        <name>FileQuestion</name>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>“%1” has never been saved. Save it?</source>
+            <translation>«%1» ещё ни разу не сохранён. Сохранить?</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без имени</translation>
+        </message>
+        <message>
+            <source>Save the changes to “%1”?</source>
+            <translation>Сохранить изменения в «%1»?</translation>
+        </message>
+        <message>
+            <source>Not saved:</source>
+            <translation>Не сохранено:</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>и ещё %n правка</numerusform>
+                <numerusform>и ещё %n правки</numerusform>
+                <numerusform>и ещё %n правок</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>Replace the file?</source>
+            <translation>Заменить файл?</translation>
+        </message>
+        <message>
+            <source>“%1” exists already. Replace it?</source>
+            <translation>«%1» уже существует. Заменить его?</translation>
+        </message>
+        <message>
+            <source>&amp;Replace</source>
+            <translation>&amp;Заменить</translation>
+        </message>
+        <message>
+            <source>Unsaved changes</source>
+            <translation>Несохранённые изменения</translation>
+        </message>
+        <message>
+            <source>&amp;Save as…</source>
+            <translation>&amp;Сохранить как…</translation>
+        </message>
+        <message>
+            <source>&amp;Save</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>&amp;Do not save</source>
+            <translation>&amp;Не сохранять</translation>
+        </message>
+        <message>
+            <source>The lock file beside it cannot be understood; it belongs to the user %1 and is of %2.</source>
+            <translation>Файл блокировки рядом с ним не читается; его владелец — %1, время — %2.</translation>
+        </message>
+        <message>
+            <source>User: %1
+Computer: %2
+Program: %3, process %4
+Since: %5</source>
+            <translation>Пользователь: %1
+Компьютер: %2
+Программа: %3, процесс %4
+Открыт: %5</translation>
+        </message>
+        <message>
+            <source>“%1” is open already.</source>
+            <translation>«%1» уже открыт.</translation>
+        </message>
+        <message>
+            <source>“%1” seems to be open already.</source>
+            <translation>«%1», по-видимому, уже открыт.</translation>
+        </message>
+        <message>
+            <source>Take it over only if nobody works in it any more.</source>
+            <translation>Забирайте его себе, только если с ним больше никто не работает.</translation>
+        </message>
+        <message>
+            <source>The file is in use</source>
+            <translation>Файл занят</translation>
+        </message>
+        <message>
+            <source>Open &amp;read-only</source>
+            <translation>Только &amp;чтение</translation>
+        </message>
+        <message>
+            <source>Open a co&amp;py</source>
+            <translation>Открыть &amp;копию</translation>
+        </message>
+        <message>
+            <source>&amp;Take over</source>
+            <translation>&amp;Забрать себе</translation>
+        </message>
+        <message>
+            <source>Changed outside</source>
+            <translation>Файл изменён извне</translation>
+        </message>
+        <message>
+            <source>“%1” has been removed or renamed since it was opened.</source>
+            <translation>«%1» удалён или переименован после открытия.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program since it was opened.
+
+Saving replaces that version; it is kept as the previous one.
+Reloading takes that version; your changes stay in Undo.</source>
+            <translation>«%1» изменён другой программой после открытия.
+
+Сохранение заменит ту версию; она останется как предыдущая.
+Перезагрузка возьмёт ту версию; ваши изменения останутся в «Отменить».</translation>
+        </message>
+        <message>
+            <source>Save an&amp;yway</source>
+            <translation>&amp;Всё равно сохранить</translation>
+        </message>
+        <message>
+            <source>Save &amp;as…</source>
+            <translation>Сохранить &amp;как…</translation>
+        </message>
+        <message>
+            <source>&amp;Reload</source>
+            <translation>&amp;Перезагрузить</translation>
+        </message>
+        <message>
+            <source>“%1” is open in another window.</source>
+            <translation>«%1» открыт в другом окне.</translation>
+        </message>
+        <message>
+            <source>The file has several names</source>
+            <translation>У файла несколько имён</translation>
+        </message>
+        <message numerus="yes">
+            <source>“%1” has %n other names (hard links). They will keep the old text and no longer be the same file.</source>
+            <translation>
+                <numerusform>У «%1» есть ещё %n имя (жёсткая ссылка). Под ним останется прежний текст, и это будет уже другой файл.</numerusform>
+                <numerusform>У «%1» есть ещё %n имени (жёсткие ссылки). Под ними останется прежний текст, и это будет уже другой файл.</numerusform>
+                <numerusform>У «%1» есть ещё %n имён (жёсткие ссылки). Под ними останется прежний текст, и это будет уже другой файл.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The project was not saved</source>
+            <translation>Проект не сохранён</translation>
+        </message>
+        <message>
+            <source>The project in the window is unchanged and still counts as not saved.</source>
+            <translation>Проект в окне не изменился и по-прежнему считается несохранённым.</translation>
+        </message>
+        <message>
+            <source>&amp;Try again</source>
+            <translation>&amp;Повторить</translation>
+        </message>
+    </context>
+    <context>
+        <name>Hint</name>
+        <message>
+            <source>Allowed: %1</source>
+            <translation>Допускается: %1</translation>
+        </message>
+        <message>
+            <source>Usual: %1</source>
+            <translation>Обычно: %1</translation>
+        </message>
+        <message>
+            <source>Default: %1</source>
+            <translation>По умолчанию: %1</translation>
+        </message>
+        <message>
+            <source>Empty: %1</source>
+            <translation>Пусто: %1</translation>
+        </message>
+        <message>
+            <source>Source: %1</source>
+            <translation>Источник: %1</translation>
+        </message>
+        <message>
+            <source>allowed %1</source>
+            <translation>допускается %1</translation>
+        </message>
+        <message>
+            <source>usual %1</source>
+            <translation>обычно %1</translation>
+        </message>
+        <message>
+            <source>default %1</source>
+            <translation>по умолчанию %1</translation>
         </message>
     </context>
     <context>
@@ -693,10 +918,6 @@
         <message>
             <source>Programmed plunge feed; S_p/n per revolution of the part.</source>
             <translation>Программная врезная подача; S_p/n на оборот детали.</translation>
-        </message>
-        <message>
-            <source>Stock of the stage</source>
-            <translation>Припуск ступени</translation>
         </message>
         <message>
             <source>Radial stock of the stage. It ends when what remains to size is the later stages' stock.</source>
@@ -1180,7 +1401,7 @@
         </message>
         <message>
             <source>Uniform</source>
-            <translation>Равномерно</translation>
+            <translation>Выборочно</translation>
         </message>
         <message>
             <source>not this form</source>
@@ -1358,6 +1579,22 @@
             <source>Share of the grinding heat that enters the part.</source>
             <translation>Доля тепла шлифования, уходящая в деталь.</translation>
         </message>
+        <message>
+            <source>Stage stock per side</source>
+            <translation>Припуск ступени на сторону</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>Длина</translation>
+        </message>
+        <message>
+            <source>Position</source>
+            <translation>Положение</translation>
+        </message>
+        <message>
+            <source>Stiffness</source>
+            <translation>Жёсткость</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -1492,6 +1729,10 @@
         <message>
             <source>{value} is kept in the file, but the cycle is computed without it</source>
             <translation>{value} хранится в файле, но цикл рассчитан без этого</translation>
+        </message>
+        <message>
+            <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not give back its stock of {limit}</source>
+            <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
         </message>
     </context>
     <context>
@@ -1675,6 +1916,192 @@
         </message>
     </context>
     <context>
+        <name>ProfileLook</name>
+        <message>
+            <source>profile, along the axis its mean</source>
+            <translation>профиль, вдоль оси — его среднее</translation>
+        </message>
+        <message>
+            <source>smallest…largest over the radii</source>
+            <translation>наименьший…наибольший по радиусам</translation>
+        </message>
+        <message>
+            <source>blank</source>
+            <translation>заготовка</translation>
+        </message>
+        <message>
+            <source>target radius</source>
+            <translation>целевой радиус</translation>
+        </message>
+        <message>
+            <source>least-squares circle</source>
+            <translation>средняя окружность (МНК)</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>ПАК</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProfilesTable</name>
+        <message>
+            <source>radius no.</source>
+            <translation>№ радиуса</translation>
+        </message>
+        <message>
+            <source>angle, °</source>
+            <translation>угол, °</translation>
+        </message>
+        <message>
+            <source>blank: radius from target, µm</source>
+            <translation>заготовка: радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: radius from target, µm</source>
+            <translation>%1: радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: least-squares circle from target, µm</source>
+            <translation>%1: средняя окружность (МНК) от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>radius, mm</source>
+            <translation>радиус, мм</translation>
+        </message>
+        <message>
+            <source>diameter from nominal, µm</source>
+            <translation>диаметр от номинала, мкм</translation>
+        </message>
+        <message>
+            <source>radius from target, µm</source>
+            <translation>радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>mean %1</source>
+            <translation>средний %1</translation>
+        </message>
+        <message>
+            <source>smallest %1</source>
+            <translation>наименьший %1</translation>
+        </message>
+        <message>
+            <source>largest %1</source>
+            <translation>наибольший %1</translation>
+        </message>
+        <message>
+            <source>blank, smallest %1</source>
+            <translation>заготовка, наименьший %1</translation>
+        </message>
+        <message>
+            <source>blank, largest %1</source>
+            <translation>заготовка, наибольший %1</translation>
+        </message>
+        <message>
+            <source>target %1</source>
+            <translation>целевой %1</translation>
+        </message>
+        <message>
+            <source>lower limit %1</source>
+            <translation>нижняя граница: %1</translation>
+        </message>
+        <message>
+            <source>upper limit %1</source>
+            <translation>верхняя граница: %1</translation>
+        </message>
+        <message>
+            <source>zone</source>
+            <translation>зона</translation>
+        </message>
+        <message>
+            <source>section</source>
+            <translation>сечение</translation>
+        </message>
+        <message>
+            <source>from, mm</source>
+            <translation>от, мм</translation>
+        </message>
+        <message>
+            <source>middle, mm</source>
+            <translation>середина, мм</translation>
+        </message>
+        <message>
+            <source>to, mm</source>
+            <translation>до, мм</translation>
+        </message>
+    </context>
+    <context>
+        <name>ProfilesText</name>
+        <message>
+            <source>; blank %1 µm from target</source>
+            <translation>; заготовка %1 мкм от целевого</translation>
+        </message>
+        <message>
+            <source>ΔD %1 µm %2</source>
+            <comment>deviations of the diameter, short; then ✓ or ✗</comment>
+            <translation>ΔD %1 мкм %2</translation>
+        </message>
+        <message>
+            <source>runout %1 µm</source>
+            <translation>биение %1 мкм</translation>
+        </message>
+        <message>
+            <source>✗ Diameter %1 µm: outside the field</source>
+            <translation>✗ Диаметр %1 мкм: вне поля допуска</translation>
+        </message>
+        <message>
+            <source>✓ Diameter %1 µm: in the field</source>
+            <translation>✓ Диаметр %1 мкм: в поле допуска</translation>
+        </message>
+        <message>
+            <source>Radial runout %1 µm</source>
+            <translation>Радиальное биение %1 мкм</translation>
+        </message>
+        <message>
+            <source>%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; diameter across %6 mm, %7 µm from nominal</source>
+            <translation>%1, φ = %2° (k = %3): радиус %4 мкм от целевого, %5 мкм от среднего; диаметр здесь %6 мм, %7 мкм от номинала</translation>
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 мм</translation>
+        </message>
+        <message>
+            <source>%1…%2 mm</source>
+            <translation>%1…%2 мм</translation>
+        </message>
+        <message>
+            <source>%1, %2: radius %3 µm from target, mean %4 µm; diameter %5 µm from nominal; runout %6 µm</source>
+            <translation>%1, %2: радиус %3 мкм от целевого, средний %4 мкм; диаметр %5 мкм от номинала; биение %6 мкм</translation>
+        </message>
+        <message>
+            <source>Before the first touch</source>
+            <translation>До первого касания</translation>
+        </message>
+        <message>
+            <source>After double stroke %1 of %2</source>
+            <translation>После двойного хода %1 из %2</translation>
+        </message>
+        <message>
+            <source>After revolution %1 of %2</source>
+            <translation>После оборота %1 из %2</translation>
+        </message>
+        <message>
+            <source>%1, stage %2</source>
+            <translation>%1, ступень %2</translation>
+        </message>
+        <message>
+            <source>%1, %2 s</source>
+            <translation>%1, %2 с</translation>
+        </message>
+        <message>
+            <source>%1. %2</source>
+            <translation>%1. %2</translation>
+        </message>
+    </context>
+    <context>
         <name>Range</name>
         <message>
             <source>above %1, up to %2</source>
@@ -1695,6 +2122,241 @@
         <message>
             <source>at most %1</source>
             <translation>не более %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>SaveDialog</name>
+        <message>
+            <source>The picture or table could not be made.</source>
+            <translation>Не удалось построить рисунок или таблицу.</translation>
+        </message>
+        <message>
+            <source>The file was not saved</source>
+            <translation>Файл не сохранён</translation>
+        </message>
+        <message>
+            <source>Choose &amp;another place…</source>
+            <translation>Выбрать &amp;другое место…</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+    </context>
+    <context>
+        <name>ShopText</name>
+        <message>
+            <source>a = %1 µm: %2</source>
+            <translation>a = %1 мкм: %2</translation>
+        </message>
+        <message>
+            <source>%1 kJ for %2 mm³ in %3 min of grinding</source>
+            <translation>%1 кДж на %2 мм³ за %3 мин шлифования</translation>
+        </message>
+        <message>
+            <source>How many of them the stage took.</source>
+            <translation>Сколько их заняла ступень.</translation>
+        </message>
+        <message>
+            <source>Machining time of the stage.</source>
+            <translation>Время обработки на ступени.</translation>
+        </message>
+        <message>
+            <source>Specific removal rate Q′_w = π·d·n·a/60: volume removed in a second by each millimetre of the width that cuts, at the largest actual feed a of the stage. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Удельная интенсивность съёма Q′_w = π·d·n·a/60: объём металла, снимаемый за секунду каждым миллиметром режущей ширины, при наибольшей фактической подаче a на ступени. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>The specific removal rate at the mean actual feed of all passes of the stage, those that remove nothing included.</source>
+            <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
+        </message>
+        <message>
+            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the largest actual feed of the stage: the layer of metal that leaves at the wheel's speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Эквивалентная толщина среза h_экв = Q′_w/V_k при наибольшей фактической подаче на ступени: слой металла, уходящий со скоростью круга. С ней растут силы и шероховатость. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>Aggressiveness 10⁶·(V_d/V_k)·√(a/D_e), at the largest actual feed of the stage: how hard the contact loads a grain, for wheels of any size. Large, the grains break out; small, they rub. No band holds for every wheel: compare with cycles known to be good.</source>
+            <translation>Агрессивность 10⁶·(V_d/V_k)·√(a/D_e) при наибольшей фактической подаче на ступени: насколько контакт нагружает зерно, для кругов любого размера. При большой зёрна выкрашиваются, при малой — трут. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
+        </message>
+        <message>
+            <source>Overlap ratio B/s_ax, s_ax = S_ax/n: how many revolutions a place of the surface is under the wheel in one stroke. Below 1 strips stay unground. For the cycle: the least of its stages.</source>
+            <translation>Коэффициент перекрытия B/s_ax, s_ax = S_ax/n: сколько оборотов место поверхности находится под кругом за один ход. При значении меньше 1 остаются непрошлифованные полосы. Для цикла — наименьший по ступеням.</translation>
+        </message>
+        <message>
+            <source>Specific energy: ∫P_z·V_k dt over the volume removed. Plausible for steel: %1…%2 J/mm³. A dull wheel needs more; so does spark-out, where the wheel rubs more than it cuts.</source>
+            <translation>Удельная энергия шлифования: ∫P_z·V_k dt на снятый объём. Правдоподобно для стали: %1…%2 Дж/мм³. Затупленному кругу нужно больше; при выхаживании тоже: круг больше трёт, чем режет.</translation>
+        </message>
+        <message>
+            <source>Largest wheel power P_z·V_k of any pass of the stage.</source>
+            <translation>Наибольшая мощность P_z·V_k на круге по проходам ступени.</translation>
+        </message>
+        <message>
+            <source>Mean wheel power: the energy over the time of grinding, which is the revolutions of plunging and dwelling and L_p/S_ax for each stroke.</source>
+            <translation>Средняя мощность на круге: энергия, делённая на время шлифования — обороты врезания и задержки и L_p/S_ax на каждый ход.</translation>
+        </message>
+        <message>
+            <source>Largest normal force P_y of any pass of the stage.</source>
+            <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
+        </message>
+        <message>
+            <source>Wheel rev/min to work rev/min. Within %1 of a whole number the waves of a wheel out of true print onto one another: over ten revolutions they shift by less than half of their length.</source>
+            <translation>Отношение частот вращения круга и детали. Ближе %1 к целому числу волны от биения круга ложатся одна на другую: за десять оборотов они сдвигаются меньше чем на половину своей длины.</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Q′w, mm³/(mm·s)</source>
+            <translation>Q′w, мм³/(мм·с)</translation>
+        </message>
+        <message>
+            <source>   mean</source>
+            <comment>specific removal rate</comment>
+            <translation>   среднее</translation>
+        </message>
+        <message>
+            <source>heq, µm</source>
+            <translation>hэкв, мкм</translation>
+        </message>
+        <message>
+            <source>Aggressiveness</source>
+            <translation>Агрессивность</translation>
+        </message>
+        <message>
+            <source>Overlap B/s</source>
+            <translation>Перекрытие B/s</translation>
+        </message>
+        <message>
+            <source>Energy, J/mm³</source>
+            <translation>Энергия, Дж/мм³</translation>
+        </message>
+        <message>
+            <source>Power, kW</source>
+            <translation>Мощность, кВт</translation>
+        </message>
+        <message>
+            <source>   mean</source>
+            <comment>power</comment>
+            <translation>   среднее</translation>
+        </message>
+        <message>
+            <source>Force Py, N</source>
+            <translation>Сила Py, Н</translation>
+        </message>
+        <message>
+            <source>Wheel : work</source>
+            <translation>Круг : деталь</translation>
+        </message>
+        <message>
+            <source>Q′w mean, mm³/(mm·s)</source>
+            <translation>Q′w среднее, мм³/(мм·с)</translation>
+        </message>
+        <message>
+            <source>Power mean, kW</source>
+            <translation>Мощность средняя, кВт</translation>
+        </message>
+        <message>
+            <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel's dullness or the flow stress may be set too low.</source>
+            <translation>Удельная энергия ниже %2 Дж/мм³ (ступень %1): неправдоподобно мало; возможно, занижены степень затупления круга или интенсивность напряжений.</translation>
+        </message>
+        <message>
+            <source>Specific energy above %2 J/mm³ (stage %1): the wheel rubs more than it cuts, as it does late in spark-out or when dull.</source>
+            <translation>Удельная энергия выше %2 Дж/мм³ (ступень %1): круг больше трёт, чем режет, как в конце выхаживания или при затуплении.</translation>
+        </message>
+        <message>
+            <source>Overlap below 1 (stage %1): the table advances more than the wheel's width in a revolution, strips stay unground.</source>
+            <translation>Перекрытие меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
+        </message>
+        <message>
+            <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
+            <translation>Круг и деталь вращаются как %1 : 1, почти целое число: волны от круга ложатся одна на другую. Немного измените частоту вращения детали.</translation>
+        </message>
+    </context>
+    <context>
+        <name>Source</name>
+        <message>
+            <source>model page, section 1: symbols and units</source>
+            <translation>описание модели, раздел 1: обозначения и единицы</translation>
+        </message>
+        <message>
+            <source>model page, section 2: the force law</source>
+            <translation>описание модели, раздел 2: закон силы</translation>
+        </message>
+        <message>
+            <source>model page, section 3: elastic balance</source>
+            <translation>описание модели, раздел 3: упругое равновесие</translation>
+        </message>
+        <message>
+            <source>model page, section 4: blank and profile</source>
+            <translation>описание модели, раздел 4: заготовка и её профиль</translation>
+        </message>
+        <message>
+            <source>model page, section 5: traverse cycle</source>
+            <translation>описание модели, раздел 5: цикл с осевой подачей</translation>
+        </message>
+        <message>
+            <source>model page, section 6: plunge cycle and compliance along the shaft</source>
+            <translation>описание модели, раздел 6: врезной цикл и податливость вдоль вала</translation>
+        </message>
+        <message>
+            <source>model page, section 7: control, end of the cycle, accuracy</source>
+            <translation>описание модели, раздел 7: управление, конец цикла, точность</translation>
+        </message>
+        <message>
+            <source>model page, section 8: constraints, batch, optimisation</source>
+            <translation>описание модели, раздел 8: ограничения, партия, оптимизация</translation>
+        </message>
+        <message>
+            <source>model page, section 9: misprints in the sources</source>
+            <translation>описание модели, раздел 9: опечатки в источниках</translation>
+        </message>
+        <message>
+            <source>model page, section 10: published figures</source>
+            <translation>описание модели, раздел 10: опубликованные данные</translation>
+        </message>
+        <message>
+            <source>model page, section 11: exact properties</source>
+            <translation>описание модели, раздел 11: точные свойства</translation>
+        </message>
+        <message>
+            <source>M. K. Alsigar, thesis abstract, Penza, 2021</source>
+            <translation>М. К. Альсигар, автореферат кандидатской диссертации, Пенза, 2021</translation>
+        </message>
+        <message>
+            <source>P. P. Pereverzev, doctoral thesis abstract, Chelyabinsk, 1999</source>
+            <translation>П. П. Переверзев, автореферат докторской диссертации, Челябинск, 1999</translation>
+        </message>
+        <message>
+            <source>A. V. Akintseva, digital twin of cylindrical grinding, 2020</source>
+            <translation>А. В. Акинцева, цифровой двойник круглого шлифования, 2020</translation>
+        </message>
+        <message>
+            <source>S. N. Korchak, force of a single grain</source>
+            <translation>С. Н. Корчак, сила резания единичным зерном</translation>
+        </message>
+        <message>
+            <source>ISO 12180-1:2011, cylindricity</source>
+            <translation>ISO 12180-1:2011, цилиндричность</translation>
+        </message>
+        <message>
+            <source>ISO 12181-1:2011, roundness</source>
+            <translation>ISO 12181-1:2011, круглость</translation>
+        </message>
+        <message>
+            <source>Hashimoto, 2020, contact stiffness of the wheel</source>
+            <translation>Хасимото, 2020, контактная жёсткость круга</translation>
+        </message>
+        <message>
+            <source>J. A. Badger, 2010, waviness of ground parts</source>
+            <translation>Дж. А. Баджер, 2010, волнистость шлифованных деталей</translation>
         </message>
     </context>
     <context>
@@ -1890,34 +2552,6 @@
             <translation>%1: показание прибора %2 мм, осталось %3 мкм на сторону</translation>
         </message>
         <message>
-            <source>double strokes: %1</source>
-            <translation>двойных ходов: %1</translation>
-        </message>
-        <message>
-            <source>revolutions: %1</source>
-            <translation>оборотов: %1</translation>
-        </message>
-        <message>
-            <source>Stage %1: %2; %3</source>
-            <translation>Ступень %1: %2; %3</translation>
-        </message>
-        <message>
-            <source>and %1 stages more</source>
-            <translation>и ещё ступеней: %1</translation>
-        </message>
-        <message>
-            <source>Total: %1; %2</source>
-            <translation>Всего: %1; %2</translation>
-        </message>
-        <message>
-            <source>Largest normal force: %1 N (%2)</source>
-            <translation>Наибольшая нормальная сила: %1 Н (%2)</translation>
-        </message>
-        <message>
-            <source>Largest power: %1 kW (%2)</source>
-            <translation>Наибольшая мощность: %1 кВт (%2)</translation>
-        </message>
-        <message>
             <source>Does not hold: %1</source>
             <translation>Не выполнено: %1</translation>
         </message>
@@ -2090,6 +2724,54 @@
             <source>&amp;About Sparkout</source>
             <translation>&amp;О программе Sparkout</translation>
         </message>
+        <message>
+            <source>refused text</source>
+            <translation>непринятый текст</translation>
+        </message>
+        <message>
+            <source>&amp;Theme</source>
+            <translation>&amp;Тема</translation>
+        </message>
+        <message>
+            <source>&amp;Show a view</source>
+            <translation>&amp;Показать вид</translation>
+        </message>
+        <message>
+            <source>Earlier &amp;versions…</source>
+            <translation>&amp;Прежние версии…</translation>
+        </message>
+        <message>
+            <source>Re&amp;cover work…</source>
+            <translation>Восс&amp;тановить работу…</translation>
+        </message>
+        <message>
+            <source>&amp;Detach or attach the view</source>
+            <translation>&amp;Отделить или вернуть вид</translation>
+        </message>
+        <message>
+            <source>&amp;Next panel</source>
+            <translation>С&amp;ледующая панель</translation>
+        </message>
+        <message>
+            <source>&amp;Previous panel</source>
+            <translation>П&amp;редыдущая панель</translation>
+        </message>
+        <message>
+            <source>As the &amp;system</source>
+            <translation>Как в с&amp;истеме</translation>
+        </message>
+        <message>
+            <source>&amp;Light</source>
+            <translation>&amp;Светлая</translation>
+        </message>
+        <message>
+            <source>&amp;Dark</source>
+            <translation>&amp;Тёмная</translation>
+        </message>
+        <message>
+            <source>High &amp;contrast</source>
+            <translation>&amp;Контрастная</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BooleanEditor</name>
@@ -2111,6 +2793,21 @@
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>Compliance of %1, slider</source>
+            <translation>Податливость: %1, ползунок</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CopyTable</name>
+        <message>
+            <source>Ctrl+C copies the table</source>
+            <translation>Ctrl+C копирует таблицу</translation>
+        </message>
+        <message>
+            <source>Copy the table</source>
+            <translation>Копировать таблицу</translation>
         </message>
     </context>
     <context>
@@ -2171,6 +2868,72 @@
         <message>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>%1 (%2): %3</source>
+            <translation>%1 (%2): %3</translation>
+        </message>
+        <message>
+            <source>“%1” is open, but these values are refused:</source>
+            <translation>«%1» открыт, но эти значения не приняты:</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FeedsNote</name>
+        <message>
+            <source>How to read the feeds</source>
+            <translation>Как читать графики подач</translation>
+        </message>
+        <message>
+            <source>Steps of a double stroke in each zone</source>
+            <translation>Этапы двойного хода в каждой зоне</translation>
+        </message>
+        <message>
+            <source>Explanation</source>
+            <translation>Пояснение</translation>
+        </message>
+        <message>
+            <source>E1…E5 number the steps in which a zone is ground during one double stroke, so the same number is another step in another zone. They are shown when a few double strokes are in sight.</source>
+            <translation>Э1…Э5 — номера этапов, на которых зона шлифуется за один двойной ход, поэтому в разных зонах один номер означает разное. Этапы показаны, когда на графике немного двойных ходов.</translation>
+        </message>
+        <message>
+            <source>A zone is shown as ground during the whole stroke, as the model has it: where the wheel stands within a stroke is not told apart.</source>
+            <translation>Зона показана шлифуемой в течение всего хода, как принято в модели: положение круга внутри хода не различается.</translation>
+        </message>
+        <message>
+            <source>Over the whole cycle a point is a double stroke: feeds are summed over its passes, the force is that of its hardest pass. Closer, a point is one pass, and within one double stroke it is one radius under the wheel.</source>
+            <translation>На графике всего цикла точка — двойной ход: подачи просуммированы по его проходам, сила — наибольшая из средних по проходам. При увеличении точка — один проход, а в пределах одного двойного хода — один радиус под кругом.</translation>
+        </message>
+        <message>
+            <source>All sections are fed alike; they differ by their compliance.</source>
+            <translation>Программная подача всех сечений одинакова, различается их податливость.</translation>
+        </message>
+        <message>
+            <source>A point is one revolution, in long cycles several of them; closer, it is one radius under the wheel.</source>
+            <translation>Точка — один оборот, в длинных циклах несколько оборотов; при увеличении — один радиус под кругом.</translation>
+        </message>
+        <message>
+            <source>The spread reaches from the smallest to the largest value over the radii of a cross-section, the line is their mean.</source>
+            <translation>Разброс — от наименьшего до наибольшего значения по радиусам поперечного сечения, линия — их среднее.</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FeedsOverview</name>
+        <message>
+            <source>Overview of the whole cycle</source>
+            <translation>Обзор всего цикла</translation>
+        </message>
+        <message>
+            <source>Arrows move what is in sight, with Shift its end, with Ctrl its beginning; Home shows the whole cycle.</source>
+            <translation>Стрелки сдвигают видимый участок, с Shift — его конец, с Ctrl — его начало; Home показывает весь цикл.</translation>
+        </message>
+        <message>
+            <source>Actual feed over the whole cycle. Drag the window or its edges; the wheel zooms; a double click shows the whole cycle.</source>
+            <translation>Фактическая подача за весь цикл. Окно и его края перетаскиваются, колёсико меняет масштаб, двойной щелчок показывает весь цикл.</translation>
         </message>
     </context>
     <context>
@@ -2246,8 +3009,63 @@ target, µm</source>
             <translation>%1 (ПАК)</translation>
         </message>
         <message>
-            <source>smallest…largest over the radii</source>
-            <translation>наименьшее…наибольшее по радиусам</translation>
+            <source>zone</source>
+            <translation>зона</translation>
+        </message>
+        <message>
+            <source>section</source>
+            <translation>сечение</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke</source>
+            <translation>двойной ход</translation>
+        </message>
+        <message>
+            <source>revolution</source>
+            <translation>оборот</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <translation>этап</translation>
+        </message>
+        <message>
+            <source>pass of the step</source>
+            <translation>проход этапа</translation>
+        </message>
+        <message>
+            <source>radius no.</source>
+            <translation>радиус №</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <comment>time</comment>
+            <translation>%1: от</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <comment>time</comment>
+            <translation>%1: до</translation>
+        </message>
+        <message>
+            <source>%1: smallest</source>
+            <translation>%1: наименьшее</translation>
+        </message>
+        <message>
+            <source>%1: largest</source>
+            <translation>%1: наибольшее</translation>
+        </message>
+        <message>
+            <source>spread over the radii</source>
+            <translation>разброс по радиусам</translation>
+        </message>
+        <message>
+            <source>st. %1</source>
+            <comment>stage, short</comment>
+            <translation>ст. %1</translation>
         </message>
     </context>
     <context>
@@ -2304,18 +3122,6 @@ target, µm</source>
         <message>
             <source>Point at a curve to read its values.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
-        </message>
-        <message>
-            <source>Fit</source>
-            <translation>Вписать</translation>
-        </message>
-        <message>
-            <source>Fit the whole cycle</source>
-            <translation>Вписать весь цикл</translation>
-        </message>
-        <message>
-            <source>Show the whole cycle (double click in a plot). Wheel: zoom; over a vertical axis: that axis. Drag: move.</source>
-            <translation>Показать весь цикл (двойной щелчок на графике). Колесо мыши — масштаб, над вертикальной осью — только по ней. Перетаскивание — сдвиг.</translation>
         </message>
         <message>
             <source>The inputs are refused; the curves are those of the last accepted ones.</source>
@@ -2375,35 +3181,23 @@ target, µm</source>
         </message>
         <message>
             <source>Evenly chosen</source>
-            <translation>Равномерно выбранные</translation>
+            <translation>Выборочно</translation>
         </message>
         <message>
             <source>The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. Fewer radii or sections help; the verdict is of the whole cycle.</source>
             <translation>Цикл слишком длинный для построения: %1 прохождений радиусов, записывается не более %2. Помогает меньшее число радиусов или сечений; заключение относится ко всему циклу.</translation>
         </message>
+        <message>
+            <source>How to read the feeds</source>
+            <translation>Как читать графики подач</translation>
+        </message>
+        <message>
+            <source>How to read the feeds: the steps E1…E5 and the curves</source>
+            <translation>Как читать графики подач: этапы Э1…Э5 и кривые</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FileCommands</name>
-        <message>
-            <source>C&amp;lose</source>
-            <translation>&amp;Закрыть</translation>
-        </message>
-        <message>
-            <source>Replace the file?</source>
-            <translation>Заменить файл?</translation>
-        </message>
-        <message>
-            <source>“%1” exists already. Replace it?</source>
-            <translation>Файл «%1» уже есть. Заменить его?</translation>
-        </message>
-        <message>
-            <source>&amp;Replace</source>
-            <translation>&amp;Заменить</translation>
-        </message>
-        <message>
-            <source>&amp;Cancel</source>
-            <translation>От&amp;мена</translation>
-        </message>
         <message>
             <source>Open a project</source>
             <translation>Открыть проект</translation>
@@ -2425,48 +3219,84 @@ target, µm</source>
             <translation>Проекты Sparkout (*.sparkout)</translation>
         </message>
         <message>
-            <source>The project was not saved</source>
-            <translation>Проект не сохранён</translation>
-        </message>
-        <message>
             <source>Untitled</source>
             <translation>Без названия</translation>
         </message>
         <message>
-            <source>Unsaved changes</source>
-            <translation>Несохранённые изменения</translation>
+            <source>%1 copy</source>
+            <translation>%1 (копия)</translation>
         </message>
         <message>
-            <source>The project has changes that are not saved. Save them?</source>
-            <translation>В проекте есть несохранённые изменения. Сохранить их?</translation>
+            <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
+            <translation>В сохранённых расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
         </message>
         <message>
-            <source>&amp;Save</source>
-            <translation>&amp;Сохранить</translation>
+            <source>“%1” is open read-only. Saving asks for another name.</source>
+            <translation>«%1» открыт только для чтения. При сохранении будет спрошено другое имя.</translation>
         </message>
         <message>
-            <source>&amp;Do not save</source>
-            <translation>&amp;Не сохранять</translation>
+            <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
+            <translation>«%1» удалён или переименован другой программой. Проект теперь есть только в этом окне.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program while it has unsaved changes here. Saving will ask which version counts.</source>
+            <translation>«%1» изменён другой программой, а здесь есть несохранённые изменения. При сохранении будет спрошено, какая версия нужна.</translation>
+        </message>
+        <message>
+            <source>“%1” was changed by another program. Reload it?</source>
+            <translation>«%1» изменён другой программой. Перезагрузить его?</translation>
+        </message>
+        <message>
+            <source>This is recovered work of %1. It is not saved yet.</source>
+            <translation>Это восстановленная работа от %1. Она ещё не сохранена.</translation>
+        </message>
+        <message>
+            <source>This is recovered work of %1 on “%2”. It is not saved yet; the file is as it was.</source>
+            <translation>Это восстановленная работа от %1 над «%2». Она ещё не сохранена; сам файл прежний.</translation>
+        </message>
+        <message>
+            <source>The settings file was damaged and is kept as %1. The settings are the default ones.</source>
+            <translation>Файл настроек был повреждён и сохранён как %1. Действуют настройки по умолчанию.</translation>
+        </message>
+        <message>
+            <source>Unsaved work is not protected from a crash: %1</source>
+            <translation>Несохранённая работа не защищена от сбоя: %1</translation>
+        </message>
+        <message>
+            <source>Recover work</source>
+            <translation>Восстановление работы</translation>
+        </message>
+        <message>
+            <source>No unsaved work was found.</source>
+            <translation>Несохранённой работы не найдено.</translation>
+        </message>
+        <message>
+            <source>“%1” is damaged.</source>
+            <translation>«%1» повреждён.</translation>
+        </message>
+        <message>
+            <source>Show…</source>
+            <translation>Показать…</translation>
+        </message>
+        <message>
+            <source>Save as…</source>
+            <translation>Сохранить как…</translation>
+        </message>
+        <message>
+            <source>Reload</source>
+            <translation>Перезагрузить</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Сохранить</translation>
+        </message>
+        <message>
+            <source>Keep mine</source>
+            <translation>Оставить мою</translation>
         </message>
     </context>
     <context>
         <name>sparkout::FormRow</name>
-        <message>
-            <source>Allowed: %1</source>
-            <translation>Допускается: %1</translation>
-        </message>
-        <message>
-            <source>Usual: %1</source>
-            <translation>Обычно: %1</translation>
-        </message>
-        <message>
-            <source>Empty: %1</source>
-            <translation>Пусто: %1</translation>
-        </message>
-        <message>
-            <source>Source: %1</source>
-            <translation>Источник: %1</translation>
-        </message>
         <message>
             <source>empty: %1</source>
             <translation>пусто: %1</translation>
@@ -2474,6 +3304,17 @@ target, µm</source>
         <message>
             <source>%1, %2</source>
             <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HintStrip</name>
+        <message>
+            <source>What the input in focus means, and what it may be, stands here.</source>
+            <translation>Здесь поясняется поле, в котором стоит курсор, и его пределы.</translation>
+        </message>
+        <message>
+            <source>About the input in focus</source>
+            <translation>О выбранном поле</translation>
         </message>
     </context>
     <context>
@@ -2508,16 +3349,25 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::LegendStrip</name>
+        <message>
+            <source>Click: hide or show the curve. Ctrl+click: show only this one. Keyboard: arrows, Space, Ctrl+Space.</source>
+            <translation>Щелчок: скрыть или показать кривую. Ctrl+щелчок: показать только её. С клавиатуры: стрелки, пробел, Ctrl+пробел.</translation>
+        </message>
+        <message>
+            <source>%1 (hidden)</source>
+            <translation>%1 (скрыто)</translation>
+        </message>
+        <message>
+            <source>chosen: %1</source>
+            <translation>выбрано: %1</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::ListModel</name>
         <message>
             <source>%1 %2, %3: %4</source>
             <translation>%1 %2, %3: %4</translation>
-        </message>
-        <message>
-            <source>%1,
-%2</source>
-            <translation>%1,
-%2</translation>
         </message>
     </context>
     <context>
@@ -2561,6 +3411,89 @@ target, µm</source>
         <message>
             <source>Ctrl+Down</source>
             <translation>Ctrl+↓</translation>
+        </message>
+        <message>
+            <source>&amp;Copy the table</source>
+            <translation>&amp;Копировать таблицу</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LongitudinalPlot</name>
+        <message>
+            <source>%1 (entry)</source>
+            <translation>%1 (вход)</translation>
+        </message>
+        <message>
+            <source>%1 (exit)</source>
+            <translation>%1 (выход)</translation>
+        </message>
+        <message>
+            <source>lower limit</source>
+            <translation>нижняя граница</translation>
+        </message>
+        <message>
+            <source>upper limit</source>
+            <translation>верхняя граница</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>целевой</translation>
+        </message>
+        <message>
+            <source>blank, smallest</source>
+            <translation>заготовка, наименьший</translation>
+        </message>
+        <message>
+            <source>blank, largest</source>
+            <translation>заготовка, наибольший</translation>
+        </message>
+        <message>
+            <source>smallest</source>
+            <translation>наименьший</translation>
+        </message>
+        <message>
+            <source>largest</source>
+            <translation>наибольший</translation>
+        </message>
+        <message>
+            <source>mean</source>
+            <translation>средний</translation>
+        </message>
+        <message>
+            <source>%1, other side</source>
+            <translation>%1, другая сторона</translation>
+        </message>
+        <message>
+            <source>Radius, mm</source>
+            <translation>Радиус, мм</translation>
+        </message>
+        <message>
+            <source>Diameter from
+nominal, µm</source>
+            <translation>Диаметр от
+номинала, мкм</translation>
+        </message>
+        <message>
+            <source>Radius from
+target, µm</source>
+            <translation>Радиус от
+целевого, мкм</translation>
+        </message>
+        <message>
+            <source>to scale: one pixel is %1 µm; the tolerance of the radius, %2 µm, is %3 of it</source>
+            <translation>в масштабе: один пиксель — %1 мкм; допуск радиуса %2 мкм — это %3 пикселя</translation>
+        </message>
+        <message>
+            <source>heights exaggerated %1</source>
+            <translation>высоты увеличены %1</translation>
+        </message>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>%1; %2</source>
+            <translation>%1; %2</translation>
         </message>
     </context>
     <context>
@@ -2626,10 +3559,6 @@ target, µm</source>
             <translation>Сообщения</translation>
         </message>
         <message>
-            <source>Views</source>
-            <translation>Виды</translation>
-        </message>
-        <message>
             <source>Status</source>
             <translation>Состояние</translation>
         </message>
@@ -2644,6 +3573,26 @@ target, µm</source>
         <message>
             <source>Close the panel</source>
             <translation>Закрыть панель</translation>
+        </message>
+        <message>
+            <source>More commands</source>
+            <translation>Другие команды</translation>
+        </message>
+        <message>
+            <source>More menus</source>
+            <translation>Другие меню</translation>
+        </message>
+        <message>
+            <source>Scroll to the left</source>
+            <translation>Прокрутить влево</translation>
+        </message>
+        <message>
+            <source>Scroll to the right</source>
+            <translation>Прокрутить вправо</translation>
+        </message>
+        <message>
+            <source>%1[*] (read-only) — Sparkout</source>
+            <translation>%1[*] (только чтение) — Sparkout</translation>
         </message>
     </context>
     <context>
@@ -2670,6 +3619,31 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::NotesEditor</name>
+        <message>
+            <source>the text takes %1 KB; at most %2 KB are kept</source>
+            <translation>текст занимает %1 КБ; сохраняется не более %2 КБ</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NoticeBar</name>
+        <message>
+            <source>Notice</source>
+            <translation>Извещение</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Закрыть</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NumberEditor</name>
+        <message>
+            <source>%1, slider</source>
+            <translation>%1, ползунок</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::NumberField</name>
         <message>
             <source>a number is needed here</source>
@@ -2690,6 +3664,328 @@ target, µm</source>
         <message>
             <source>unusual; usual: %1</source>
             <translation>необычное значение; обычно: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PlotTools</name>
+        <message>
+            <source>PNG pictures (*.png)</source>
+            <translation>Рисунки PNG (*.png)</translation>
+        </message>
+        <message>
+            <source>SVG drawings (*.svg)</source>
+            <translation>Векторные рисунки SVG (*.svg)</translation>
+        </message>
+        <message>
+            <source>PDF documents (*.pdf)</source>
+            <translation>Документы PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>The picture is on the clipboard.</source>
+            <translation>Рисунок скопирован в буфер обмена.</translation>
+        </message>
+        <message>
+            <source>The data are on the clipboard.</source>
+            <translation>Данные скопированы в буфер обмена.</translation>
+        </message>
+        <message>
+            <source>Save the picture</source>
+            <translation>Сохранить рисунок</translation>
+        </message>
+        <message>
+            <source>Saved.</source>
+            <translation>Сохранено.</translation>
+        </message>
+        <message>
+            <source>Save the data</source>
+            <translation>Сохранить данные</translation>
+        </message>
+        <message>
+            <source>CSV tables (*.csv)</source>
+            <translation>Таблицы CSV (*.csv)</translation>
+        </message>
+        <message>
+            <source>Show all</source>
+            <translation>Показать всё</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Назад</translation>
+        </message>
+        <message>
+            <source>Forward</source>
+            <translation>Вперёд</translation>
+        </message>
+        <message>
+            <source>&amp;Copy the picture</source>
+            <translation>&amp;Копировать рисунок</translation>
+        </message>
+        <message>
+            <source>Copy the &amp;data</source>
+            <translation>Копировать &amp;данные</translation>
+        </message>
+        <message>
+            <source>P&amp;NG picture</source>
+            <translation>Рисунок &amp;PNG</translation>
+        </message>
+        <message>
+            <source>CSV &amp;table</source>
+            <translation>&amp;Таблица CSV</translation>
+        </message>
+        <message>
+            <source>&amp;SVG drawing…</source>
+            <translation>Векторный рисунок &amp;SVG…</translation>
+        </message>
+        <message>
+            <source>&amp;PDF drawing…</source>
+            <translation>Документ P&amp;DF…</translation>
+        </message>
+        <message>
+            <source>&amp;Russian Excel: semicolons, decimal commas…</source>
+            <translation>&amp;Русский Excel: точка с запятой, десятичная запятая…</translation>
+        </message>
+        <message>
+            <source>&amp;English: commas, decimal points…</source>
+            <translation>&amp;Английский: запятая, десятичная точка…</translation>
+        </message>
+        <message>
+            <source>&amp;%1×: %2 × %3 pixels…</source>
+            <translation>&amp;%1×: %2 × %3 точек…</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Экспорт</translation>
+        </message>
+        <message>
+            <source>Copy or save what the plot shows</source>
+            <translation>Скопировать или сохранить то, что на графике</translation>
+        </message>
+        <message>
+            <source>Show all; a double click in the plot does it too. Wheel: zoom, over an axis that axis only, with Shift move. Drag: move. Keys: + − and arrows.</source>
+            <translation>Показать всё; так же действует двойной щелчок на графике. Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
+        </message>
+        <message>
+            <source>Back to what was in sight before</source>
+            <translation>Назад, к тому, что было видно раньше</translation>
+        </message>
+        <message>
+            <source>Forward again</source>
+            <translation>Снова вперёд</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ProfilesPlot</name>
+        <message>
+            <source>%1: profile</source>
+            <translation>%1: профиль</translation>
+        </message>
+        <message>
+            <source>%1: blank</source>
+            <translation>%1: заготовка</translation>
+        </message>
+        <message>
+            <source>%1: least-squares circle</source>
+            <translation>%1: средняя окружность (МНК)</translation>
+        </message>
+        <message>
+            <source>%1 (gauge)</source>
+            <translation>%1 (ПАК)</translation>
+        </message>
+        <message>
+            <source>Deviations from the target radius drawn %1, scale in µm</source>
+            <translation>Отклонения от целевого радиуса %1, мкм</translation>
+        </message>
+        <message>
+            <source>Deviations from each one's mean radius drawn %1, scale in µm</source>
+            <translation>Отклонения от своего среднего радиуса %1, мкм</translation>
+        </message>
+        <message>
+            <source>%1; straight lines between the %2 radii</source>
+            <translation>%1; между радиусами (%2) — отрезки прямых</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ProfilesView</name>
+        <message>
+            <source>Zone profiles</source>
+            <translation>Профили зон</translation>
+        </message>
+        <message>
+            <source>Cross-sections with magnified deviations</source>
+            <translation>Поперечные сечения с увеличенными отклонениями</translation>
+        </message>
+        <message>
+            <source>Profile along the axis</source>
+            <translation>Продольный профиль</translation>
+        </message>
+        <message>
+            <source>Legend of the curves</source>
+            <translation>Условные обозначения кривых</translation>
+        </message>
+        <message>
+            <source>State of the profiles</source>
+            <translation>Состояние профилей</translation>
+        </message>
+        <message>
+            <source>Values under the pointer</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Sections and length</source>
+            <translation>Сечения и длина</translation>
+        </message>
+        <message>
+            <source>Sections only</source>
+            <translation>Только сечения</translation>
+        </message>
+        <message>
+            <source>Length only</source>
+            <translation>Только длина</translation>
+        </message>
+        <message>
+            <source>from target</source>
+            <translation>от целевого</translation>
+        </message>
+        <message>
+            <source>from own mean</source>
+            <translation>от среднего</translation>
+        </message>
+        <message>
+            <source>Radii</source>
+            <translation>Радиусы</translation>
+        </message>
+        <message>
+            <source>Diameters</source>
+            <translation>Диаметры</translation>
+        </message>
+        <message>
+            <source>Only this</source>
+            <translation>Только оно</translation>
+        </message>
+        <message>
+            <source>Blank</source>
+            <translation>Заготовка</translation>
+        </message>
+        <message>
+            <source>To scale</source>
+            <translation>В масштабе</translation>
+        </message>
+        <message>
+            <source>What is in sight</source>
+            <translation>Что показано</translation>
+        </message>
+        <message>
+            <source>Zone or section to look at</source>
+            <translation>Рассматриваемая зона или сечение</translation>
+        </message>
+        <message>
+            <source>Only the chosen section, large</source>
+            <translation>Только выбранное сечение, крупно</translation>
+        </message>
+        <message>
+            <source>Magnification of the deviations, the same for all; ×1 is the true shape</source>
+            <translation>Увеличение отклонений, одно для всех; ×1 — истинная форма</translation>
+        </message>
+        <message>
+            <source>Radius the deviations are counted from: the target shows size and form, the own mean shows form alone</source>
+            <translation>От какого радиуса отсчитаны отклонения: от целевого — видны размер и форма, от своего среднего — только форма</translation>
+        </message>
+        <message>
+            <source>The profile before the first touch</source>
+            <translation>Профиль до первого касания</translation>
+        </message>
+        <message>
+            <source>Previous</source>
+            <translation>Предыдущий</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Следующий</translation>
+        </message>
+        <message>
+            <source>Along the axis: deviations of radii from the target, or of diameters from nominal</source>
+            <translation>Вдоль оси: отклонения радиусов от целевого или диаметров от номинала</translation>
+        </message>
+        <message>
+            <source>The part along its axis with nothing exaggerated</source>
+            <translation>Деталь вдоль оси без увеличения отклонений</translation>
+        </message>
+        <message>
+            <source>Moment of the cycle</source>
+            <translation>Момент цикла</translation>
+        </message>
+        <message>
+            <source>blank</source>
+            <comment>before the first stroke</comment>
+            <translation>заготовка</translation>
+        </message>
+        <message>
+            <source>Point at a profile to read its values.</source>
+            <translation>Наведите указатель на профиль, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the profiles are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; показаны профили для последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded: only its end is shown.</source>
+            <translation>Цикл слишком длинный для записи: показан только его конец.</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source> of %1</source>
+            <translation> из %1</translation>
+        </message>
+        <message>
+            <source>All zones</source>
+            <translation>Все зоны</translation>
+        </message>
+        <message>
+            <source>Evenly chosen</source>
+            <translation>Выборочно</translation>
+        </message>
+        <message>
+            <source>All sections</source>
+            <translation>Все сечения</translation>
+        </message>
+        <message>
+            <source>Auto</source>
+            <translation>Авто</translation>
+        </message>
+        <message>
+            <source>Auto: %1</source>
+            <translation>Авто: %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>cross-sections</source>
+            <translation>поперечные сечения</translation>
+        </message>
+        <message>
+            <source>along the axis</source>
+            <translation>вдоль оси</translation>
+        </message>
+        <message>
+            <source>Show all in both plots; in one of them: Home, or a double click in it. Wheel: zoom. Drag: move.</source>
+            <translation>Показать всё на обоих графиках; на одном: Home или двойной щелчок по нему. Колесо: масштаб. Перетаскивание: сдвиг.</translation>
         </message>
     </context>
     <context>
@@ -2733,6 +4029,211 @@ target, µm</source>
         <message>
             <source>A number a line in µm, or the last column of a table; the number of values becomes the number of radii per section.</source>
             <translation>По числу в строке, мкм, или последний столбец таблицы; количество значений станет числом радиусов в сечении.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RangeEditor</name>
+        <message>
+            <source>lowest, highest and step are needed, or none of them</source>
+            <translation>нужны наименьшее, наибольшее и шаг либо ничего из них</translation>
+        </message>
+        <message>
+            <source>the lowest value is not below the highest</source>
+            <translation>наименьшее значение не меньше наибольшего</translation>
+        </message>
+        <message>
+            <source>lowest</source>
+            <translation>мин.</translation>
+        </message>
+        <message>
+            <source>highest</source>
+            <translation>макс.</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <translation>этап</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3</source>
+            <translation>%1: %2, %3</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RecentFilesMenu</name>
+        <message>
+            <source>%1 (missing)</source>
+            <translation>%1 (отсутствует)</translation>
+        </message>
+        <message>
+            <source>Open &amp;recent</source>
+            <translation>Открыть не&amp;давние</translation>
+        </message>
+        <message>
+            <source>Remove the &amp;missing ones</source>
+            <translation>Убрать &amp;отсутствующие</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>О&amp;чистить список</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RecoveryDialog</name>
+        <message>
+            <source>complete</source>
+            <translation>цел</translation>
+        </message>
+        <message>
+            <source>damaged</source>
+            <translation>повреждён</translation>
+        </message>
+        <message>
+            <source>discarded</source>
+            <translation>отброшен</translation>
+        </message>
+        <message>
+            <source>Recover work</source>
+            <translation>Восстановление работы</translation>
+        </message>
+        <message>
+            <source>Unsaved work</source>
+            <translation>Несохранённая работа</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Проект</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
+            <source>Kept at</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message numerus="yes">
+            <source>Recovery files are kept in %1; discarded ones stay in %2 for %n days.</source>
+            <translation>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n день.</numerusform>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n дня.</numerusform>
+                <numerusform>Файлы восстановления лежат в %1; отброшенные хранятся в %2 %n дней.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>&amp;Recover</source>
+            <translation>&amp;Восстановить</translation>
+        </message>
+        <message>
+            <source>&amp;Discard</source>
+            <translation>&amp;Отбросить</translation>
+        </message>
+        <message>
+            <source>&amp;Later</source>
+            <translation>&amp;Позже</translation>
+        </message>
+        <message>
+            <source>Work that was not saved was found. Recovering opens it here, still unsaved; your own files are not touched.</source>
+            <translation>Найдена несохранённая работа. Восстановленный проект откроется здесь и останется несохранённым; ваши файлы не изменятся.</translation>
+        </message>
+        <message>
+            <source>never saved</source>
+            <translation>не сохранялся</translation>
+        </message>
+        <message>
+            <source>Untitled</source>
+            <translation>Без имени</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ResetMark</name>
+        <message>
+            <source>Changed; the default is: %1. Click to go back to it.</source>
+            <translation>Изменено; по умолчанию: %1. Щелчок возвращает это значение.</translation>
+        </message>
+        <message>
+            <source>%1: reset to the default</source>
+            <translation>%1: вернуть значение по умолчанию</translation>
+        </message>
+        <message>
+            <source>&amp;Reset to the default (%1)</source>
+            <translation>&amp;Вернуть по умолчанию (%1)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RowSliders</name>
+        <message>
+            <source>%1 %2</source>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source>%1 %2, %3, slider</source>
+            <translation>%1 %2, %3, ползунок</translation>
+        </message>
+        <message>
+            <source>Sliders of the selected row</source>
+            <translation>Ползунки выбранной строки</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ShopModel</name>
+        <message>
+            <source>near a whole number</source>
+            <translation>почти целое число</translation>
+        </message>
+        <message>
+            <source>below the usual</source>
+            <translation>ниже обычного</translation>
+        </message>
+        <message>
+            <source>above the usual</source>
+            <translation>выше обычного</translation>
+        </message>
+        <message>
+            <source>Whole cycle</source>
+            <translation>Весь цикл</translation>
+        </message>
+        <message>
+            <source>Stage %1</source>
+            <translation>Ступень %1</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3</source>
+            <translation>%1, %2: %3</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Показатель</translation>
+        </message>
+        <message>
+            <source>Outside the usual</source>
+            <translation>Вне обычного</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ShopSection</name>
+        <message>
+            <source>Shop's numbers by stage</source>
+            <translation>Показатели шлифования по ступеням</translation>
+        </message>
+        <message>
+            <source>What lies outside the usual</source>
+            <translation>Что выходит за обычное</translation>
         </message>
     </context>
     <context>
@@ -2788,6 +4289,18 @@ target, µm</source>
                 <numerusform>%n оборотов</numerusform>
             </translation>
         </message>
+        <message>
+            <source>Stage %1: %2 s, %3 of the machining time</source>
+            <translation>Ступень %1: %2 с, %3 машинного времени</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Machining time of the stage and its share of the cycle's.</source>
+            <translation>Машинное время ступени и его доля в цикле.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::StageTable</name>
@@ -2828,7 +4341,7 @@ target, µm</source>
         </message>
         <message>
             <source>fails</source>
-            <translation>не выполнено</translation>
+            <translation>нарушено</translation>
         </message>
         <message>
             <source>Value</source>
@@ -2898,20 +4411,82 @@ target, µm</source>
             <translation>Требования чертежа</translation>
         </message>
         <message>
-            <source>Ctrl+C copies the table</source>
-            <translation>Ctrl+C копирует таблицу</translation>
-        </message>
-        <message>
-            <source>Stages</source>
-            <translation>Ступени</translation>
-        </message>
-        <message>
-            <source>Largest force and power</source>
-            <translation>Наибольшие сила и мощность</translation>
-        </message>
-        <message>
             <source>Requirements that are not checked</source>
             <translation>Требования, которые не проверяются</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n fields hold a refused text; the verdict is of the values before it.</source>
+            <translation>
+                <numerusform>В %n поле стоит непринятый текст; заключение — по прежнему значению.</numerusform>
+                <numerusform>В %n полях стоит непринятый текст; заключение — по прежним значениям.</numerusform>
+                <numerusform>В %n полях стоит непринятый текст; заключение — по прежним значениям.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Fields that hold a refused text</source>
+            <translation>Поля с непринятым текстом</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::VersionsDialog</name>
+        <message>
+            <source>Earlier versions</source>
+            <translation>Прежние версии</translation>
+        </message>
+        <message>
+            <source>No earlier version of “%1” is kept yet.</source>
+            <translation>Прежних версий «%1» пока нет.</translation>
+        </message>
+        <message>
+            <source>Versions of “%1” that a save has replaced. The chosen one is opened as a copy; the file stays as it is.</source>
+            <translation>Версии «%1», которые заменило сохранение. Выбранная откроется как копия; сам файл не изменится.</translation>
+        </message>
+        <message>
+            <source>Replaced at</source>
+            <translation>Заменена</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Размер</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Файл</translation>
+        </message>
+        <message>
+            <source>&amp;Open a copy</source>
+            <translation>&amp;Открыть копию</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>О&amp;тмена</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ViewTabs</name>
+        <message>
+            <source>&amp;Detach into a window of its own</source>
+            <translation>&amp;Отделить в своё окно</translation>
+        </message>
+        <message>
+            <source>Detach the view into a window of its own (also: double click on its tab). It comes back when the window is closed.</source>
+            <translation>Отделить вид в своё окно (или двойным щелчком по его вкладке). Он вернётся, когда окно закроют.</translation>
+        </message>
+        <message>
+            <source>The last view stays in the main window.</source>
+            <translation>Последний вид остаётся в главном окне.</translation>
+        </message>
+        <message>
+            <source>%1 — Sparkout</source>
+            <translation>%1 — Sparkout</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <translation>Виды</translation>
+        </message>
+        <message>
+            <source>Detach the view</source>
+            <translation>Отделить вид</translation>
         </message>
     </context>
 </TS>

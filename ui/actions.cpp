@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/actions.h"
 
+#include "ui/keyboard.h"
+#include "ui/metrics.h"
 #include "ui/session/document.h"
+#include "ui/views/view.h"
 
 #include <QActionGroup>
 #include <QMainWindow>
@@ -9,23 +12,30 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace sparkout {
 
 Actions::Actions(QMainWindow& window)
     : QObject(&window)
-    , newTraverse(make(u"traverse", QKeySequence::New))
-    , newPlunge(make(u"plunge", Qt::CTRL | Qt::SHIFT | Qt::Key_N))
-    , open(make(u"open", QKeySequence::Open))
-    , examples(make(u"examples", Qt::CTRL | Qt::Key_E))
-    , save(make(u"save", QKeySequence::Save))
-    , saveAs(make(u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
-    , quit(make(u"", Qt::CTRL | Qt::Key_Q))
-    , undo(make(u"undo", QKeySequence::Undo))
-    , redo(make(u"redo", QKeySequence::Redo))
-    , english(make(u""))
-    , russian(make(u""))
-    , resetLayout(make(u""))
-    , about(make(u"sparkout")) {
+    , newTraverse(make("newTraverse", u"traverse", QKeySequence::New))
+    , newPlunge(make("newPlunge", u"plunge", Qt::CTRL | Qt::SHIFT | Qt::Key_N))
+    , open(make("open", u"open", QKeySequence::Open))
+    , examples(make("examples", u"examples", Qt::CTRL | Qt::Key_E))
+    , save(make("save", u"save", QKeySequence::Save))
+    , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
+    , earlierVersions(make("earlierVersions", u""))
+    , recoverWork(make("recoverWork", u""))
+    , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
+    , undo(make("undo", u"undo", QKeySequence::Undo))
+    , redo(make("redo", u"redo", QKeySequence::Redo))
+    , english(make("english", u""))
+    , russian(make("russian", u""))
+    , detach(make("detach", u"detach", Qt::CTRL | Qt::SHIFT | Qt::Key_D))
+    , nextPanel(make("nextPanel", u"", Qt::Key_F6))
+    , previousPanel(make("previousPanel", u"", Qt::SHIFT | Qt::Key_F6))
+    , resetLayout(make("resetLayout", u""))
+    , about(make("about", u"")) {
     quit->setMenuRole(QAction::QuitRole);
     about->setMenuRole(QAction::AboutRole);
     auto* languages = new QActionGroup(this);
@@ -33,16 +43,25 @@ Actions::Actions(QMainWindow& window)
         action->setCheckable(true);
         languages->addAction(action);
     }
+    about->setIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
+    auto* looks = new QActionGroup(this);
+    for (std::size_t i = 0; i < allThemes.size(); ++i) {
+        const QByteArray name = "theme-" + themeCode(allThemes[i]).toLatin1();
+        themes[i] = make(name.constData(), u"");
+        themes[i]->setCheckable(true);
+        looks->addAction(themes[i]);
+    }
     buildMenus(window);
     buildToolBar(window);
     retranslate();
 }
 
-QAction* Actions::make(const char16_t* icon, const QKeySequence& keys) {
+QAction* Actions::make(const char* name, const char16_t* icon, const QKeySequence& keys) {
     auto* action = new QAction(this);
-    const QStringView name(icon);
-    if (!name.isEmpty()) {
-        action->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(name)));
+    action->setObjectName(QString::fromLatin1(name));
+    const QStringView drawing(icon);
+    if (!drawing.isEmpty()) {
+        action->setIcon(themeIcon(drawing));
     }
     action->setShortcut(keys);
     return action;
@@ -51,23 +70,36 @@ QAction* Actions::make(const char16_t* icon, const QKeySequence& keys) {
 void Actions::buildMenus(QMainWindow& window) {
     QMenuBar& bar = *window.menuBar();
     m_file = bar.addMenu(QString());
-    m_new = m_file->addMenu(QIcon(QStringLiteral(":/icons/new.svg")), QString());
+    m_new = m_file->addMenu(themeIcon(u"new"), QString());
     m_new->addActions({newTraverse, newPlunge});
     m_file->addActions({open, examples});
     m_file->addSeparator();
-    m_file->addActions({save, saveAs});
+    m_file->addActions({save, saveAs, earlierVersions, recoverWork});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
-    redo->setShortcuts({QKeySequence(QKeySequence::Redo), QKeySequence(QStringLiteral("Ctrl+Y"))});
+    QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (const QKeySequence usual(Qt::CTRL | Qt::Key_Y); !again.contains(usual)) {
+        again += usual;
+    }
+    redo->setShortcuts(again);
     m_edit->addActions({undo, redo});
-    m_view = bar.addMenu(QString());
-    m_language = m_view->addMenu(QString());
-    m_language->addActions({english, russian});
-    m_view->addAction(resetLayout);
-    m_view->addSeparator();
+    buildViewMenu(bar);
     m_help = bar.addMenu(QString());
     m_help->addAction(about);
+}
+
+void Actions::buildViewMenu(QMenuBar& bar) {
+    m_view = bar.addMenu(QString());
+    m_views = m_view->addMenu(QString());
+    m_view->addActions({detach, nextPanel, previousPanel});
+    m_view->addSeparator();
+    m_language = m_view->addMenu(QString());
+    m_language->addActions({english, russian});
+    m_theme = m_view->addMenu(QString());
+    m_theme->addActions({themes.begin(), themes.end()});
+    m_view->addSeparator();
+    m_view->addAction(resetLayout);
 }
 
 void Actions::buildToolBar(QMainWindow& window) {
@@ -75,7 +107,7 @@ void Actions::buildToolBar(QMainWindow& window) {
     m_bar->setObjectName(QStringLiteral("toolBar"));
     m_bar->setMovable(false);
     m_bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    m_bar->setIconSize({22, 22});
+    m_bar->setIconSize({metrics::icon, metrics::icon});
     m_bar->addAction(m_new->menuAction());
     m_bar->addActions({open, save});
     m_bar->addSeparator();
@@ -91,15 +123,39 @@ void Actions::addDocks(const QList<QAction*>& toggles) {
     m_view->addActions(toggles);
 }
 
-void Actions::follow(const Document& document) {
-    undo->setEnabled(document.canUndo());
+void Actions::addRecentFiles(QMenu* menu) {
+    m_file->insertMenu(examples, menu);
+}
+
+QList<QAction*> Actions::addViews(int count) {
+    for (int i = 0; i < count; ++i) {
+        const QKeySequence keys = i < 9 ? Qt::CTRL | Qt::Key(Qt::Key_1 + i) : QKeySequence();
+        QAction* action = make("", u"", keys);
+        m_views->addAction(action);
+        m_showViews += action;
+    }
+    return m_showViews;
+}
+
+void Actions::nameViews(const std::vector<View*>& views) {
+    for (int i = 0; i < m_showViews.size(); ++i) {
+        const View& view = *views[std::size_t(i)];
+        m_showViews[i]->setObjectName(QStringLiteral("show-") + view.objectName());
+        m_showViews[i]->setText(QStringLiteral("&%1 %2").arg(i + 1).arg(view.title()));
+    }
+}
+
+void Actions::follow(const Document& document, bool refusedText) {
+    undo->setEnabled(document.canUndo() || refusedText);
     redo->setEnabled(document.canRedo());
-    const QString undone = document.undoText();
+    const QString undone = refusedText ? tr("refused text") : document.undoText();
     const QString redone = document.redoText();
     undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
     redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
     undo->setIconText(tr("Undo"));
     redo->setIconText(tr("Redo"));
+    nameShortcut(*undo);
+    nameShortcut(*redo);
 }
 
 void Actions::retranslate() {
@@ -110,6 +166,8 @@ void Actions::retranslate() {
     m_new->setTitle(tr("&New"));
     m_new->menuAction()->setToolTip(tr("New project"));
     m_language->setTitle(tr("&Language"));
+    m_theme->setTitle(tr("&Theme"));
+    m_views->setTitle(tr("&Show a view"));
     m_bar->setWindowTitle(tr("Tool bar"));
     newTraverse->setText(tr("&Traverse grinding"));
     newPlunge->setText(tr("&Plunge grinding"));
@@ -117,11 +175,24 @@ void Actions::retranslate() {
     examples->setText(tr("&Example gallery…"));
     save->setText(tr("&Save"));
     saveAs->setText(tr("Save &as…"));
+    earlierVersions->setText(tr("Earlier &versions…"));
+    recoverWork->setText(tr("Re&cover work…"));
     quit->setText(tr("&Quit"));
     english->setText(QStringLiteral("English"));
     russian->setText(QStringLiteral("Русский"));
+    detach->setText(tr("&Detach or attach the view"));
+    nextPanel->setText(tr("&Next panel"));
+    previousPanel->setText(tr("&Previous panel"));
     resetLayout->setText(tr("&Reset the layout"));
+    const QStringList names{tr("As the &system"), tr("&Light"), tr("&Dark"), tr("High &contrast")};
+    for (std::size_t i = 0; i < themes.size(); ++i) {
+        themes[i]->setText(names[qsizetype(i)]);
+    }
     about->setText(tr("&About Sparkout"));
+}
+
+void Actions::showTheme(Theme theme) {
+    themes[std::size_t(std::ranges::find(allThemes, theme) - allThemes.begin())]->setChecked(true);
 }
 
 void Actions::showLanguage(const QString& code) {

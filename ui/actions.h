@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/theme.h"
+
 #include <QAction>
 #include <QMenu>
 
+#include <array>
+#include <vector>
+
 class QMainWindow;
+class QMenuBar;
 class QToolBar;
 
 namespace sparkout {
 
 class Document;
+class View;
 
 /// The commands of the window, their menus and the tool bar.
 class Actions : public QObject {
@@ -19,9 +26,15 @@ public:
     explicit Actions(QMainWindow& window);
 
     void addDocks(const QList<QAction*>& toggles); ///< to the View menu
-    void follow(const Document& document);         ///< what can be undone, and what it is called
+    void addRecentFiles(QMenu* menu);              ///< to the File menu
+    /// An entry a view, with Ctrl and its number.
+    [[nodiscard]] QList<QAction*> addViews(int count);
+    /// What can be undone, and what it is called; a refused text is undone first.
+    void follow(const Document& document, bool refusedText);
     void retranslate();
     void showLanguage(const QString& code);
+    void showTheme(Theme theme);
+    void nameViews(const std::vector<View*>& views);
 
     QAction* newTraverse;
     QAction* newPlunge;
@@ -29,26 +42,36 @@ public:
     QAction* examples;
     QAction* save;
     QAction* saveAs;
+    QAction* earlierVersions;
+    QAction* recoverWork;
     QAction* quit;
     QAction* undo;
     QAction* redo;
     QAction* english;
     QAction* russian;
+    std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
+    QAction* detach;                               ///< or attach: the view in use
+    QAction* nextPanel;
+    QAction* previousPanel;
     QAction* resetLayout;
     QAction* about;
 
 private:
-    QAction* make(const char16_t* icon, const QKeySequence& keys = {});
+    QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
     void buildMenus(QMainWindow& window);
+    void buildViewMenu(QMenuBar& bar);
     void buildToolBar(QMainWindow& window);
 
     QMenu* m_file;
     QMenu* m_edit;
     QMenu* m_view;
     QMenu* m_language;
+    QMenu* m_theme;
+    QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;
     QToolBar* m_bar;
+    QList<QAction*> m_showViews;
 };
 
 } // namespace sparkout

@@ -3,45 +3,76 @@
 
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/versions_dialog.h"
+#include "ui/notice_bar.h"
+#include "ui/recent_files_menu.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
 
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
-#include <QRegularExpression>
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
-const QString suffix = QStringLiteral(".sparkout");
-
-void showFailure(QWidget* window, const QString& title, const QString& text) {
-    QMessageBox box(QMessageBox::Critical, title, text, QMessageBox::NoButton, window);
-    box.setTextFormat(Qt::PlainText);
-    box.addButton(FileCommands::tr("C&lose"), QMessageBox::RejectRole);
-    box.exec();
-}
-
-bool mayReplace(QWidget* window, const QString& path) {
-    QMessageBox box(QMessageBox::Question, FileCommands::tr("Replace the file?"),
-                    FileCommands::tr("“%1” exists already. Replace it?").arg(path),
-                    QMessageBox::NoButton, window);
-    box.setTextFormat(Qt::PlainText);
-    const auto* replace = box.addButton(FileCommands::tr("&Replace"), QMessageBox::AcceptRole);
-    box.addButton(FileCommands::tr("&Cancel"), QMessageBox::RejectRole);
-    box.exec();
-    return box.clickedButton() == replace;
+/// Nobody works in a shipped example: it is locked only once it is saved to.
+bool isExample(const QByteArray& hash) {
+    const QStringList paths = ExamplesDialog::paths();
+    return std::any_of(paths.begin(), paths.end(), [&](const QString& path) {
+        const QByteArray text = ExamplesDialog::textOf(path);
+        return contentHash({text.constData(), std::size_t(text.size())}) == hash;
+    });
 }
 
 } // namespace
 
 FileCommands::FileCommands(Document& document, Settings& settings, QWidget* window)
-    : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
+    : QObject(window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_window(window)
+    , m_notices(new NoticeBar(window))
+    , m_recent(new RecentFilesMenu(settings, window))
+    , m_guard(document) {
+    connect(m_recent, &RecentFilesMenu::chosen, this, &FileCommands::openInstead);
+    connectNotices();
+    m_window->installEventFilter(this);
+}
+
+FileCommands::~FileCommands() = default;
+
+void FileCommands::protect(const QString& stateFolder, Autosave::Times times) {
+    m_guard.protect(stateFolder, times);
+}
+
+void FileCommands::start(const QString& file) {
+    tellDamagedSettings();
+    if (m_guard.recovery() != nullptr) {
+        m_guard.recovery()->removeOldDiscarded(QDateTime::currentDateTimeUtc());
+    }
+    const bool recovered = offerRecovery(false);
+    const bool isOpen = recovered && realPath(file) == realPath(m_document.filePath());
+    if (!file.isEmpty() && !isOpen) {
+        openInstead(file);
+    }
+}
+
+/// Runs work on a disk without freezing the window.
+void FileCommands::aside(const std::function<void()>& work) {
+    m_busy = true;
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    runAside(work);
+    QGuiApplication::restoreOverrideCursor();
+    m_busy = false;
+}
 
 void FileCommands::startNew(Operation operation) {
     if (mayDiscard()) {
@@ -61,16 +92,69 @@ void FileCommands::open() {
     }
 }
 
-bool FileCommands::openFile(const QString& path) {
-    const OpenResult result = m_document.open(path);
-    if (result.error) {
-        showFailure(m_window, tr("The file was not opened"), readErrorText(*result.error));
-    } else if (!result.opened()) {
-        FaultsDialog(path, result.issues, m_window).exec();
-    } else {
-        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+void FileCommands::openInstead(const QString& path) {
+    if (!m_busy && mayDiscard()) {
+        openFile(path);
     }
-    return result.opened();
+}
+
+std::optional<FileCommands::Opening> FileCommands::wayToOpen(const QString& path) {
+    switch (m_guard.claim(path)) {
+    case FileGuard::Access::write: return Opening::write;
+    case FileGuard::Access::readOnly: return Opening::readOnly;
+    case FileGuard::Access::conflict: break;
+    }
+    switch (askLocked(m_window, path, m_guard.holder())) {
+    case LockedAnswer::readOnly: return Opening::readOnly;
+    case LockedAnswer::copy: return Opening::copy;
+    case LockedAnswer::takeOver:
+        return m_guard.takeOver() == FileGuard::Access::write ? Opening::write : Opening::readOnly;
+    case LockedAnswer::cancel: break;
+    }
+    m_guard.dropClaim();
+    return {};
+}
+
+bool FileCommands::openFile(const QString& given) {
+    const QString path = QFileInfo(given).absoluteFilePath();
+    const auto opening = wayToOpen(path); // first, or somebody could save while this one reads
+    if (!opening) {
+        return false;
+    }
+    LoadedProject loaded;
+    aside([&] { loaded = loadProject(path); });
+    if (loaded.project) {
+        take(std::move(loaded), path, *opening);
+        return true;
+    }
+    m_guard.dropClaim();
+    if (loaded.error) {
+        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
+    } else {
+        FaultsDialog(path, loaded.issues, m_window).exec();
+    }
+    return false;
+}
+
+void FileCommands::take(LoadedProject loaded, const QString& path, Opening opening) {
+    if (opening == Opening::copy) {
+        m_guard.dropClaim();
+        m_document.startUntitled(std::move(*loaded.project));
+    } else {
+        m_document.take(std::move(*loaded.project), path, loaded.hash,
+                        opening == Opening::readOnly);
+    }
+    if (isExample(loaded.hash)) {
+        m_guard.unlock();
+    }
+    remember(path);
+    tellOpened(loaded.issues);
+}
+
+void FileCommands::remember(const QString& path) {
+    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    m_settings.addRecentFile(path);
+    m_recent->fill();
 }
 
 void FileCommands::openExample() {
@@ -84,58 +168,66 @@ void FileCommands::openExample() {
     }
 }
 
-bool FileCommands::save() {
-    return m_document.filePath().isEmpty() ? saveAs() : saveTo(m_document.filePath());
+void FileCommands::openEarlierVersion() {
+    const QString project = m_document.filePath();
+    std::vector<EarlierVersion> versions;
+    if (m_guard.history() != nullptr && !project.isEmpty()) {
+        versions = earlierVersions(*m_guard.history(), project);
+    }
+    VersionsDialog dialog(project.isEmpty() ? tr("Untitled") : project, std::move(versions),
+                          m_window);
+    if (dialog.exec() == QDialog::Accepted && mayDiscard()) {
+        openAsCopy(dialog.chosenFile());
+    }
 }
 
-bool FileCommands::saveAs() {
-    QString path = QFileDialog::getSaveFileName(m_window, tr("Save the project"), suggestedPath(),
-                                                tr("Sparkout projects (*.sparkout)"));
-    if (path.isEmpty()) {
-        return false;
+bool FileCommands::openAsCopy(const QString& path) {
+    LoadedProject loaded;
+    aside([&] { loaded = loadProject(path); });
+    if (loaded.project) {
+        m_document.startUntitled(std::move(*loaded.project));
+        return true;
     }
-    if (QFileInfo(path).suffix().isEmpty()) {
-        path += suffix;
-        if (QFileInfo::exists(path) && !mayReplace(m_window, path)) {
-            return false;
-        }
+    if (loaded.error) {
+        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
+    } else {
+        FaultsDialog(path, loaded.issues, m_window).exec();
     }
-    return saveTo(path);
-}
-
-bool FileCommands::saveTo(const QString& path) {
-    if (const auto error = m_document.saveAs(path)) {
-        showFailure(m_window, tr("The project was not saved"), saveErrorText(*error));
-        return false;
-    }
-    m_settings.setLastFolder(QFileInfo(path).absolutePath());
-    emit saved();
-    return true;
-}
-
-QString FileCommands::suggestedPath() const {
-    if (!m_document.filePath().isEmpty()) {
-        return m_document.filePath();
-    }
-    static const QRegularExpression unfit(QStringLiteral("[\\\\/:*?\"<>|\\x00-\\x1f]+"));
-    QString name = QString::fromStdString(m_document.project().title).simplified();
-    name.replace(unfit, QStringLiteral("_")).truncate(80);
-    return m_settings.lastFolder() + u'/' + (name.isEmpty() ? tr("Untitled") : name) + suffix;
+    return false;
 }
 
 bool FileCommands::mayDiscard() {
     if (!m_document.modified()) {
         return true;
     }
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("The project has changes that are not saved. Save them?"),
-                    QMessageBox::NoButton, m_window);
-    const auto* save = box.addButton(tr("&Save"), QMessageBox::AcceptRole);
-    const auto* discard = box.addButton(tr("&Do not save"), QMessageBox::DestructiveRole);
-    auto* cancel = box.addButton(tr("&Cancel"), QMessageBox::RejectRole);
-    box.setEscapeButton(cancel);
-    box.exec();
-    return box.clickedButton() == save ? this->save() : box.clickedButton() == discard;
+    switch (askUnsaved(m_window, m_document)) {
+    case UnsavedAnswer::save: return save();
+    case UnsavedAnswer::discard:
+        if (m_guard.autosave() != nullptr) {
+            m_guard.autosave()->flush(); // it goes to the discarded ones with the last keystroke
+        }
+        return true;
+    case UnsavedAnswer::cancel: break;
+    }
+    return false;
+}
+
+bool FileCommands::mayClose() {
+    if (m_busy || !mayDiscard()) {
+        return false;
+    }
+    if (m_guard.autosave() != nullptr) {
+        m_guard.autosave()->discard();
+    }
+    return true;
+}
+
+/// Coming back to the window is the moment to look where the system tells nothing of changes.
+bool FileCommands::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_window && event->type() == QEvent::WindowActivate) {
+        m_guard.watch().check();
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 } // namespace sparkout

@@ -6,18 +6,24 @@
 #include "ui/file_commands.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
+#include "ui/keyboard.h"
+#include "ui/notice_bar.h"
+#include "ui/recent_files_menu.h"
+#include "ui/sealed_state.h"
+#include "ui/view_tabs.h"
 #include "ui/views/feeds_view.h"
+#include "ui/views/profiles_view.h"
 #include "ui/views/verdict_panel.h"
 
 #include <QAbstractButton>
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
-#include <QTabWidget>
 #include <QUrl>
 
 #include <algorithm>
@@ -32,32 +38,37 @@ constexpr int inputsWidth = 360;
 constexpr int verdictWidth = 320;
 constexpr int messagesHeight = 96;
 
-/// The buttons Qt puts into a dock's title, which Qt names once and in one language.
-void nameDockButtons(const QDockWidget& dock) {
-    const auto name = [&dock](const QString& object, const QString& text) {
-        if (auto* button = dock.findChild<QAbstractButton*>(object)) {
+/// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
+void nameQtButtons(const QWidget& window) {
+    const auto name = [&window](const char* object, const QString& text) {
+        for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
             button->setAccessibleName(text);
             button->setAccessibleDescription(text);
             button->setToolTip(text);
         }
     };
-    name(QStringLiteral("qt_dockwidget_floatbutton"), MainWindow::tr("Detach or attach the panel"));
-    name(QStringLiteral("qt_dockwidget_closebutton"), MainWindow::tr("Close the panel"));
+    name("qt_dockwidget_floatbutton", MainWindow::tr("Detach or attach the panel"));
+    name("qt_dockwidget_closebutton", MainWindow::tr("Close the panel"));
+    name("qt_toolbar_ext_button", MainWindow::tr("More commands"));
+    name("qt_menubar_ext_button", MainWindow::tr("More menus"));
+    name("ScrollLeftButton", MainWindow::tr("Scroll to the left"));
+    name("ScrollRightButton", MainWindow::tr("Scroll to the right"));
 }
 
 } // namespace
 
-MainWindow::MainWindow(Settings& settings, Language& language)
+MainWindow::MainWindow(Settings& settings, Language& language, RunController::Runner runner)
     : m_settings(settings)
     , m_language(language)
     , m_inputs(new InputsPanel(m_document, this))
-    , m_tabs(new QTabWidget(this))
+    , m_tabs(new ViewTabs(this))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_status(new QLabel(this))
     , m_time(new QLabel(this))
     , m_actions(new Actions(*this))
-    , m_files(new FileCommands(m_document, settings, this)) {
+    , m_files(new FileCommands(m_document, settings, this))
+    , m_runs(nullptr, std::move(runner)) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();
@@ -69,21 +80,22 @@ MainWindow::MainWindow(Settings& settings, Language& language)
     connectActions();
     connectDocument();
     retranslate();
+    keepMnemonics(*this);
     restoreWindow();
 }
 
 MainWindow::~MainWindow() {
+    delete m_files; // keeps the last changes of the document
     m_document.disconnect();
     delete m_inputsDock; // its fields look at the document
 }
 
 void MainWindow::buildViews() {
-    m_views = {new FeedsView(this)};
-    m_tabs->setDocumentMode(true);
-    for (View* view : m_views) {
-        m_tabs->addTab(view, QString());
+    for (View* view : std::initializer_list<View*>{new FeedsView(this, &m_settings),
+                                                   new ProfilesView(this, &m_settings)}) {
+        m_tabs->addView(view);
     }
-    setCentralWidget(m_tabs);
+    setCentralWidget(m_files->notices().above(m_tabs));
 }
 
 QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
@@ -103,9 +115,30 @@ void MainWindow::buildDocks() {
     m_inputs->setMinimumWidth(inputsWidth);
     m_actions->addDocks({m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
                          m_messagesDock->toggleViewAction()});
+    const QList<QAction*> shows = m_actions->addViews(static_cast<int>(views().size()));
+    for (int i = 0; i < shows.size(); ++i) {
+        View* view = views()[std::size_t(i)];
+        connect(shows[i], &QAction::triggered, this, [this, view] { m_tabs->showView(view); });
+    }
+}
+
+const std::vector<View*>& MainWindow::views() const {
+    return m_tabs->views();
+}
+
+bool MainWindow::showView(const QString& name) {
+    int number = 0;
+    for (View* view : views()) {
+        if (name == view->objectName() || name == QString::number(++number)) {
+            m_tabs->showView(view);
+            return true;
+        }
+    }
+    return false;
 }
 
 void MainWindow::resetLayout() {
+    m_tabs->attachAll();
     for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
         dock->setFloating(false);
         dock->show();
@@ -121,11 +154,21 @@ void MainWindow::restoreWindow() {
     // Frame and title bar need room too: on a small screen the status bar must stay in sight.
     resize(usualSize.boundedTo(screen()->availableSize() - frameAllowance));
     resetLayout();
-    restoreGeometry(m_settings.windowGeometry());
-    restoreState(m_settings.windowState());
+    if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
+        restoreGeometry(parts->front());
+    }
+    if (const auto parts = unsealed(m_settings.windowState(), 2)) {
+        restoreState(parts->front());
+        m_tabs->restoreState(parts->back());
+    }
+}
+
+void MainWindow::saveWindow() {
+    m_settings.setWindow(sealed({saveGeometry()}), sealed({saveState(), m_tabs->saveState()}));
 }
 
 void MainWindow::connectActions() {
+    m_actions->addRecentFiles(&m_files->recentFiles());
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
@@ -135,11 +178,23 @@ void MainWindow::connectActions() {
     on(m_actions->examples, [this] { m_files->openExample(); });
     on(m_actions->save, [this] { m_files->save(); });
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
+    on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
     on(m_actions->quit, [this] { close(); });
-    on(m_actions->undo, [this] { m_document.undo(); });
+    on(m_actions->undo, [this] {
+        if (!m_inputs->dropNewestRefusal()) {
+            m_document.undo();
+        }
+    });
     on(m_actions->redo, [this] { m_document.redo(); });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
+    for (std::size_t i = 0; i < allThemes.size(); ++i) {
+        on(m_actions->themes[i], [this, i] { setTheme(allThemes[i]); });
+    }
+    on(m_actions->detach, [this] { toggleDetached(); });
+    on(m_actions->nextPanel, [this] { movePanel(1); });
+    on(m_actions->previousPanel, [this] { movePanel(-1); });
     on(m_actions->resetLayout, [this] { resetLayout(); });
     on(m_actions->about, [this] { AboutDialog(this).exec(); });
 }
@@ -150,7 +205,7 @@ void MainWindow::connectDocument() {
         showTitle();
     });
     connect(&m_document, &Document::historyChanged, this, [this] {
-        m_actions->follow(m_document);
+        m_actions->follow(m_document, !m_inputs->refusals().empty());
         showTitle();
     });
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
@@ -163,10 +218,17 @@ void MainWindow::connectDocument() {
                      nullptr, refused),
             6000);
     });
+    m_recolour.setSingleShot(true);
+    m_recolour.setInterval(0); // palettes reach the widgets one by one
+    connect(&m_recolour, &QTimer::timeout, this, &MainWindow::recolour);
     m_refusalsTimer.setSingleShot(true);
     m_refusalsTimer.setInterval(0);
-    connect(&m_refusalsTimer, &QTimer::timeout, this,
-            [this] { m_messages->setRefusals(m_inputs->refusals()); });
+    connect(&m_refusalsTimer, &QTimer::timeout, this, [this] {
+        const std::vector<Refusal> refusals = m_inputs->refusals();
+        m_messages->setRefusals(refusals);
+        m_verdict->setRefusedFields(static_cast<int>(refusals.size()));
+        m_actions->follow(m_document, !refusals.empty());
+    });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
         m_inputsDock->show();
@@ -178,7 +240,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
     m_inputs->setOutcome(outcome);
     m_messages->setOutcome(outcome);
-    for (View* view : m_views) {
+    for (View* view : views()) {
         view->setOutcome(outcome);
     }
     m_verdict->setOutcome(outcome);
@@ -221,7 +283,8 @@ void MainWindow::showTitle() {
                        ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
                        : QFileInfo(m_document.filePath()).fileName();
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
-    setWindowTitle(tr("%1[*] — Sparkout").arg(name));
+    setWindowTitle(m_document.readOnly() ? tr("%1[*] (read-only) — Sparkout").arg(name)
+                                         : tr("%1[*] — Sparkout").arg(name));
     setWindowModified(m_document.modified());
 }
 
@@ -232,30 +295,60 @@ void MainWindow::setLanguage(const QString& code) {
     retranslate();
 }
 
+void MainWindow::setTheme(Theme theme) {
+    m_settings.setTheme(themeCode(theme));
+    applyTheme(theme);
+    m_actions->showTheme(theme);
+}
+
+/// What was given colours takes those of the palette the window has now.
+void MainWindow::recolour() {
+    retranslate(); // with the texts, their marks
+    for (View* view : views()) {
+        QEvent event(QEvent::PaletteChange); // the first came before its parts had their palettes
+        QCoreApplication::sendEvent(view, &event);
+    }
+}
+
+void MainWindow::movePanel(int by) {
+    QList<QWidget*> panels{m_inputs, m_tabs};
+    for (const View* view : views()) {
+        if (QWidget* window = m_tabs->windowOf(view)) {
+            panels += window;
+        }
+    }
+    sparkout::movePanel(panels + QList<QWidget*>{m_verdict, m_messages}, by);
+}
+
+void MainWindow::toggleDetached() {
+    View* view = m_tabs->currentView();
+    m_tabs->isDetached(view) ? m_tabs->attach(view) : m_tabs->detach(view);
+}
+
 void MainWindow::retranslate() {
     m_actions->retranslate();
-    m_actions->follow(m_document);
+    m_actions->follow(m_document, !m_inputs->refusals().empty());
     m_actions->showLanguage(m_language.code());
+    m_actions->showTheme(appliedTheme());
+    m_actions->nameViews(views());
     m_inputsDock->setWindowTitle(tr("Inputs"));
     m_verdictDock->setWindowTitle(tr("Verdict"));
     m_messagesDock->setWindowTitle(tr("Messages"));
-    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
-        nameDockButtons(*dock);
-    }
-    m_tabs->setAccessibleName(tr("Views"));
+    nameQtButtons(*this);
     m_inputs->setAccessibleName(tr("Inputs"));
     m_status->setAccessibleName(tr("Status"));
     m_time->setAccessibleName(tr("Computing time"));
     m_inputs->retranslate();
     m_messages->retranslate();
-    for (View* view : m_views) {
+    for (View* view : views()) {
         view->retranslate();
-        m_tabs->setTabText(m_tabs->indexOf(view), view->title());
     }
+    m_tabs->retranslate();
     m_verdict->retranslate();
     if (m_outcome) {
         m_inputs->setOutcome(m_outcome);
     }
+    nameShortcuts(*m_actions);
     showStatus();
     showTitle();
 }
@@ -263,16 +356,18 @@ void MainWindow::retranslate() {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        m_recolour.start();
     }
     QMainWindow::changeEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayDiscard()) {
+    if (!m_files->mayClose()) {
         event->ignore();
         return;
     }
-    m_settings.setWindow(saveGeometry(), saveState());
+    saveWindow();
     event->accept();
 }
 
@@ -286,8 +381,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
-    if (!path.isEmpty() && m_files->mayDiscard()) {
-        m_files->openFile(path);
+    if (!path.isEmpty()) { // later: the program it was dragged from shall not wait for an answer
+        QMetaObject::invokeMethod(
+            m_files, [this, path] { m_files->openInstead(path); }, Qt::QueuedConnection);
     }
 }
 

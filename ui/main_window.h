@@ -5,6 +5,7 @@
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
 #include "ui/session/settings.h"
+#include "ui/theme.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -13,7 +14,6 @@
 
 class QDockWidget;
 class QLabel;
-class QTabWidget;
 
 namespace sparkout {
 
@@ -23,13 +23,14 @@ class InputsPanel;
 class MessagesPanel;
 class VerdictPanel;
 class View;
+class ViewTabs;
 
 /// The workbench: inputs, views, verdict and messages around one document.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    MainWindow(Settings& settings, Language& language);
+    MainWindow(Settings& settings, Language& language, RunController::Runner runner = runProject);
     ~MainWindow() override;
 
     [[nodiscard]] Document& document() { return m_document; }
@@ -37,6 +38,9 @@ public:
     [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
     [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
     [[nodiscard]] FileCommands& files() { return *m_files; }
+    [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
+    [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
+    bool showView(const QString& name); ///< by object name or number from 1; false when none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
 
 signals:
@@ -57,6 +61,11 @@ private:
     void restoreWindow();
     void resetLayout();
     void setLanguage(const QString& code);
+    void setTheme(Theme theme);
+    void recolour();
+    void movePanel(int by);
+    void toggleDetached();
+    void saveWindow();
     void showOutcome(const OutcomePtr& outcome);
     void showTitle();
     void showStatus();
@@ -67,8 +76,7 @@ private:
     Document m_document;
     OutcomePtr m_outcome;
     InputsPanel* m_inputs;
-    QTabWidget* m_tabs;
-    std::vector<View*> m_views;
+    ViewTabs* m_tabs;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;
@@ -78,6 +86,7 @@ private:
     QLabel* m_time;
     Actions* m_actions;
     FileCommands* m_files;
+    QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone
 };

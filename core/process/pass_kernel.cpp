@@ -25,21 +25,21 @@ template <Root form>
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
+    double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
     const double* __restrict A4 = coefficients.A4.data() + range.first;
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
-    const double base = feed.base, offset = feed.offset, rate = feed.rate, cap = feed.cap;
+    const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
     for (std::size_t i = 0; i < count; ++i) {
-        const double ramp = offset + rate * share[i];
-        const double fed = base + (ramp < cap ? ramp : cap);
-        const double lag = fed - depth[i];
+        const double ramp = begin + rate * share[i];
+        const double lag = (ramp < most ? ramp : most) - depth[i];
         const double h = lag > 0 ? lag : 0;
         const double q = std::sqrt(C2[i] + A4[i] * h);
         const double u =
@@ -48,6 +48,7 @@ template <Root form>
         const double force = bks * a + bkr * u;
         depth[i] += a;
         root[i] = u;
+        rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,9 +25,10 @@ inline constexpr double multipliedFormLimit = 500;
 /// The lanes' state.
 struct Lanes {
     explicit Lanes(std::size_t count)
-        : depth_mm(count), root(count), peakForce_n(count), share(count) {}
+        : depth_mm(count), root(count), rootSum(count), peakForce_n(count), share(count) {}
     std::vector<double> depth_mm;    ///< how far the radius stands below first touch
     std::vector<double> root;        ///< u = √a of the last pass [√mm]
+    std::vector<double> rootSum;     ///< Σ√a since the owner last cleared it [√mm]
     std::vector<double> peakForce_n; ///< largest P_y so far
     std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
 };
@@ -41,9 +43,14 @@ struct LaneCoefficients {
     std::vector<double> C, C2, A4, inverse2A;
 };
 
-/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm].
+/// The programmed infeed of one pass: t_П = base + min(offset + rate·share, cap) [mm], rounded as
+/// min((base + offset) + rate·share, base + cap).
 struct PassFeed {
     double base = 0, offset = 0, rate = 0, cap = 0;
+
+    [[nodiscard]] double at(double share) const {
+        return std::min(base + offset + rate * share, base + cap);
+    }
 };
 
 /// A range of lanes in one pass.

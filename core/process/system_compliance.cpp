@@ -4,8 +4,9 @@
 #include "core/process/compliance.h"
 #include "core/units.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace sparkout {
 
@@ -78,6 +79,16 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
     return gammas;
 }
 
+/// What each zone or section stands for of the ground length.
+std::vector<double> lengths(const Project& project) {
+    if (project.operation == Operation::plunge) {
+        const auto sections = static_cast<std::size_t>(project.sections);
+        return std::vector<double>(sections, project.part.length_mm / project.sections);
+    }
+    const ZoneLengths zones = zoneLengths(project);
+    return {zones.rz1, zones.nz, zones.rz2};
+}
+
 std::vector<double> givenGammas(const GivenCompliance& given) {
     if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
         return {zones->rz1, zones->nz, zones->rz2};
@@ -99,9 +110,10 @@ std::vector<CompliantPoint> compliantPoints(const Project& project) {
                                            ? computedGammas(project, at)
                                            : givenGammas(project.machine.compliance_mm_per_n);
     assert(gammas.size() == at.size());
+    const std::vector<double> length = lengths(project);
     std::vector<CompliantPoint> points;
     for (std::size_t i = 0; i < at.size(); ++i) {
-        points.push_back({at[i], gammas[i]});
+        points.push_back({at[i], gammas[i], length[i]});
     }
     return points;
 }
@@ -109,6 +121,13 @@ std::vector<CompliantPoint> compliantPoints(const Project& project) {
 int gaugeSection(const Project& project) {
     if (project.operation == Operation::traverse) {
         return 1; // the middle of НЗ
+    }
+    if (project.gauge.position_mm) {
+        const std::vector<double> middles = positions(project);
+        const auto nearest = std::ranges::min_element(middles, {}, [&](double middle) {
+            return std::abs(middle - *project.gauge.position_mm);
+        });
+        return static_cast<int>(nearest - middles.begin());
     }
     return project.gauge.section.value_or(project.sections / 2);
 }

@@ -18,6 +18,7 @@ struct ZoneLengths {
 struct CompliantPoint {
     double position_mm = 0; ///< from the headstock end of the ground length [mm]
     double gamma_mm_n = 0;  ///< γ [mm/N]
+    double length_mm = 0;   ///< ℓ it stands for: its zone, or its slice of L_p [mm]
 };
 
 /// The zones РЗ1, НЗ, РЗ2 (at their middles) or the J sections (at the middles of equal slices),
@@ -25,11 +26,13 @@ struct CompliantPoint {
 /// G(x,s) over the contact, internal the quill's [MODEL-6].
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project);
 
-/// Index into compliantPoints() of the zone or section that carries the gauge.
+/// Index into compliantPoints() of the zone or section that carries the gauge, or whose middle is
+/// nearest to its free position.
 [[nodiscard]] int gaugeSection(const Project& project);
 
 /// The gauge's free position in plunge with its γ: given, computed from the shaft, or interpolated
-/// between the sections' middles (constant beyond the outermost). Only with gauge.position_mm.
+/// between the sections' middles (constant beyond the outermost); it stands for no length. Only
+/// with gauge.position_mm.
 [[nodiscard]] CompliantPoint freeGaugePoint(const Project& project,
                                             const std::vector<CompliantPoint>& sections);
 

@@ -30,9 +30,10 @@ const StructInfo& tableOf<Stage>() {
             Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
             .symbol = "S_t", .unit = "mm", .hard = {0, 1}, .soft = {0.0002, 0.05},
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = traverseFeeds,
-            .relevant = traverseFeeds, .slider = true, .page = Page::cycle,
+            .relevant = traverseFeeds, .slider = true, .positive = true, .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
                                            "stroke."),
+            .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
             .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
                        .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
@@ -42,21 +43,23 @@ const StructInfo& tableOf<Stage>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Table speed; S_ax/n per revolution is the effective width of "
                                     "cut, at most the wheel width."),
-                       .source = "MODEL-5"),
-        SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
-                       .symbol = "S_p", .unit = "mm/min", .hard = {0, 100}, .soft = {0.01, 5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
-                       .relevant = plungeFeeds, .slider = true, .page = Page::cycle,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Programmed plunge feed; S_p/n per revolution of the part."),
-                       .source = "MODEL-6"),
-        SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock of the stage"),
+                       .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
+            .symbol = "S_p", .unit = "mm/min", .hard = {0, 100}, .soft = {0.01, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
+            .relevant = plungeFeeds, .slider = true, .positive = true, .page = Page::cycle,
+            .hint =
+                SPARKOUT_NOOP("Input", "Programmed plunge feed; S_p/n per revolution of the part."),
+            .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
+        SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
                        .required = feedsAtAll, .slider = true, .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Radial stock of the stage. It ends when what remains to size "
                                     "is the later stages' stock."),
-                       .source = "MODEL-7"),
+                       .formula = "Π_rem ≤ Σ Π_j, j > z",
+                       .column = SPARKOUT_NOOP("Input", "Stock per side"), .source = "MODEL-7"),
         SPARKOUT_FIELD(
             Stage, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-out"), .hard = {1, 100000},
             .nullMeaning = SPARKOUT_NOOP("Input", "an ordinary stage"), .page = Page::cycle,

@@ -48,7 +48,7 @@ const StructInfo& tableOf<Gauge>() {
             .hint = SPARKOUT_NOOP("Input",
                                   "Which of the diameters of a revolution the gauge reports. In a "
                                   "bore smallest and largest change places."),
-            .source = "MODEL-7"),
+            .formula = "D_k = R_k + R_(k + K/2)", .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, section, .label = SPARKOUT_NOOP("Input", "Gauge at section"),
                        .symbol = "j", .hard = {0, 199},
                        .nullMeaning = SPARKOUT_NOOP("Input", "the middle one"),

@@ -29,18 +29,21 @@ const StructInfo& tableOf<Stiffness>() {
                        .required = conditions::always, .page = Page::machine,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Force for one micrometre of deflection at the headstock."),
+                       .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(Stiffness, tailstock, .label = SPARKOUT_NOOP("Input", "Tailstock stiffness"),
                        .symbol = "j_t", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
                        .required = onCentres, .relevant = onCentres, .page = Page::machine,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Force for one micrometre of deflection at the tailstock."),
+                       .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Stiffness, wheel_head, .label = SPARKOUT_NOOP("Input", "Wheel head stiffness"),
             .symbol = "j_w", .unit = "N/µm", .hard = {1e-3, 1e6}, .soft = {5, 1000},
             .required = conditions::always, .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Force for one micrometre of deflection at the wheel."),
+            .formula = "G(x,x) = 1/j_w + (1 − x/L_s)²/j_h + (x/L_s)²/j_t + G_beam(x,x)",
             .source = "MODEL-6"),
     };
     static const StructInfo info = makeTable<Stiffness>(SPARKOUT_NOOP("Struct", "Stiffness"), rows);
@@ -69,24 +72,26 @@ const StructInfo& tableOf<MachineLimits>() {
         SPARKOUT_FIELD(MachineLimits, radial_feed_mm,
                        .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm",
                        .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .unchecked = true,
+                       .count = 3, .unchecked = true, .page = Page::machine,
                        .hint =
                            SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
         SPARKOUT_FIELD(MachineLimits, axial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Range of the axial feed"), .unit = "mm/min",
                        .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .unchecked = true,
+                       .count = 3, .unchecked = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(
-            MachineLimits, plunge_feed_mm_min,
-            .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"), .unit = "mm/min",
-            .hard = {0, 1000}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
-            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
-        SPARKOUT_FIELD(
-            MachineLimits, work_speed_rpm,
-            .label = SPARKOUT_NOOP("Input", "Range of the work speed"), .unit = "rev/min",
-            .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
-            .unchecked = true, .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(MachineLimits, plunge_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Range of the plunge feed"),
+                       .unit = "mm/min", .hard = {0, 1000},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+                       .unchecked = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
+        SPARKOUT_FIELD(MachineLimits, work_speed_rpm,
+                       .label = SPARKOUT_NOOP("Input", "Range of the work speed"),
+                       .unit = "rev/min", .hard = {0, 1e5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+                       .unchecked = true, .page = Page::machine,
+                       .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step.")),
     };
     static const StructInfo info =
         makeTable<MachineLimits>(SPARKOUT_NOOP("Struct", "Machine ranges"), rows);
@@ -103,7 +108,7 @@ const StructInfo& tableOf<Machine>() {
                        .symbol = "V_k", .unit = "m/s", .hard = {1, 250}, .soft = {15, 80},
                        .required = conditions::always, .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Peripheral speed of the wheel."),
-                       .source = "MODEL-1"),
+                       .formula = "k_s = ε_i·tg β·σ_i·V_d/V_k", .source = "MODEL-1"),
         SPARKOUT_FIELD(Machine, work_speed_rpm, .label = SPARKOUT_NOOP("Input", "Work speed"),
                        .symbol = "n", .unit = "rev/min", .hard = {0.1, 10000}, .soft = {20, 1500},
                        .required = conditions::always, .slider = true, .page = Page::machine,
@@ -113,7 +118,7 @@ const StructInfo& tableOf<Machine>() {
                        .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"),
                        .symbol = "S_rad", .unit = "mm/min", .hard = {1e-4, 1000},
                        .soft = {0.05, 10}, .required = conditions::traverse,
-                       .relevant = conditions::traverse, .page = Page::machine,
+                       .relevant = conditions::traverse, .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Speed of the infeed at the entry reversal: "
                                                       "N_E1 = ⌈n·S_t/S_rad⌉ revolutions."),
                        .source = "MODEL-5"),
@@ -142,7 +147,7 @@ const StructInfo& tableOf<Machine>() {
             .hint =
                 SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
                                        "whole revolutions of the part."),
-            .source = "MODEL-5"),
+            .formula = "N_1 = ⌊n·τ_1 + 0.5⌋", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Dwell at the exit"),
                        .symbol = "τ_2", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
                        .required = conditions::traverse, .relevant = conditions::traverse,
@@ -150,7 +155,7 @@ const StructInfo& tableOf<Machine>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Spark-out at the exit reversal, once a double stroke, in "
                                     "whole revolutions of the part."),
-                       .source = "MODEL-5"),
+                       .formula = "N_2 = ⌊n·τ_2 + 0.5⌋", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, compliance_mm_per_n, .label = SPARKOUT_NOOP("Input", "Compliance"),
                        .symbol = "γ", .unit = "mm/N", .hard = {1e-15, 1}, .soft = {1e-6, 1e-3},
                        .nullMeaning = SPARKOUT_NOOP("Input", "from stiffness and shaft"),
@@ -158,7 +163,7 @@ const StructInfo& tableOf<Machine>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Deflection of the technological system for one newton at the "
                                     "wheel: one value a zone (traverse) or a section (plunge)."),
-                       .source = "MODEL-3"),
+                       .formula = "a + γ·P_y(a) = h", .source = "MODEL-3"),
         SPARKOUT_FIELD(Machine, stiffness_n_um,
                        .label = SPARKOUT_NOOP("Input", "Stiffness of the units"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "not stated"), .page = Page::machine,
@@ -193,7 +198,7 @@ const StructInfo& tableOf<Machine>() {
                                            "sources."),
             .source = "HASHIMOTO2020"),
         SPARKOUT_FIELD(Machine, limits, .label = SPARKOUT_NOOP("Input", "Machine ranges"),
-                       .source = "MODEL-8"),
+                       .page = Page::machine, .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Machine>(SPARKOUT_NOOP("Struct", "Machine"), rows);
     return info;

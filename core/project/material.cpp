@@ -31,7 +31,7 @@ const StructInfo& tableOf<Material>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Shear strain intensity times the tangent of the force angle, "
                                     "in the normal force."),
-                       .source = "MODEL-1"),
+                       .formula = "k_s = ε_i·tg β·σ_i·V_d/V_k", .source = "MODEL-1"),
         SPARKOUT_FIELD(Material, shear_strain, .label = SPARKOUT_NOOP("Input", "Shear strain"),
                        .symbol = "ε_i", .hard = {0.01, 100}, .soft = {1, 6}, .page = Page::material,
                        .hint =
@@ -42,7 +42,7 @@ const StructInfo& tableOf<Material>() {
             Material, friction, .label = SPARKOUT_NOOP("Input", "Friction"), .symbol = "μ",
             .hard = {0, 2}, .soft = {0.1, 0.6}, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Coefficient of friction of wear flats on metal."),
-            .source = "MODEL-2"),
+            .formula = "P_z = b·(ε_i·σ_i·V_d/V_k·a + μ·k_r·√a)", .source = "MODEL-2"),
         SPARKOUT_FIELD(
             Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
             .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},

@@ -93,12 +93,13 @@ const StructInfo& tableOf<ShaftSegment>() {
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Length of one step of the shaft, from the headstock on."),
-                       .source = "MODEL-6"),
+                       .column = SPARKOUT_NOOP("Input", "Length"), .source = "MODEL-6"),
         SPARKOUT_FIELD(ShaftSegment, diameter_mm,
                        .label = SPARKOUT_NOOP("Input", "Segment diameter"), .symbol = "d",
                        .unit = "mm", .hard = {0.1, 3000}, .soft = {3, 500},
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "Diameter of one step of the shaft."),
+                       .formula = "I = π·d⁴/64", .column = SPARKOUT_NOOP("Input", "Diameter"),
                        .source = "MODEL-6"),
     };
     static const StructInfo info =
@@ -114,14 +115,14 @@ const StructInfo& tableOf<SteadyRest>() {
             .symbol = "x", .unit = "mm", .hard = {0, 20000}, .required = conditions::always,
             .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Distance from the headstock end of the shaft."),
-            .source = "MODEL-6"),
+            .column = SPARKOUT_NOOP("Input", "Position"), .source = "MODEL-6"),
         SPARKOUT_FIELD(SteadyRest, stiffness_n_um,
                        .label = SPARKOUT_NOOP("Input", "Stiffness of the steady rest"),
                        .symbol = "j", .unit = "N/µm", .hard = {1e-3, 1e5}, .soft = {5, 500},
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Force at the rest for one micrometre of deflection there."),
-                       .source = "MODEL-6"),
+                       .column = SPARKOUT_NOOP("Input", "Stiffness"), .source = "MODEL-6"),
     };
     static const StructInfo info =
         makeTable<SteadyRest>(SPARKOUT_NOOP("Struct", "Steady rest"), rows);
@@ -136,13 +137,13 @@ const StructInfo& tableOf<Quill>() {
             .unit = "mm", .hard = {0.01, 2000}, .soft = {5, 300}, .required = conditions::always,
             .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Overhang of the wheel's spindle in internal grinding."),
-            .source = "MODEL-6"),
+            .formula = "G(x,x) = 1/j_w + 1/j_h + x³/(3·E·I)", .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Quill, diameter_mm, .label = SPARKOUT_NOOP("Input", "Quill diameter"), .symbol = "d",
             .unit = "mm", .hard = {0.1, 1000}, .soft = {3, 150}, .required = conditions::always,
             .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Diameter of the wheel's spindle in internal grinding."),
-            .source = "MODEL-6"),
+            .formula = "I = π·d⁴/64", .source = "MODEL-6"),
     };
     static const StructInfo info = makeTable<Quill>(SPARKOUT_NOOP("Struct", "Quill"), rows);
     return info;
@@ -169,7 +170,7 @@ const StructInfo& tableOf<Shaft>() {
             Shaft, youngs_modulus_gpa, .label = SPARKOUT_NOOP("Input", "Modulus of elasticity"),
             .symbol = "E", .unit = "GPa", .hard = {1, 1000}, .soft = {60, 230}, .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Young's modulus of the shaft: steel about 210."),
-            .source = "MODEL-6"),
+            .formula = "G_beam(x,x) = x²·(L_s − x)²/(3·E·I·L_s)", .source = "MODEL-6"),
         SPARKOUT_FIELD(Shaft, mounting, .label = SPARKOUT_NOOP("Input", "Mounting"),
                        .relevant = conditions::external, .page = Page::part,
                        .hint =
@@ -212,13 +213,13 @@ const StructInfo& tableOf<Part>() {
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Upper limit of the diameter less the nominal diameter."),
-                       .source = "MODEL-4"),
+                       .formula = "D_max = d + es", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, lower_deviation_um, .label = SPARKOUT_NOOP("Input", "Lower deviation"),
                        .symbol = "ei", .unit = "µm", .hard = {-5000, 5000}, .soft = {-500, 500},
                        .required = conditions::always, .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Lower limit of the diameter less the nominal diameter."),
-                       .source = "MODEL-4"),
+                       .formula = "D_min = d + ei", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, length_mm, .label = SPARKOUT_NOOP("Input", "Ground length"),
                        .symbol = "L_p", .unit = "mm", .hard = {0.1, 10000}, .soft = {2, 2000},
                        .required = conditions::always, .page = Page::part,
@@ -230,7 +231,7 @@ const StructInfo& tableOf<Part>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Minimum radial stock: what the smallest radius of the blank "
                                     "stands above the target radius."),
-                       .source = "MODEL-4"),
+                       .formula = "R_max = R_t + Π + ΔR", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, initial_runout_mm, .label = SPARKOUT_NOOP("Input", "Initial runout"),
                        .symbol = "ΔR", .unit = "mm", .hard = {0, 2}, .soft = {0, 0.2},
                        .required = conditions::always, .relevant = notMeasured, .slider = true,
@@ -245,7 +246,7 @@ const StructInfo& tableOf<Part>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Radii followed in each cross-section at equal angles, an even "
                                     "number."),
-                       .source = "MODEL-4"),
+                       .formula = "φ_k = 2π·k/K", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, profile, .label = SPARKOUT_NOOP("Input", "Form of the blank"),
                        .page = Page::part,
                        .hint = SPARKOUT_NOOP(
@@ -271,7 +272,7 @@ const StructInfo& tableOf<Part>() {
                        .nullMeaning = SPARKOUT_NOOP("Input", "middle of the tolerance field"),
                        .page = Page::part,
                        .hint = SPARKOUT_NOOP("Input", "The diameter the gauge is set to."),
-                       .source = "MODEL-4"),
+                       .formula = "R_t = d/2 + (es + ei)/4", .source = "MODEL-4"),
         SPARKOUT_FIELD(Part, tolerance, .label = SPARKOUT_NOOP("Input", "Tolerances"),
                        .page = Page::part),
         SPARKOUT_FIELD(Part, shaft, .label = SPARKOUT_NOOP("Input", "Shaft"), .page = Page::part),

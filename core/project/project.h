@@ -21,6 +21,7 @@ struct KeptRun {
     std::string engine_version;
     JsonText inputs;  ///< the project as run, without its runs
     JsonText summary; ///< counts, final radii, deviations, constraint values
+    friend bool operator==(const KeptRun&, const KeptRun&) = default;
 };
 
 /// All inputs of one grinding cycle: what a project file holds. Members are named by their keys in

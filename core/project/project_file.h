@@ -25,7 +25,7 @@ inline constexpr std::size_t issues = 200; ///< faults listed at most
 struct ReadResult {
     std::optional<Project> project; ///< given when there is no error
     /// Given when every value could be read and is in its range, but a rule between values is
-    /// broken: nothing to run, but work in progress that the window opens again.
+    /// broken, or a kept run has faults: work in progress that the window opens again.
     std::optional<Project> unfinished;
     Issues issues; ///< errors, or warnings beside a project
 };

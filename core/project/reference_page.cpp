@@ -182,6 +182,9 @@ std::string meaningColumn(const Field& field) {
     if (*field.hint) {
         text += ". " + std::string(field.hint);
     }
+    if (*field.formula) {
+        text += " `" + std::string(field.formula) + "`.";
+    }
     if (mayBeNull(field.kind)) {
         text += std::string(text.back() == '.' ? "" : ".") + " `null`: " + field.nullMeaning + ".";
     }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -77,9 +79,13 @@ ordered_json fieldJson(const Field& field, const void* owner) {
 
 } // namespace
 
-ordered_json writeByTable(const StructInfo& table, const void* owner) {
+ordered_json writeByTable(const StructInfo& table, const void* owner,
+                          const std::vector<std::string>& skip) {
     ordered_json object = ordered_json::object();
     for (const Field& field : table.fields) {
+        if (std::find(skip.begin(), skip.end(), field.key) != skip.end()) {
+            continue;
+        }
         ordered_json value = fieldJson(field, owner);
         if (!value.is_null() || !fieldJson(field, table.defaults).is_null()) {
             object[field.key] = std::move(value);

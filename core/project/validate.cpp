@@ -101,12 +101,13 @@ private:
 
     void checkProfile() {
         const Part& part = project().part;
+        const Field& radii = *tableOf<Part>().find("radii_per_section");
         if (part.radii_per_section % 2 != 0) {
             add(IssueCode::notEven, "/part/radii_per_section",
-                std::to_string(part.radii_per_section), "4…360");
-        } else if (part.radii_per_section < 12) {
+                std::to_string(part.radii_per_section), rangeText(radii.hard, radii.unit));
+        } else if (part.radii_per_section < radii.soft.low) {
             warn(IssueCode::fewRadii, "/part/radii_per_section",
-                 std::to_string(part.radii_per_section), "12…360");
+                 std::to_string(part.radii_per_section), rangeText(radii.soft, radii.unit));
         }
         if (part.profile == ProfileForm::measured) {
             const std::size_t given = part.radii_um ? part.radii_um->size() : 0;

@@ -24,7 +24,7 @@ const StructInfo& tableOf<Wheel>() {
                        .required = conditions::always, .page = Page::wheel,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Width of the wheel. A plunge wheel covers the ground length."),
-                       .source = "MODEL-1"),
+                       .formula = "b = min(S_ax/n, B)", .source = "MODEL-1"),
         SPARKOUT_FIELD(Wheel, dullness, .label = SPARKOUT_NOOP("Input", "Dullness"), .symbol = "η",
                        .hard = {0, 1}, .soft = {0.005, 0.25}, .required = conditions::always,
                        .slider = true, .page = Page::wheel,

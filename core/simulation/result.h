@@ -34,6 +34,26 @@ struct Place {
     int revolution = 0; ///< revolution within the step (traverse)
 };
 
+/// The largest value of something over the passes, and where it was first reached.
+struct Peak {
+    double value = 0;
+    Place at;
+};
+
+/// What the passes of one stage of the cycle add up to, from which core/quality makes volume,
+/// energy and power. A pass is one zone or section under the wheel once: ℓ the length of surface it
+/// stands for (its zone, or its slice L_p/J), b its effective width, ⟨ ⟩ the mean over its K radii.
+/// A gauge's free position counts for nothing.
+struct StageSums {
+    double length_mm = 0;       ///< Σℓ
+    double revolutions = 0;     ///< Σℓ/b: turns of the work that grind these lengths
+    double removed_mm2 = 0;     ///< Σℓ·⟨a⟩: longitudinal section of what is removed
+    double rootLength_mm15 = 0; ///< Σℓ·⟨√a⟩, for the friction term of P_z [mm^1.5]
+    Peak depth_mm;              ///< largest a, per revolution or stroke
+    Peak normalForce_n;         ///< largest P_y
+    Peak power_w;               ///< largest P_z·V_k
+};
+
 /// One zone or section at the end of the cycle.
 struct SectionResult {
     Zone zone = Zone::section;
@@ -55,6 +75,7 @@ struct SimulationResult {
     int cycleCount = 0;             ///< double strokes or revolutions
     std::vector<int> countsByStage; ///< the same, by stage
     std::vector<double> timeByStage_s;
+    std::vector<StageSums> sumsByStage;
     std::vector<SectionResult> sections; ///< РЗ1, НЗ, РЗ2, or the sections from the headstock on
     double gaugeReading_mm = 0;          ///< diameter the gauge reads at the end
     double remainingStock_mm = 0;        ///< per side, from that reading; negative below target

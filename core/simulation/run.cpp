@@ -30,10 +30,16 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
         m_lanes.depth_mm[lane] = m_blank.depth_mm[k];
         m_lanes.share[lane] = static_cast<double>(k + 1) / m_radii;
     }
+    m_openDepth_mm = m_lanes.depth_mm;
+    m_lengthBefore.assign(1, 0.0);
+    for (const CompliantPoint& point : m_points) {
+        m_lengthBefore.push_back(m_lengthBefore.back() + point.length_mm);
+    }
     m_result.project = project;
     m_result.project.runs.clear();
     m_result.engineVersion = version;
     m_result.timeByStage_s.assign(project.cycle.stages.size(), 0.0);
+    m_result.sumsByStage.assign(project.cycle.stages.size(), {});
     if (m_trajectory) {
         m_trajectory->passes.clear(); // keeps what the caller has reserved
         m_trajectory->visits.clear();
@@ -61,13 +67,16 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
               const Place* places, const PassInfo& info) {
     const auto K = static_cast<std::size_t>(m_radii);
     const PassRange range{first * K, count * K, width.bks, width.bkr};
+    if (places) {
+        openStage(static_cast<std::size_t>(places->stage - 1));
+    }
     const double root = m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
     m_largestRoot = std::max(m_largestRoot, root);
     if (!places) {
         return;
     }
-    keepPeak(root, first, count, width, places);
+    tally(root, first, count, width, places);
     if (m_trajectory) {
         for (std::size_t i = 0; i < count; ++i) {
             record(first + i, width, feed, places[i], info);
@@ -75,28 +84,62 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     }
 }
 
-// Both forces rise with a at one width, so the pass's largest √a carries both peaks.
-void Run::keepPeak(double root, std::size_t first, std::size_t count, const CutWidth& width,
-                   const Place* places) {
+/// Gathers for this stage from the next pass on.
+void Run::openStage(std::size_t stage) {
+    if (stage != m_openStage) {
+        closeStage();
+        m_openStage = stage;
+    }
+}
+
+/// Σa is how far the radii have moved since the stage began; Σ√a was added up lane by lane.
+void Run::closeStage() {
+    StageSums& sums = m_result.sumsByStage[m_openStage];
+    const auto K = static_cast<std::size_t>(m_radii);
+    for (std::size_t point = 0; point < m_points.size(); ++point) {
+        double depth = 0;
+        double root = 0;
+        for (std::size_t lane = point * K; lane < (point + 1) * K; ++lane) {
+            depth += m_lanes.depth_mm[lane] - m_openDepth_mm[lane];
+            root += m_lanes.rootSum[lane];
+        }
+        sums.removed_mm2 += m_points[point].length_mm * depth / m_radii;
+        sums.rootLength_mm15 += m_points[point].length_mm * root / m_radii;
+    }
+    m_openDepth_mm = m_lanes.depth_mm; // as long: copied in place
+    std::fill(m_lanes.rootSum.begin(), m_lanes.rootSum.end(), 0.0);
+}
+
+void Run::tally(double root, std::size_t first, std::size_t count, const CutWidth& width,
+                const Place* places) {
+    StageSums& sums = m_result.sumsByStage[m_openStage];
+    const double length = m_lengthBefore[first + count] - m_lengthBefore[first];
+    sums.length_mm += length;
+    sums.revolutions += length / width.width_mm;
+    keepPeaks(sums, root, first, width, places);
+}
+
+// Both forces rise with a at one width, so the pass's largest √a carries all three peaks.
+void Run::keepPeaks(StageSums& sums, double root, std::size_t first, const CutWidth& width,
+                    const Place* places) {
+    const double depth = root * root;
     const double normal = m_law.normal(width.width_mm, root);
     const double power = m_law.tangential(width.width_mm, root) * m_wheelSpeed_m_s;
-    if (normal <= m_result.peakNormalForce_n && power <= m_result.peakPower_w) {
+    if (depth <= sums.depth_mm.value && normal <= sums.normalForce_n.value
+        && power <= sums.power_w.value) {
         return;
     }
-    const auto begin = m_lanes.root.begin()
-                       + static_cast<std::ptrdiff_t>(first * static_cast<std::size_t>(m_radii));
-    const auto found = std::find(
-        begin, begin + static_cast<std::ptrdiff_t>(count * static_cast<std::size_t>(m_radii)),
-        root);
-    const Place& place = places[(found - begin) / m_radii];
-    if (normal > m_result.peakNormalForce_n) {
-        m_result.peakNormalForce_n = normal;
-        m_result.peakNormalForceAt = place;
-    }
-    if (power > m_result.peakPower_w) {
-        m_result.peakPower_w = power;
-        m_result.peakPowerAt = place;
-    }
+    const auto K = static_cast<std::ptrdiff_t>(m_radii);
+    const auto begin = m_lanes.root.begin() + static_cast<std::ptrdiff_t>(first) * K;
+    const Place& place = places[(std::find(begin, m_lanes.root.end(), root) - begin) / K];
+    const auto keep = [&place](Peak& peak, double value) {
+        if (value > peak.value) {
+            peak = {value, place};
+        }
+    };
+    keep(sums.depth_mm, depth);
+    keep(sums.normalForce_n, normal);
+    keep(sums.power_w, power);
 }
 
 void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
@@ -113,7 +156,7 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
         const double u = m_lanes.root[lane];
         Visit visit;
         visit.time_s = m_result.time_s + info.duration_s * (stroke ? 1.0 : share);
-        visit.programmed_mm = feed.base + std::min(feed.offset + feed.rate * share, feed.cap);
+        visit.programmed_mm = feed.at(share);
         visit.actual_mm = u * u;
         visit.accumulated_mm =
             m_lanes.depth_mm[lane] - m_blank.depth_mm[static_cast<std::size_t>(k)];
@@ -173,8 +216,23 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     return section;
 }
 
+void Run::keepLargestPeaks() {
+    for (const StageSums& sums : m_result.sumsByStage) {
+        if (sums.normalForce_n.value > m_result.peakNormalForce_n) {
+            m_result.peakNormalForce_n = sums.normalForce_n.value;
+            m_result.peakNormalForceAt = sums.normalForce_n.at;
+        }
+        if (sums.power_w.value > m_result.peakPower_w) {
+            m_result.peakPower_w = sums.power_w.value;
+            m_result.peakPowerAt = sums.power_w.at;
+        }
+    }
+}
+
 SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint,
                              std::size_t reported, const std::vector<Zone>& zones) {
+    closeStage();
+    keepLargestPeaks();
     m_result.countsByStage = control.stepsByStage();
     for (const int count : m_result.countsByStage) {
         m_result.cycleCount += count;

@@ -67,8 +67,13 @@ public:
     double fed_mm = 0; ///< t_П
 
 private:
-    void keepPeak(double root, std::size_t first, std::size_t count, const CutWidth& width,
-                  const Place* places);
+    void openStage(std::size_t stage);
+    void closeStage();
+    void keepLargestPeaks();
+    void tally(double root, std::size_t first, std::size_t count, const CutWidth& width,
+               const Place* places);
+    void keepPeaks(StageSums& sums, double root, std::size_t first, const CutWidth& width,
+                   const Place* places);
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
     [[nodiscard]] double radiusAt(double depth_mm) const;
@@ -84,6 +89,9 @@ private:
     Trajectory* m_trajectory;
     std::stop_token m_stop;
     SimulationResult m_result;
+    std::size_t m_openStage = 0;        ///< whose sums are being gathered
+    std::vector<double> m_openDepth_mm; ///< of each lane when that stage began
+    std::vector<double> m_lengthBefore; ///< Σℓ of the points before each, and of all
     double m_largestRoot = 0;
     double m_wheelSpeed_m_s;
 };

@@ -2,6 +2,7 @@
 // The command line as a user meets it: the real program, its exit status and what it prints.
 #include "core/project/safe_file.h"
 #include "core/quality/constraints.h"
+#include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 #include "tests/core/project_samples.h"
@@ -11,6 +12,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -274,6 +276,7 @@ private slots:
         }
         QCOMPARE(answer.at(traverse ? "zones" : "sections").size(), result.sections.size());
         checkConstraints(answer.at("constraints"), worstByKind(evaluateConstraints(result)));
+        checkShop(answer.at("shop"), shopNumbers(result));
     }
 
     void textNamesTheRequirements() {
@@ -286,6 +289,35 @@ private slots:
                                  "diameter_max", "radial_runout", "rz1", "nz", "rz2"}) {
             QVERIFY2(outcome.out.find(word) != std::string::npos, word);
         }
+    }
+
+    void textListsTheShopsNumbersStageByStage() {
+        const std::string out = run({"simulate", samplePath("complete")}).out;
+        const ShopNumbers shop = shopNumbers(simulate(projectOf(samplePath("complete"))));
+        const auto head = row(out, "shop's numbers");
+        QCOMPARE(head.size(), 2 * shop.stages.size() + 1); // "stage 1 stage 2 … cycle"
+        QCOMPARE(head.back(), std::string("cycle"));
+        const auto energies = row(out, "  energy, J/mm³");
+        QCOMPARE(energies.size(), shop.stages.size() + 1);
+        for (std::size_t z = 0; z < shop.stages.size(); ++z) {
+            const double shown = std::stod(energies[z]);
+            QVERIFY(std::abs(shown / *shop.stages[z].energy_j_mm3 - 1) < 1e-3); // four digits
+        }
+        QVERIFY(!row(out, "  overlap B/s_ax").empty());
+        QVERIFY(row(run({"simulate", samplePath("smallest-plunge")}).out, "  overlap").empty());
+    }
+
+    void textMarksWhatLiesOutsideItsBand() {
+        json file = samples::sample("complete");
+        QCOMPARE(run({"simulate", samplePath("complete")}).out.find("(<)"), std::string::npos);
+        file["wheel"]["dullness"] = 0; // the shear alone: 5.6 J/mm³
+        file["wheel"]["diameter_mm"] = 500;
+        file["machine"]["work_speed_rpm"] = 150;
+        file["machine"]["wheel_speed_m_s"] = 31.416; // 1200 rev/min, 8 : 1
+        const std::string out = run({"simulate", save("sharp.sparkout", file.dump())}).out;
+        QVERIFY(out.find("(<)5.600") != std::string::npos);
+        QVERIFY(out.find("20…120 J/mm³") != std::string::npos);
+        QVERIFY(out.find("8.000 wheel : work, near a whole number: WAVINESS") != std::string::npos);
     }
 
     void traceHoldsEveryVisit_data() { runnableRows(); }
@@ -566,6 +598,57 @@ private:
             QCOMPARE(answer[i].at("relative_margin").get<double>(), expected[i].relativeMargin);
             QVERIFY(answer[i].at("ok") == expected[i].holds);
             QVERIFY(!answer[i].at("where").get<std::string>().empty());
+        }
+    }
+
+    /// The words of the line that begins so, after that beginning; empty without such a line.
+    static std::vector<std::string> row(const std::string& text, const std::string& beginning) {
+        for (const std::string& line : split(text, '\n')) {
+            if (line.starts_with(beginning)) {
+                std::istringstream words(line.substr(beginning.size()));
+                return {std::istream_iterator<std::string>(words), {}};
+            }
+        }
+        return {};
+    }
+
+    static void checkShop(const json& answer, const ShopNumbers& expected) {
+        QCOMPARE(answer.at("stages").size(), expected.stages.size());
+        for (std::size_t z = 0; z < expected.stages.size(); ++z) {
+            checkColumn(answer.at("stages")[z], expected.stages[z]);
+        }
+        checkColumn(answer.at("cycle"), expected.cycle);
+        QCOMPARE(answer.at("wheel_speed_rpm").get<double>(), expected.wheelSpeed_rpm);
+        QCOMPARE(answer.at("rotation_ratio").get<double>(), expected.rotationRatio);
+        QVERIFY(answer.at("rotation_ratio_near_integer") == expected.ratioNearInteger());
+    }
+
+    static void checkColumn(const json& answer, const ShopColumn& expected) {
+        const std::pair<const char*, double> numbers[] = {
+            {"largest_depth_um", expected.depth_mm.value * 1000},
+            {"removal_rate_mm3_mm_s", expected.removalRate_mm2_s},
+            {"mean_removal_rate_mm3_mm_s", expected.meanRemovalRate_mm2_s},
+            {"equivalent_chip_um", expected.equivalentChip_um},
+            {"aggressiveness", expected.aggressiveness},
+            {"removed_volume_mm3", expected.removedVolume_mm3},
+            {"energy_j", expected.energy_j},
+            {"grinding_time_min", expected.grindingTime_s / 60},
+            {"peak_power_w", expected.power_w.value},
+            {"mean_power_w", expected.meanPower_w},
+            {"peak_normal_force_n", expected.normalForce_n.value}};
+        for (const auto& [key, value] : numbers) {
+            QCOMPARE(answer.at(key).get<double>(), value);
+        }
+        QVERIFY(answer.at("overlap_ratio")
+                == (expected.overlap ? json(*expected.overlap) : json(nullptr)));
+        QVERIFY(answer.at("specific_energy_j_mm3")
+                == (expected.energy_j_mm3 ? json(*expected.energy_j_mm3) : json(nullptr)));
+        QVERIFY(answer.at("specific_energy_plausible")
+                == (expected.energy_j_mm3 ? json(expected.specificEnergyBand() == BandSide::inside)
+                                          : json(nullptr)));
+        for (const char* key :
+             {"largest_depth_where", "peak_power_where", "peak_normal_force_where"}) {
+            QCOMPARE(answer.at(key).is_null(), expected.depth_mm.value == 0);
         }
     }
 

@@ -163,14 +163,24 @@ inline std::vector<double> blankDepths(const Project& project) {
     return makeBlank(project.part).depth_mm;
 }
 
+inline bool sameBits(const StageSums& a, const StageSums& b) {
+    return a.length_mm == b.length_mm && a.revolutions == b.revolutions
+           && a.removed_mm2 == b.removed_mm2 && a.rootLength_mm15 == b.rootLength_mm15
+           && a.depth_mm.value == b.depth_mm.value && a.normalForce_n.value == b.normalForce_n.value
+           && a.power_w.value == b.power_w.value;
+}
+
 /// Whether two runs came out the same to the last bit.
 inline bool sameBits(const SimulationResult& a, const SimulationResult& b) {
-    bool same = a.status == b.status && a.time_s == b.time_s && a.cycleCount == b.cycleCount
-                && a.countsByStage == b.countsByStage && a.timeByStage_s == b.timeByStage_s
-                && a.gaugeReading_mm == b.gaugeReading_mm
-                && a.remainingStock_mm == b.remainingStock_mm
-                && a.peakNormalForce_n == b.peakNormalForce_n && a.peakPower_w == b.peakPower_w
-                && a.visits == b.visits && a.sections.size() == b.sections.size();
+    bool same =
+        a.status == b.status && a.time_s == b.time_s && a.cycleCount == b.cycleCount
+        && a.countsByStage == b.countsByStage && a.timeByStage_s == b.timeByStage_s
+        && a.gaugeReading_mm == b.gaugeReading_mm && a.remainingStock_mm == b.remainingStock_mm
+        && a.peakNormalForce_n == b.peakNormalForce_n && a.peakPower_w == b.peakPower_w
+        && a.visits == b.visits && a.sections.size() == b.sections.size()
+        && std::equal(a.sumsByStage.begin(), a.sumsByStage.end(), b.sumsByStage.begin(),
+                      b.sumsByStage.end(),
+                      [](const StageSums& x, const StageSums& y) { return sameBits(x, y); });
     for (std::size_t i = 0; same && i < a.sections.size(); ++i) {
         same = a.sections[i].radii_mm == b.sections[i].radii_mm
                && a.sections[i].radialRunout_mm == b.sections[i].radialRunout_mm

@@ -62,6 +62,13 @@ struct Body {
     Real gamma = 0;           // γ [mm/N]
     std::vector<Real> radius; // R_k [mm]
     bool reported = true;     // false: the extra section of a gauge in a free position
+    Real length = 0;          // of the surface it stands for [mm]
+};
+
+// What a stage adds up to; energy in N·m, time in min.
+struct Sums {
+    Real volume = 0, energy = 0, time = 0, ground = 0;
+    Real a = 0, P_y = 0, P_z = 0; // the largest
 };
 
 struct Cycle {
@@ -94,6 +101,7 @@ struct Cycle {
     long long visits = 0;
     Real peak_P_y = 0, peak_P_z = 0; // [N]
     Real time = 0;                   // [min]
+    std::vector<Sums> sums;          // stage by stage
 };
 
 void readForceLaw(Cycle& c, const json& project) {
@@ -232,6 +240,9 @@ void placeBodies(Cycle& c, const json& project, const std::vector<Real>& radius)
         for (const char* zone : {"rz1", "nz", "rz2"}) {
             c.bodies.push_back({number(compliance, zone), radius, true});
         }
+        c.bodies[0].length = c.B - c.o1;
+        c.bodies[2].length = c.B - c.o2;
+        c.bodies[1].length = c.length - c.bodies[0].length - c.bodies[2].length;
         c.gauge = 1;
         return;
     }
@@ -239,7 +250,7 @@ void placeBodies(Cycle& c, const json& project, const std::vector<Real>& radius)
     std::vector<Real> gamma;
     for (int j = 0; j < J; ++j) {
         gamma.push_back(compliance.at(j).get<double>());
-        c.bodies.push_back({gamma.back(), radius, true});
+        c.bodies.push_back({gamma.back(), radius, true, c.length / J});
     }
     c.gauge = integer(gauge, "section", J / 2);
     if (given(gauge, "position_mm")) {
@@ -265,6 +276,18 @@ Cycle readCycle(const json& project) {
 
 // ---------------------------------------------------------------- cutting
 
+// The wheel advances by b along the body in each revolution and stays K-th of one on each radius.
+void addToStage(Sums& sums, const Cycle& c, const Body& body, Real b, Real a, Real P_y, Real P_z) {
+    const Real minutes = body.length / b / c.n / c.K;
+    sums.volume += pi * c.d / c.K * a * body.length;
+    sums.energy += P_z * c.V_k * minutes * 60; // N · m/s · s
+    sums.time += minutes;
+    sums.ground += body.length / c.K;
+    sums.a = std::max(sums.a, a);
+    sums.P_y = std::max(sums.P_y, P_y);
+    sums.P_z = std::max(sums.P_z, P_z);
+}
+
 // One radius passes under the wheel, which has been fed to t.
 void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     ++c.visits;
@@ -274,8 +297,11 @@ void visit(Cycle& c, Body& body, int k, Real b, Real t) {
     R = c.internal ? R + a : R - a;
     c.largest_removal = std::max(c.largest_removal, a);
     if (body.reported) {
-        c.peak_P_y = std::max(c.peak_P_y, b * (c.k_s * a + c.k_r * std::sqrt(a)));
-        c.peak_P_z = std::max(c.peak_P_z, b * (c.z_s * a + c.z_r * std::sqrt(a)));
+        const Real P_y = b * (c.k_s * a + c.k_r * std::sqrt(a));
+        const Real P_z = b * (c.z_s * a + c.z_r * std::sqrt(a));
+        c.peak_P_y = std::max(c.peak_P_y, P_y);
+        c.peak_P_z = std::max(c.peak_P_z, P_z);
+        addToStage(c.sums[c.z], c, body, b, a, P_y, P_z);
     }
 }
 
@@ -467,6 +493,18 @@ Place measured(const Cycle& c, const Body& body) {
     return place;
 }
 
+StageSums inDoubles(const Sums& sums, Real V_k) {
+    StageSums stage;
+    stage.volume_mm3 = static_cast<double>(sums.volume);
+    stage.energy_j = static_cast<double>(sums.energy);
+    stage.grinding_min = static_cast<double>(sums.time);
+    stage.ground_mm = static_cast<double>(sums.ground);
+    stage.largest_depth_mm = static_cast<double>(sums.a);
+    stage.peak_normal_force_n = static_cast<double>(sums.P_y);
+    stage.peak_power_w = static_cast<double>(sums.P_z * V_k);
+    return stage;
+}
+
 } // namespace
 
 long double depthOfCut(long double h, long double gamma, long double b, long double k_s,
@@ -495,7 +533,11 @@ Result simulate(const json& project) {
     Cycle c = readCycle(project);
     Result result;
     result.passes_by_stage.assign(c.stages.size(), 0);
+    c.sums.resize(c.stages.size());
     run(c, result);
+    for (const Sums& sums : c.sums) {
+        result.stages.push_back(inDoubles(sums, c.V_k));
+    }
     result.time_min = static_cast<double>(c.time);
     result.peak_normal_force_n = static_cast<double>(c.peak_P_y);
     result.peak_power_w = static_cast<double>(c.peak_P_z * c.V_k); // N · m/s

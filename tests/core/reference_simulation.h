@@ -20,11 +20,24 @@ struct Place {
     double radial_runout_um = 0; ///< R_max − R_min plus the machine's geometric runout [µm]
 };
 
+/// What the passes of one stage of the cycle come to, added up visit by visit: each visit lasts its
+/// share 1/K of the revolutions its pass takes.
+struct StageSums {
+    double volume_mm3 = 0; ///< Σ of (π·d/K)·a·(length of the zone, or of the section's slice)
+    double energy_j = 0;   ///< Σ of P_z·V_k·(time of the visit)
+    double grinding_min = 0;     ///< Σ of the times of the visits; J sections share a revolution
+    double ground_mm = 0;        ///< Σ of the lengths of the passes
+    double largest_depth_mm = 0; ///< largest a
+    double peak_normal_force_n = 0; ///< largest P_y
+    double peak_power_w = 0;        ///< largest P_z·V_k
+};
+
 struct Result {
     std::string status;   ///< "completed", "cannot_reach_size" or "too_long"
     long long passes = 0; ///< double strokes (traverse) or revolutions (plunge) [–]
     std::vector<long long> passes_by_stage; ///< the same, stage by stage [–]
     double time_min = 0;                    ///< cycle time [min]
+    std::vector<StageSums> stages;          ///< one a stage of the cycle
     std::vector<Place> places; ///< traverse: РЗ1, НЗ, РЗ2; plunge: the sections from the headstock
     double peak_normal_force_n = 0; ///< largest P_y of a reported place [N]
     double peak_power_w = 0;        ///< largest P_z·V_k of a reported place [W]

@@ -49,12 +49,13 @@ struct RandomPass {
             lanes.depth_mm[i] = uniform(0, 1) < 0.25 ? uniform(0, 2) : below;
             lanes.peakForce_n[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 4);
             lanes.root[i] = -1;
+            lanes.rootSum[i] = uniform(0, 1) < 0.5 ? 0 : decades(-3, 2);
         }
     }
     /// h as the kernel's page defines it.
     [[nodiscard]] double gap(std::size_t lane) const {
-        const double ramp = feed.offset + feed.rate * lanes.share[lane];
-        return feed.base + std::min(ramp, feed.cap) - lanes.depth_mm[lane];
+        const double ramp = feed.base + feed.offset + feed.rate * lanes.share[lane];
+        return std::min(ramp, feed.base + feed.cap) - lanes.depth_mm[lane];
     }
 };
 
@@ -101,6 +102,7 @@ private slots:
                     QVERIFY(std::memcmp(&a, &b, sizeof a) == 0);
                     QVERIFY(sameBits(wide.lanes.depth_mm, narrow.lanes.depth_mm));
                     QVERIFY(sameBits(wide.lanes.root, narrow.lanes.root));
+                    QVERIFY(sameBits(wide.lanes.rootSum, narrow.lanes.rootSum));
                     QVERIFY(sameBits(wide.lanes.peakForce_n, narrow.lanes.peakForce_n));
                     wide.feed.base = narrow.feed.base = wide.feed.base * 1.01;
                 }
@@ -172,6 +174,7 @@ private slots:
                 passFunction(unit)(pass.lanes, pass.coefficients, pass.feed, pass.range);
             QCOMPARE(largest, 0.0);
             QVERIFY(sameBits(before.depth_mm, pass.lanes.depth_mm));
+            QVERIFY(sameBits(before.rootSum, pass.lanes.rootSum));
             QVERIFY(sameBits(before.peakForce_n, pass.lanes.peakForce_n));
             for (std::size_t i = 1; i < 1 + pass.range.count; ++i) {
                 QVERIFY(pass.lanes.root[i] == 0.0);
@@ -194,13 +197,14 @@ private slots:
                 if (i < pass.range.first || i >= pass.range.first + count) {
                     QCOMPARE(pass.lanes.depth_mm[i], before.depth_mm[i]);
                     QCOMPARE(pass.lanes.root[i], before.root[i]);
+                    QCOMPARE(pass.lanes.rootSum[i], before.rootSum[i]);
                     QCOMPARE(pass.lanes.peakForce_n[i], before.peakForce_n[i]);
                 }
             }
         }
     }
 
-    void peakIsTheLargestForceSoFarAndTheAnswerTheLargestRoot() {
+    void rootsAddUpAndThePeakIsTheLargestForceSoFar() {
         std::mt19937_64 engine(5);
         for (int round = 0; round < 2000; ++round) {
             RandomPass pass(engine, 0, 1 + static_cast<std::size_t>(round) % 40, 0);
@@ -211,6 +215,7 @@ private slots:
             for (std::size_t i = 0; i < pass.range.count; ++i) {
                 const double u = pass.lanes.root[i];
                 expected = std::max(expected, u);
+                QCOMPARE(pass.lanes.rootSum[i], before.rootSum[i] + u);
                 const double force = pass.range.bks * u * u + pass.range.bkr * u;
                 // three roundings of two positive terms
                 QVERIFY(fixtures::close(pass.lanes.peakForce_n[i],

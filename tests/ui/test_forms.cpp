@@ -46,6 +46,13 @@ void changeByHand(QWidget* widget) {
         QTest::keyClick(choice, last ? Qt::Key_Up : Qt::Key_Down);
     } else if (auto* tick = qobject_cast<QCheckBox*>(widget)) {
         QTest::keyClick(tick, Qt::Key_Space);
+    } else if (const auto numbers = widget->findChildren<NumberField*>(); numbers.size() == 3) {
+        for (qsizetype i = 0; i < 3; ++i) { // lowest, highest, step
+            numbers[i]->setFocus();
+            numbers[i]->selectAll();
+            QTest::keyClicks(numbers[i], QStringList{u"1"_qs, u"5"_qs, u"0.5"_qs}[i]);
+            QTest::keyClick(numbers[i], Qt::Key_Return);
+        }
     } else {
         QFAIL("no way to edit this widget");
     }
@@ -110,6 +117,41 @@ private slots:
         QCOMPARE(document.project().title, std::string("My Shaft"));
         document.undo();
         QCOMPARE(title->text(), QStringLiteral("Shaft"));
+    }
+
+    void aMachineRangeIsTakenWhenAllThreeNumbersMakeOne() {
+        Document document;
+        InputsPanel panel(document);
+        panel.show();
+        panel.showPage(3);
+        document.startUntitled(newProject(Operation::traverse));
+        const auto* body =
+            panel.findChild<QWidget*>(QStringLiteral("/machine/limits/radial_feed_mm"));
+        QVERIFY(body);
+        const auto numbers = body->findChildren<NumberField*>();
+        QCOMPARE(numbers.size(), 3);
+        const auto type = [&numbers](qsizetype i, const char* text) {
+            numbers[i]->setFocus();
+            numbers[i]->selectAll();
+            QTest::keyClicks(numbers[i], QString::fromLatin1(text));
+            QTest::keyClick(numbers[i], Qt::Key_Return);
+        };
+        const auto& range = document.project().machine.limits.radial_feed_mm;
+        type(0, "0.05");
+        QVERIFY(!range);
+        QCOMPARE(panel.refusals().size(), 1u);
+        type(1, "0.01");
+        type(2, "0.0005");
+        QVERIFY2(!range, "the lowest is above the highest");
+        type(0, "0.001");
+        QCOMPARE(range.value(), (std::vector<double>{0.001, 0.01, 0.0005}));
+        QVERIFY(panel.refusals().empty());
+        type(1, "x");
+        QCOMPARE(numbers[1]->text(), QStringLiteral("x"));
+        QCOMPARE(range.value()[1], 0.01);
+        QCOMPARE(panel.refusals().size(), 1u);
+        QVERIFY(panel.dropNewestRefusal());
+        QCOMPARE(numbers[1]->text(), QStringLiteral("0.01"));
     }
 
     void rowsOfTheOtherOperationAreHidden() {

@@ -2,6 +2,7 @@
 #include "ui/session/number_text.h"
 
 #include "core/project/validate.h"
+#include "ui/session/texts.h"
 
 #include <QTest>
 
@@ -39,6 +40,38 @@ private slots:
                 QCOMPARE(parseNumber(showNumber(value, locale)).value(), value);
             }
         }
+    }
+
+    void smallNumbersAreShownInPlainDecimals_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        const auto row = [](double value, const char* text) {
+            QTest::newRow(text) << value << QString::fromLatin1(text);
+        };
+        row(0, "0");
+        row(1e-4, "0.0001");
+        row(1e-7, "0.0000001");
+        row(-1.25e-5, "-0.0000125");
+        row(1.5e-8, "1.5e-8");
+        row(1e-15, "1e-15");
+        row(1e5, "100000");
+        row(50'000'000, "50000000");
+        row(1e20, "1e20");
+        row(0.1, "0.1");
+    }
+    void smallNumbersAreShownInPlainDecimals() {
+        QFETCH(double, value);
+        QFETCH(QString, text);
+        QCOMPARE(showNumber(value, locales[0]), text);
+        QCOMPARE(showNumber(value, locales[1]), QString(text).replace(u'.', u','));
+    }
+
+    void messagesShowPlainDecimalsToo() {
+        QLocale::setDefault(locales[0]);
+        const Issue issue{
+            IssueCode::unusual, Severity::warning, {}, "2e-07 mm/N", "1e-06…0.001 mm/N"};
+        QCOMPARE(issueText(issue),
+                 QStringLiteral("0.0000002 mm/N is unusual; usual: 0.000001…0.001 mm/N"));
     }
 
     void whatPeopleTypeIsRead_data() {

@@ -3,10 +3,14 @@
 // busy machine does not turn it red.
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/stage_table.h"
+#include "ui/inputs/value_slider.h"
 #include "ui/main_window.h"
+#include "ui/session/operation.h"
 #include "ui/views/feeds_view.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -64,6 +68,72 @@ private slots:
             "SPEED key to curves of the 30h6 example: median %.1f ms, worst %.1f ms, target %g ms",
             times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
         QVERIFY(times_ms[times_ms.size() / 2] <= 4 * target_ms);
+    }
+
+    // Each step of a drag is shown before the next comes: the worst a hand can do.
+    void aStepOfASliderReachesTheCurvesInUnderFiftyMilliseconds() {
+        constexpr double target_ms = 50;
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.resize(1366, 768);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        auto* view = window.findChild<FeedsView*>();
+        QSignalSpy drawn(view, &FeedsView::updated);
+        QVERIFY(window.document()
+                    .open(QStringLiteral(SPARKOUT_SOURCE_DIR
+                                         "/resources/examples/shaft-30h6-factory.sparkout"))
+                    .opened());
+        QTRY_VERIFY(!drawn.isEmpty());
+        auto* slider = window.findChild<ValueSlider*>(QStringLiteral("radial_feed_mm/slider"));
+        QVERIFY(slider && slider->isVisible());
+        QTest::mousePress(slider, Qt::LeftButton, {}, slider->handle());
+        std::vector<double> times_ms;
+        for (int step = 0; step < 40; ++step) {
+            QTest::qWait(20); // whatever the last one left to do
+            drawn.clear();
+            QElapsedTimer clock;
+            clock.start();
+            QTest::mouseMove(slider, QPoint(step % 2 == 0 ? 50 : 60, slider->height() / 2));
+            while (drawn.isEmpty() && clock.elapsed() < 5000) {
+                QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+            }
+            QVERIFY2(!drawn.isEmpty(), "the curves follow each step");
+            times_ms.push_back(double(clock.nsecsElapsed()) * 1e-6);
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, slider->handle());
+        std::sort(times_ms.begin(), times_ms.end());
+        qInfo("SPEED slider to curves of the 30h6 example: median %.1f ms, worst %.1f ms, target "
+              "%g ms",
+              times_ms[times_ms.size() / 2], times_ms.back(), target_ms);
+        QVERIFY(times_ms[times_ms.size() / 2] <= 4 * target_ms);
+    }
+
+    void manyMovesAtOnceEndWithTheNewestValueOnTheScreen() {
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.resize(1366, 768);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        window.document().startUntitled(newProject(Operation::traverse));
+        QSignalSpy shown(&window, &MainWindow::outcomeShown);
+        QTRY_VERIFY(!shown.isEmpty());
+        auto* slider = window.findChild<ValueSlider*>(QStringLiteral("radial_feed_mm/slider"));
+        QTest::mousePress(slider, Qt::LeftButton, {}, slider->handle());
+        for (int x = 20; x < 100; ++x) { // no time for the window in between
+            QMouseEvent move(QEvent::MouseMove, QPointF(x, 7), slider->mapToGlobal(QPointF(x, 7)),
+                             Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(slider, &move);
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, slider->handle());
+        const double last = slider->value().value();
+        QTRY_COMPARE(window.outcome()->result.project.cycle.stages[0].radial_feed_mm.value(), last);
+        window.document().undo();
+        QVERIFY(!window.document().canUndo());
     }
 };
 

@@ -3,11 +3,16 @@
 #include "ui/inputs/stage_model.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/session/operation.h"
+#include "ui/session/run_controller.h"
 
 #include "core/project/validate.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QScrollBar>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -46,6 +51,31 @@ struct Bench {
     Document document;
     StageTable table;
 };
+
+QStringList words(std::initializer_list<const char*> texts) {
+    QStringList list;
+    for (const char* text : texts) {
+        list += QString::fromUtf8(text);
+    }
+    return list;
+}
+
+QStringList heads(const QTableView& view) {
+    QStringList list;
+    for (int column = 0; column < view.model()->columnCount(); ++column) {
+        list += view.model()->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    }
+    return list;
+}
+
+/// Opens the spark-out of the last stage; its choice of what to do.
+QComboBox* sparkOutEditor(Bench& bench) {
+    const int row = int(bench.stages().size()) - 1;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // an editor closed before
+    bench.select(row, bench.table.view().model()->columnCount() - 2);
+    QTest::keyClick(&bench.table.view(), Qt::Key_F2);
+    return bench.table.view().findChild<QComboBox*>();
+}
 
 } // namespace
 
@@ -211,13 +241,168 @@ private slots:
 
     void aPlungeCycleShowsItsOwnColumns() {
         Bench bench(Operation::plunge);
-        QCOMPARE(bench.table.view().model()->columnCount(), 3);
+        QCOMPARE(heads(bench.table.view()),
+                 words({"Radial feed, mm/min", "Stock per side, mm", "Spark-out", "Time, s"}));
         bench.select(0, 0);
         auto* editor = bench.openEditor();
         QVERIFY(editor);
         editor->selectAll();
         QTest::keyClicks(editor, QStringLiteral("0.8"));
         QCOMPARE(bench.stages()[0].radial_feed_mm_min.value(), 0.8);
+    }
+
+    void aTraverseCycleShowsItsOwnColumnsWithTheStockPerSide() {
+        Bench bench;
+        QCOMPARE(heads(bench.table.view()), words({"Radial feed, mm", "Axial feed, mm/min",
+                                                   "Stock per side, mm", "Spark-out", "Time, s"}));
+    }
+
+    void aRefusedCountOfASparkOutStaysInTheCellAsLongAsThereIsSomethingToCount() {
+        Bench bench;
+        auto* mode = sparkOutEditor(bench);
+        QVERIFY(mode);
+        QTest::keyClick(mode, Qt::Key_Down);
+        auto* count = bench.table.view().findChild<NumberField*>();
+        QVERIFY(count && count->isVisible());
+        const int good = bench.stages()[1].spark_out.count;
+        count->setFocus();
+        count->selectAll();
+        QTest::keyClicks(count, QStringLiteral("2.5"));
+        bench.select(0, 0); // closes the editor
+        const QModelIndex cell = bench.table.view().model()->index(1, 3);
+        QCOMPARE(cell.data().toString(), QStringLiteral("2.5"));
+        QVERIFY(!cell.data(Qt::DecorationRole).isNull());
+        QCOMPARE(bench.table.refusals().size(), 1u);
+        QCOMPARE(bench.table.refusals().front().path, std::string("/cycle/stages/1/spark_out"));
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QVERIFY(bench.stages()[1].spark_out.count == 2
+                || bench.stages()[1].spark_out.count == good);
+
+        mode = sparkOutEditor(bench); // opened again it shows what was refused
+        count = bench.table.view().findChild<NumberField*>();
+        QCOMPARE(count->text(), QStringLiteral("2.5"));
+        QTest::keyClick(mode, Qt::Key_Down); // until size: nothing to count
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::untilSize);
+        QVERIFY(bench.table.refusals().empty());
+        QTest::keyClick(mode, Qt::Key_Up); // and to be counted again
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QCOMPARE(bench.table.refusals().size(), 1u);
+        QVERIFY(bench.table.dropRefusal("/cycle/stages/1/spark_out"));
+        QVERIFY(bench.table.refusals().empty());
+    }
+
+    void escapeTakesBackAnotherSparkOut() {
+        Bench bench;
+        auto* mode = sparkOutEditor(bench);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QTest::keyClick(mode, Qt::Key_Escape);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::none);
+    }
+
+    void aRefusedTextOfACellGivesWayToItsValue() {
+        Bench bench;
+        bench.select(0, 0);
+        auto* editor = bench.openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("much"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(bench.table.refusals().size(), 1u); // the editor closes by a later event
+        QVERIFY(!bench.table.dropRefusal("/cycle/stages/1/radial_feed_mm"));
+        QVERIFY(bench.table.dropRefusal("/cycle/stages/0/radial_feed_mm"));
+        QCOMPARE(bench.table.view().model()->index(0, 0).data().toString(),
+                 QStringLiteral("0.004"));
+    }
+
+    void copyPutsTheTableOnTheClipboardForASpreadsheet() {
+        Bench bench;
+        bench.table.setOutcome(runProject(bench.document.project(), {}));
+        QTest::keySequence(&bench.table.view(), QKeySequence::Copy);
+        const QStringList lines =
+            QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(lines[0].split(u'\t'), words({"Stage", "Radial feed, mm", "Axial feed, mm/min",
+                                               "Stock per side, mm", "Spark-out", "Time, s"}));
+        const QStringList first = lines[1].split(u'\t');
+        QCOMPARE(first.mid(0, 5), words({"1", "0.004", "1800", "0.11", ""}));
+        QVERIFY(first[5].toDouble() > 0);
+        QCOMPARE(lines[2].split(u'\t')[4], QStringLiteral("none"));
+    }
+
+    void theMenuKeyOffersTheSameCommands() {
+        Bench bench;
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, {5, 5},
+                                bench.table.view().mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(&bench.table.view(), &event);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        const auto actions = menu->actions();
+        actions.first()->trigger();
+        menu->close();
+        QCOMPARE(bench.stages().size(), 3u);
+        actions.constLast()->trigger();
+        QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Stage\t")));
+    }
+
+    void eachStageShowsItsShareOfTimeAndOfStock() {
+        Bench bench;
+        QAbstractItemModel& model = *bench.table.view().model();
+        const auto share = [&model](int row, int column) {
+            return model.index(row, column).data(StageModel::shareRole);
+        };
+        QVERIFY(!share(0, 2).isValid()); // nothing has run
+        const OutcomePtr outcome = runProject(bench.document.project(), {});
+        bench.table.setOutcome(outcome);
+        QVERIFY(std::abs(share(0, 2).toDouble() - 0.11 / 0.15) < 1e-12);
+        QVERIFY(std::abs(share(1, 2).toDouble() - 0.04 / 0.15) < 1e-12);
+        QVERIFY(std::abs(share(0, 4).toDouble() + share(1, 4).toDouble() - 1) < 1e-12);
+        QCOMPARE(share(1, 4).toDouble(), outcome->result.timeByStage_s[1] / outcome->result.time_s);
+        QCOMPARE(model.index(0, 4).data().toDouble(),
+                 QLocale().toString(outcome->result.timeByStage_s[0], 'g', 3).toDouble());
+        QVERIFY(!share(0, 0).isValid());
+        QVERIFY(!(model.flags(model.index(0, 4)) & Qt::ItemIsEditable));
+    }
+
+    // The first stage takes what the later ones leave of the part's stock, whatever it states.
+    void theStockOfTheFirstStageIsWhatTheOthersLeave() {
+        Bench bench;
+        Project project = bench.document.project();
+        project.cycle.stages[0].stock_mm = 0.05;
+        bench.document.startUntitled(project);
+        bench.table.setOutcome(runProject(project, {}));
+        QVERIFY(
+            std::abs(bench.table.view().model()->index(0, 2).data(StageModel::shareRole).toDouble()
+                     - 0.11 / 0.15)
+            < 1e-12);
+    }
+
+    void sharesOfTheLastGoodRunAreGreyWhileTheInputsAreFaulty() {
+        Bench bench;
+        QAbstractItemModel& model = *bench.table.view().model();
+        bench.table.setOutcome(runProject(bench.document.project(), {}));
+        const QVariant before = model.index(0, 4).data(StageModel::shareRole);
+        QVERIFY(!model.index(0, 4).data(StageModel::staleRole).toBool());
+        const QImage good = bench.table.view().grab().toImage();
+        Project faulty = bench.document.project();
+        faulty.part.radii_per_section = 35;
+        bench.table.setOutcome(runProject(faulty, {}));
+        QVERIFY(model.index(0, 4).data(StageModel::staleRole).toBool());
+        QCOMPARE(model.index(0, 4).data(StageModel::shareRole), before);
+        QVERIFY(bench.table.view().grab().toImage() != good);
+        bench.select(0, 0);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Insert); // other stages: nothing is known
+        QVERIFY(!model.index(0, 4).data(StageModel::shareRole).isValid());
+    }
+
+    void theWholeTableIsInSightWithoutScrolling() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            Bench bench(operation);
+            bench.table.setOutcome(runProject(bench.document.project(), {}));
+            QApplication::processEvents();
+            QTableView& view = bench.table.view();
+            QCOMPARE(view.horizontalScrollBar()->maximum(), 0);
+            QCOMPARE(view.verticalScrollBar()->maximum(), 0);
+        }
     }
 
     void aStageCanBeAddedBeforeASparkOut() {

@@ -2,6 +2,7 @@
 #include "ui/dialogs/about_dialog.h"
 
 #include "core/version.h"
+#include "ui/metrics.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -17,7 +18,7 @@ namespace sparkout {
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("About Sparkout"));
     auto* icon = new QLabel(this);
-    icon->setPixmap(QIcon(QStringLiteral(":/icons/sparkout.svg")).pixmap(64, 64));
+    icon->setPixmap(QIcon(QStringLiteral(":/icons/sparkout.svg")).pixmap(metrics::iconProgram, metrics::iconProgram));
     icon->setAlignment(Qt::AlignTop);
     icon->setAccessibleName(tr("Icon of the program"));
     const QStringList paragraphs{
@@ -39,7 +40,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* body = new QHBoxLayout;
-    body->setSpacing(16);
+    body->setSpacing(metrics::wide);
     body->addWidget(icon);
     body->addWidget(text, 1);
     auto* layout = new QVBoxLayout(this);

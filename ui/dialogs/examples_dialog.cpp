@@ -2,7 +2,9 @@
 #include "ui/dialogs/examples_dialog.h"
 
 #include "core/project/project_file.h"
+#include "ui/metrics.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -34,12 +36,12 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     : QDialog(parent), m_list(new QListWidget(this)), m_notes(new QLabel) {
     setWindowTitle(tr("Example gallery"));
     m_list->setAccessibleName(tr("Examples"));
-    m_list->setIconSize({28, 28});
-    m_list->setSpacing(2);
+    m_list->setIconSize({metrics::iconLarge, metrics::iconLarge});
+    m_list->setSpacing(metrics::hair);
     m_notes->setTextFormat(Qt::PlainText);
     m_notes->setWordWrap(true);
     m_notes->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_notes->setMargin(8);
+    m_notes->setMargin(metrics::margin);
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(m_notes);
     scroll->setWidgetResizable(true);
@@ -80,8 +82,7 @@ void ExamplesDialog::fill() {
                              choiceText(choice.label),
                              QString::fromStdString(read.project->notes)});
         const Entry& entry = m_entries.back();
-        new QListWidgetItem(QIcon(traverse ? QStringLiteral(":/icons/traverse.svg")
-                                           : QStringLiteral(":/icons/plunge.svg")),
+        new QListWidgetItem(themeIcon(traverse ? u"traverse" : u"plunge"),
                             tr("%1\n%2").arg(entry.title, entry.operation), m_list);
     }
     m_list->setCurrentRow(0);

@@ -20,17 +20,25 @@ QStringList FaultsDialog::lines(const Issues& issues) {
     QStringList list;
     for (const Issue& issue : issues) {
         const QString path = QString::fromStdString(issue.path);
-        list += path.isEmpty() ? issueText(issue) : tr("%1: %2").arg(path, issueText(issue));
+        const QString where = locationText(issue.path);
+        list += path.isEmpty() ? issueText(issue)
+                : where.isEmpty() || where == path.section(u'/', -1)
+                    ? tr("%1: %2").arg(path, issueText(issue))
+                    : tr("%1 (%2): %3").arg(where, path, issueText(issue));
     }
     return list;
 }
 
-FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent)
+FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent, File state)
     : QDialog(parent) {
-    setWindowTitle(tr("The file was not opened"));
-    auto* head = new QLabel(tr("“%1” is refused for these reasons. The project in the window is "
-                               "unchanged.")
-                                .arg(QFileInfo(file).fileName()),
+    const QString name = QFileInfo(file).fileName();
+    setWindowTitle(state == File::refused ? tr("The file was not opened")
+                                          : tr("Faults of the file"));
+    auto* head = new QLabel(state == File::refused
+                                ? tr("“%1” is refused for these reasons. The project in the window "
+                                     "is unchanged.")
+                                      .arg(name)
+                                : tr("“%1” is open, but these values are refused:").arg(name),
                             this);
     head->setTextFormat(Qt::PlainText);
     head->setWordWrap(true);

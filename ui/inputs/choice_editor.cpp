@@ -16,8 +16,6 @@ void StillComboBox::wheelEvent(QWheelEvent* event) {
 ChoiceEditor::ChoiceEditor(const std::string& path, const Field& field, Document& document,
                            QWidget* parent)
     : FieldEditor(path, field, document), m_box(new StillComboBox(parent)) {
-    m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_box->setMinimumContentsLength(8);
     connect(m_box, &QComboBox::activated, this, [this] {
         const int value = m_box->currentData().toInt();
         change([this, value](void* to) { this->field().setChoice(to, value); });

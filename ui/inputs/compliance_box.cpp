@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/compliance_box.h"
 
-#include "ui/inputs/form_row.h"
+#include "ui/inputs/form_metrics.h"
+#include "ui/inputs/hint_strip.h"
+#include "ui/inputs/hint_text.h"
 #include "ui/inputs/reason_label.h"
+#include "ui/inputs/value_slider.h"
+#include "ui/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 #include "ui/session/texts.h"
@@ -11,6 +15,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace sparkout {
 
@@ -40,18 +46,18 @@ double& valueAt(GivenCompliance& given, std::size_t index) {
 
 ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& document,
                              QWidget* parent)
-    : QGroupBox(parent)
+    : SectionBox(1, parent)
     , m_path(std::move(path))
     , m_field(field)
     , m_document(document)
     , m_computed(new QCheckBox(this))
     , m_reason(new ReasonLabel(this))
     , m_body(new QWidget(this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
-    layout->addWidget(m_computed);
-    layout->addWidget(m_body);
-    layout->addWidget(m_reason);
+    rows().setContentsMargins(inset(1), metrics::row, inset(1), metrics::tight);
+    rows().addWidget(m_computed);
+    rows().addWidget(m_body);
+    rows().addWidget(m_reason);
+    setHintField(*this, field);
     connect(m_computed, &QCheckBox::clicked, this, [this](bool computed) {
         m_document.edit(withGivenCompliance(m_document.project(), !computed),
                         {"Input", m_field.label});
@@ -64,8 +70,10 @@ void ComplianceBox::build(const std::vector<std::string>& keys) {
     m_body = new QWidget(this);
     m_grid = new QGridLayout(m_body);
     m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setColumnStretch(0, 1);
-    static_cast<QVBoxLayout*>(layout())->insertWidget(1, m_body);
+    m_grid->setHorizontalSpacing(metrics::gap);
+    m_grid->setVerticalSpacing(metrics::row);
+    m_grid->setColumnStretch(1, 1);
+    rows().insertWidget(1, m_body);
     for (const std::string& key : keys) {
         addLine(key);
     }
@@ -74,53 +82,79 @@ void ComplianceBox::build(const std::vector<std::string>& keys) {
 void ComplianceBox::addLine(const std::string& key) {
     NumberSpec spec = NumberSpec::of(m_field);
     spec.optional = false;
-    const Line line{key, new QLabel(m_body), new NumberField(spec, m_body), new QLabel(m_body),
+    const Line line{key,
+                    new QLabel(m_body),
+                    new NumberField(spec, m_body),
+                    new ValueSlider(m_body),
+                    new QLabel(m_body),
                     new ReasonLabel(m_body)};
-    const std::size_t index = m_lines.size();
-    const int row = m_grid->rowCount();
     line.label->setTextFormat(Qt::PlainText);
     line.label->setBuddy(line.field);
     line.unit->setTextFormat(Qt::PlainText);
-    line.unit->setMinimumWidth(44);
-    line.field->setFixedWidth(104);
+    line.unit->setFixedWidth(unitColumn);
+    line.field->setFixedWidth(metrics::field);
     line.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    line.field->setObjectName(QString::fromStdString(m_path + "/" + key));
-    m_grid->addWidget(line.label, row, 0);
-    m_grid->addWidget(line.field, row, 1);
-    m_grid->addWidget(line.unit, row, 2);
-    m_grid->addWidget(line.reason, row + 1, 0, 1, 3);
-    connect(line.field, &NumberField::valueEdited, this, [this, index] { store(index); });
-    connect(line.field, &NumberField::remarkChanged, this,
-            [this, index] { showReason(m_lines[index]); });
-    connect(line.field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
+    line.field->setObjectName(QString::fromStdString(pathOf(line)));
+    line.slider->setObjectName(line.field->objectName() + QStringLiteral("/slider"));
+    line.slider->setVisible(m_field.slider);
+    place(line);
     m_lines.push_back(line);
+    connectLine(m_lines.size() - 1);
     retranslate(line);
 }
 
-void ComplianceBox::store(std::size_t index) {
+void ComplianceBox::place(const Line& line) {
+    const int row = m_grid->rowCount();
+    m_grid->addWidget(line.label, row, 0);
+    m_grid->addWidget(line.slider, row, 1);
+    m_grid->addWidget(line.field, row, 2);
+    m_grid->addWidget(line.unit, row, 3);
+    m_grid->addWidget(line.reason, row + 1, 0, 1, 4);
+}
+
+void ComplianceBox::connectLine(std::size_t index) {
+    NumberField* const field = m_lines[index].field;
+    connect(field, &NumberField::valueEdited, this,
+            [this, index, field] { store(index, *field->value()); });
+    connect(field, &NumberField::remarkChanged, this, [this, index] {
+        showReason(m_lines[index]);
+        emit refusalsChanged();
+    });
+    connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
+    connect(m_lines[index].slider, &ValueSlider::valueEdited, this,
+            [this, index, field](double value) {
+                field->reset(value); // a refused text gives way
+                store(index, value);
+            });
+    connect(m_lines[index].slider, &ValueSlider::settled, this, [this] { m_document.endMerge(); });
+}
+
+void ComplianceBox::store(std::size_t index, double value) {
     Project project = m_document.project();
     auto& given = project.machine.compliance_mm_per_n;
     if (index < keysOf(given).size()) {
-        valueAt(given, index) = *m_lines[index].field->value();
+        valueAt(given, index) = value;
         m_document.edit(std::move(project), {"Input", m_field.label},
-                        QString::fromStdString(m_path + "/" + m_lines[index].key));
+                        QString::fromStdString(pathOf(m_lines[index])));
     }
 }
 
-void ComplianceBox::show(bool replaced) {
+void ComplianceBox::showProject(bool replaced) {
     const Project& project = m_document.project();
     GivenCompliance given = project.machine.compliance_mm_per_n;
     const auto keys = keysOf(given);
-    bool same = keys.size() == m_lines.size();
-    for (std::size_t i = 0; same && i < keys.size(); ++i) {
-        same = keys[i] == m_lines[i].key;
-    }
+    const bool same =
+        std::equal(keys.begin(), keys.end(), m_lines.begin(), m_lines.end(),
+                   [](const std::string& key, const Line& line) { return key == line.key; });
     if (!same) {
         build(keys);
     }
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
-        NumberField& field = *m_lines[i].field;
-        replaced ? field.reset(valueAt(given, i)) : field.setValue(valueAt(given, i));
+        const Line& line = m_lines[i];
+        const double value = valueAt(given, i);
+        replaced ? line.field->reset(value) : line.field->setValue(value);
+        line.slider->display(sliderSpec(project, pathOf(line), m_field), value,
+                             unitText(m_field.unit));
     }
     const bool computed = std::holds_alternative<std::monostate>(given);
     m_computed->setChecked(computed);
@@ -132,7 +166,7 @@ void ComplianceBox::setIssues(const Issues& issues) {
     m_issues = issues;
     m_reason->showRemark(remarkAt(issues, m_path));
     for (const Line& line : m_lines) {
-        line.field->setIssue(remarkFor(issues, m_path + "/" + line.key));
+        line.field->setIssue(remarkFor(issues, pathOf(line)));
     }
 }
 
@@ -144,11 +178,15 @@ void ComplianceBox::retranslate(const Line& line) {
     const bool section = !line.key.empty() && line.key.front() >= '0' && line.key.front() <= '9';
     const QString name =
         section ? tr("Section %1").arg(std::stoi(line.key)) : zoneText(line.key.c_str());
+    const QString hint = hintMarkup(m_field);
     line.label->setText(name);
     line.unit->setText(unitText(m_field.unit));
-    line.field->setToolTip(hintMarkup(m_field));
+    line.field->setToolTip(hint);
+    line.field->setHint(hintPlain(m_field));
     line.field->setAccessibleName(tr("Compliance of %1, %2").arg(name, unitText(m_field.unit)));
     line.field->retranslate();
+    line.slider->setToolTip(hint);
+    line.slider->setAccessibleName(tr("Compliance of %1, slider").arg(name));
 }
 
 void ComplianceBox::retranslate() {
@@ -163,14 +201,24 @@ void ComplianceBox::retranslate() {
     setIssues(m_issues);
 }
 
-QStringList ComplianceBox::refusals() const {
-    QStringList list;
+std::vector<Refusal> ComplianceBox::refusals() const {
+    std::vector<Refusal> list;
     for (const Line& line : m_lines) {
         if (line.field->refused()) {
-            list += line.field->refusal();
+            list.push_back({pathOf(line), line.field->refusal()});
         }
     }
     return list;
+}
+
+bool ComplianceBox::dropRefusal(const std::string& path) {
+    for (const Line& line : m_lines) {
+        if (path == pathOf(line) && line.field->refused()) {
+            line.field->reset(line.field->value());
+            return true;
+        }
+    }
+    return false;
 }
 
 bool ComplianceBox::focusPath(const std::string& path) {
@@ -178,7 +226,7 @@ bool ComplianceBox::focusPath(const std::string& path) {
         return false;
     }
     for (const Line& line : m_lines) {
-        if (path == m_path + "/" + line.key) {
+        if (path == pathOf(line)) {
             line.field->setFocus(Qt::OtherFocusReason);
             return true;
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/inputs/form_page.h"
 #include "ui/inputs/number_field.h"
-
-#include <QGroupBox>
+#include "ui/inputs/section_box.h"
 
 #include <string>
 #include <vector>
@@ -16,34 +16,44 @@ namespace sparkout {
 
 class Document;
 class ReasonLabel;
+class ValueSlider;
 
-/// The compliance: a field a zone (traverse) or a section (plunge), or a tick that leaves it to
-/// stiffness and shaft; what of these is not given yet gets usual values with the tick.
-class ComplianceBox : public QGroupBox {
+/// The compliance: a field with its slider a zone (traverse) or a section (plunge), or a tick that
+/// leaves it to stiffness and shaft; what of these is not given yet gets usual values with the
+/// tick.
+class ComplianceBox : public SectionBox {
     Q_OBJECT
 
 public:
     ComplianceBox(std::string path, const Field& field, Document& document,
                   QWidget* parent = nullptr);
 
-    void show(bool replaced);
+    void showProject(bool replaced);
     void setIssues(const Issues& issues);
     void retranslate();
-    [[nodiscard]] QStringList refusals() const;
+    [[nodiscard]] std::vector<Refusal> refusals() const;
+    bool dropRefusal(const std::string& path);
     bool focusPath(const std::string& path);
+
+signals:
+    void refusalsChanged();
 
 private:
     struct Line {
         std::string key; ///< last part of the path
         QLabel* label;
         NumberField* field;
+        ValueSlider* slider;
         QLabel* unit;
         ReasonLabel* reason;
     };
 
     void build(const std::vector<std::string>& keys);
     void addLine(const std::string& key);
-    void store(std::size_t index);
+    void place(const Line& line);
+    void connectLine(std::size_t index);
+    [[nodiscard]] std::string pathOf(const Line& line) const { return m_path + "/" + line.key; }
+    void store(std::size_t index, double value);
     void showReason(const Line& line);
     void retranslate(const Line& line);
 

@@ -4,7 +4,9 @@
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/number_editor.h"
 #include "ui/inputs/radii_editor.h"
+#include "ui/inputs/range_editor.h"
 #include "ui/inputs/text_editor.h"
+#include "ui/session/defaults.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
 #include "ui/session/operation.h"
@@ -28,13 +30,24 @@ void FieldEditor::change(const std::function<void(void*)>& set) {
     }
     set(member.owner);
     if (after.operation != before.operation) {
-        after = withOperation(before, after.operation);
+        after = withOperation(before, after.operation, m_document.lastWith(after.operation));
     } else if (after.sections != before.sections) {
         after = withSections(before, after.sections);
     } else if (after.part.surface != before.part.surface) {
         after = withComputable(std::move(after));
     }
     m_document.edit(std::move(after), {"Input", m_field.label}, QString::fromStdString(m_path));
+}
+
+bool FieldEditor::changedFromDefault() const {
+    return !isDefault(m_field, owner());
+}
+
+void FieldEditor::resetToDefault() {
+    m_document.endMerge();
+    change([this](void* to) { setDefault(m_field, to); });
+    m_document.endMerge();
+    dropRefusal();
 }
 
 const void* FieldEditor::owner() const {
@@ -59,6 +72,9 @@ std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& fi
     case Kind::optionalNumberList:
         if (path == "/part/radii_um") {
             return std::make_unique<RadiiEditor>(path, field, document, parent);
+        }
+        if (field.count == 3) {
+            return std::make_unique<RangeEditor>(path, field, document, parent);
         }
         return nullptr;
     default: return nullptr;

@@ -27,14 +27,19 @@ public:
     [[nodiscard]] const Field& field() const { return m_field; }
 
     [[nodiscard]] virtual QWidget* widget() const = 0;
+    [[nodiscard]] virtual QWidget* slider() const { return nullptr; } ///< below the widget
     virtual void show(bool replaced) = 0; ///< the document's value; replaced: drop refused texts
     virtual void retranslate() = 0;
     [[nodiscard]] virtual Remark remark() const { return m_issue; }
     [[nodiscard]] virtual QString refusal() const { return {}; } ///< of a text not taken
+    virtual void dropRefusal() {} ///< shows the document's value in its place
     virtual void setIssue(const Remark& issue);
     [[nodiscard]] virtual bool wide() const { return false; }  ///< takes the place of the unit too
     [[nodiscard]] virtual bool tall() const { return false; }  ///< stands below its label
     [[nodiscard]] virtual bool empty() const { return false; } ///< not given
+
+    [[nodiscard]] bool changedFromDefault() const;
+    void resetToDefault(); ///< a step of the history
 
 signals:
     void remarkChanged();

@@ -4,24 +4,29 @@
 #include "ui/inputs/compliance_box.h"
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/reason_label.h"
+#include "ui/inputs/section_box.h"
 #include "ui/inputs/stage_table.h"
+#include "ui/metrics.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
 
 #include <QGridLayout>
-#include <QGroupBox>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace sparkout {
 
 namespace {
 
-QGridLayout* newGrid(QVBoxLayout& into) {
+QGridLayout* newGrid(QVBoxLayout& into, int depth) {
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(3);
+    grid->setHorizontalSpacing(metrics::gap);
+    grid->setVerticalSpacing(metrics::row);
+    const int inset = SectionBox::inset(depth);
+    grid->setContentsMargins(inset, 0, inset, 0);
     into.addLayout(grid);
     return grid;
 }
@@ -32,13 +37,14 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent)
     : QScrollArea(parent), m_page(page), m_document(document) {
     auto* body = new QWidget(this);
     auto* layout = new QVBoxLayout(body);
-    layout->setContentsMargins(8, 8, 8, 8);
+    const int side = metrics::margin - SectionBox::inset(0);
+    layout->setContentsMargins(side, metrics::margin, side, metrics::margin);
     setWidget(body);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    addStruct(tableOf<Project>(), {}, *layout);
-    addProjectTexts(*layout);
+    addStruct(tableOf<Project>(), {}, {*layout, 0});
+    addProjectTexts({*layout, 0});
     layout->addStretch(1);
     connect(&document, &Document::replaced, this, [this] { m_replaced = true; });
     connect(&document, &Document::changed, this, [this] {
@@ -61,7 +67,7 @@ bool FormPage::shows(const StructInfo& table) const {
     return false;
 }
 
-void FormPage::addStruct(const StructInfo& table, const std::string& path, QVBoxLayout& into) {
+void FormPage::addStruct(const StructInfo& table, const std::string& path, Place into) {
     for (const Field& field : table.fields) {
         const std::string at = path + "/" + field.key;
         const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
@@ -80,10 +86,12 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, QVBox
     }
 }
 
-void FormPage::addRow(const Field& field, const std::string& path, QVBoxLayout& into) {
+void FormPage::addRow(const Field& field, const std::string& path, Place into) {
+    QWidget* const parent = into.rows.parentWidget();
     if (field.kind == Kind::compliance) {
-        m_compliance = new ComplianceBox(path, field, m_document, widget());
-        into.addWidget(m_compliance);
+        m_compliance = new ComplianceBox(path, field, m_document, parent);
+        into.rows.addWidget(m_compliance);
+        connect(m_compliance, &ComplianceBox::refusalsChanged, this, &FormPage::refusalsChanged);
         m_grid = nullptr;
         return;
     }
@@ -91,23 +99,30 @@ void FormPage::addRow(const Field& field, const std::string& path, QVBoxLayout& 
         addList(field, path, into);
         return;
     }
-    auto editor = makeEditor(path, field, m_document, into.parentWidget());
+    auto editor = makeEditor(path, field, m_document, parent);
     if (!editor) {
         return;
     }
     if (!m_grid) {
-        m_grid = newGrid(into);
+        m_grid = newGrid(into.rows, into.depth);
     }
-    auto* row = new FormRow(std::move(editor), *m_grid, into.parentWidget());
+    auto* row = new FormRow(std::move(editor), *m_grid, parent);
     row->setParent(this);
     connectRow(*row);
 }
 
-void FormPage::addList(const Field& field, const std::string& path, QVBoxLayout& into) {
-    auto* table = field.nested == &tableOf<Stage>()
-                      ? new StageTable(m_document, into.parentWidget())
-                      : new ListTable(path, field, m_document, into.parentWidget());
-    into.addWidget(table);
+void FormPage::addList(const Field& field, const std::string& path, Place into) {
+    QWidget* const parent = into.rows.parentWidget();
+    ListTable* table = nullptr;
+    if (field.nested == &tableOf<Stage>()) {
+        m_stages = new StageTable(m_document, parent);
+        table = m_stages;
+    } else {
+        table = new ListTable(path, field, m_document, parent);
+    }
+    const int inset = SectionBox::inset(into.depth);
+    table->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(table);
     connect(table, &ListTable::refusalsChanged, this, &FormPage::refusalsChanged);
     m_lists.push_back(table);
     m_grid = nullptr;
@@ -118,15 +133,13 @@ void FormPage::connectRow(FormRow& row) {
     m_rows.push_back(&row);
 }
 
-void FormPage::addBox(const Field& field, const std::string& path, QVBoxLayout& into) {
-    auto* box = new QGroupBox(widget());
-    auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(8, 6, 8, 6);
-    into.addWidget(box);
+void FormPage::addBox(const Field& field, const std::string& path, Place into) {
+    auto* box = new SectionBox(into.depth + 1, into.rows.parentWidget());
+    into.rows.addWidget(box);
     auto* reason = new ReasonLabel(box);
-    layout->addWidget(reason);
+    box->rows().addWidget(reason);
     m_grid = nullptr;
-    addStruct(*field.nested, path, *layout);
+    addStruct(*field.nested, path, {box->rows(), into.depth + 1});
     m_grid = nullptr;
     m_boxes.push_back({path, &field, box, reason});
     if (field.kind == Kind::optionalObject) {
@@ -136,20 +149,17 @@ void FormPage::addBox(const Field& field, const std::string& path, QVBoxLayout& 
     }
 }
 
-void FormPage::addProjectTexts(QVBoxLayout& into) {
-    QVBoxLayout* layout = nullptr;
+void FormPage::addProjectTexts(Place into) {
     m_grid = nullptr;
     for (const Field& field : tableOf<Project>().fields) {
         if (field.page != m_page || field.kind != Kind::text) {
             continue;
         }
-        if (!layout) {
-            m_projectBox = new QGroupBox(widget());
-            layout = new QVBoxLayout(m_projectBox);
-            layout->setContentsMargins(8, 6, 8, 6);
-            into.addWidget(m_projectBox);
+        if (!m_projectBox) {
+            m_projectBox = new SectionBox(into.depth + 1, into.rows.parentWidget());
+            into.rows.addWidget(m_projectBox);
         }
-        addRow(field, std::string("/") + field.key, *layout);
+        addRow(field, std::string("/") + field.key, {m_projectBox->rows(), into.depth + 1});
     }
 }
 
@@ -183,12 +193,13 @@ void FormPage::showProject(bool replaced) {
         list->setVisible(findMember(project, list->path()).relevant(project));
     }
     if (m_compliance) {
-        m_compliance->show(replaced);
+        m_compliance->showProject(replaced);
     }
     emit refusalsChanged();
 }
 
-void FormPage::setIssues(const Issues& issues) {
+void FormPage::setOutcome(const OutcomePtr& outcome) {
+    const Issues& issues = outcome->issues;
     for (FormRow* row : m_rows) {
         row->setIssues(issues);
     }
@@ -197,6 +208,9 @@ void FormPage::setIssues(const Issues& issues) {
     }
     for (ListTable* list : m_lists) {
         list->setIssues(issues);
+    }
+    if (m_stages) {
+        m_stages->setOutcome(outcome);
     }
     for (const Box& box : m_boxes) {
         box.reason->showRemark(remarkAt(issues, box.path));
@@ -232,9 +246,8 @@ std::vector<Refusal> FormPage::refusals() const {
         }
     }
     if (m_compliance) {
-        for (const QString& reason : m_compliance->refusals()) {
-            list.push_back({"/machine/compliance_mm_per_n", reason});
-        }
+        const auto own = m_compliance->refusals();
+        list.insert(list.end(), own.begin(), own.end());
     }
     for (const ListTable* own : m_lists) {
         for (const Refusal& refusal : own->refusals()) {
@@ -242,6 +255,19 @@ std::vector<Refusal> FormPage::refusals() const {
         }
     }
     return list;
+}
+
+bool FormPage::dropRefusal(const std::string& path) {
+    for (const FormRow* row : m_rows) {
+        if (row->editor().path() == path) {
+            row->editor().dropRefusal();
+            emit refusalsChanged();
+            return true;
+        }
+    }
+    return (m_compliance && m_compliance->dropRefusal(path))
+           || std::any_of(m_lists.begin(), m_lists.end(),
+                          [&path](ListTable* list) { return list->dropRefusal(path); });
 }
 
 bool FormPage::focusPath(const std::string& path) {

@@ -3,6 +3,7 @@
 
 #include "core/field.h"
 #include "core/issue.h"
+#include "ui/session/outcome.h"
 
 #include <QScrollArea>
 
@@ -10,7 +11,6 @@
 #include <vector>
 
 class QGridLayout;
-class QGroupBox;
 class QVBoxLayout;
 
 namespace sparkout {
@@ -20,6 +20,8 @@ class Document;
 class FormRow;
 class ListTable;
 class ReasonLabel;
+class SectionBox;
+class StageTable;
 
 /// A text the forms did not take: where, and why.
 struct Refusal {
@@ -34,9 +36,11 @@ class FormPage : public QScrollArea {
 public:
     FormPage(Page page, Document& document, QWidget* parent = nullptr);
 
-    void setIssues(const Issues& issues);
+    void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
+    /// Shows the document's value where a text was refused; false when it is not on this page.
+    bool dropRefusal(const std::string& path);
     /// Gives the focus to the field at a path; false when it is not on this page.
     bool focusPath(const std::string& path);
     [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; }
@@ -48,15 +52,21 @@ private:
     struct Box {
         std::string path;
         const Field* field;
-        QGroupBox* box;
+        SectionBox* box;
         ReasonLabel* reason;
     };
 
-    void addStruct(const StructInfo& table, const std::string& path, QVBoxLayout& into);
-    void addRow(const Field& field, const std::string& path, QVBoxLayout& into);
-    void addList(const Field& field, const std::string& path, QVBoxLayout& into);
-    void addBox(const Field& field, const std::string& path, QVBoxLayout& into);
-    void addProjectTexts(QVBoxLayout& into);
+    /// Where rows go: a layout, and how many boxes deep in the page it is.
+    struct Place {
+        QVBoxLayout& rows;
+        int depth;
+    };
+
+    void addStruct(const StructInfo& table, const std::string& path, Place into);
+    void addRow(const Field& field, const std::string& path, Place into);
+    void addList(const Field& field, const std::string& path, Place into);
+    void addBox(const Field& field, const std::string& path, Place into);
+    void addProjectTexts(Place into);
     void connectRow(FormRow& row);
     [[nodiscard]] bool shows(const StructInfo& table) const;
     void showProject(bool replaced);
@@ -69,7 +79,8 @@ private:
     std::vector<Box> m_boxes;
     ComplianceBox* m_compliance = nullptr;
     std::vector<ListTable*> m_lists;
-    QGroupBox* m_projectBox = nullptr;
+    StageTable* m_stages = nullptr; ///< one of them
+    SectionBox* m_projectBox = nullptr;
     bool m_replaced = false;
 };
 

@@ -1,58 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/form_row.h"
 
+#include "ui/inputs/form_metrics.h"
+#include "ui/inputs/hint_strip.h"
+#include "ui/inputs/hint_text.h"
 #include "ui/inputs/number_field.h"
+#include "ui/inputs/reset_mark.h"
+#include "ui/inputs/section_box.h"
+#include "ui/metrics.h"
+#include "ui/session/defaults.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
 
+#include <QComboBox>
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
+#include <QMenu>
+
+#include <algorithm>
 
 namespace sparkout {
 
 namespace {
 
-constexpr int fieldWidth = 104;
-constexpr int unitWidth = 52;
-constexpr int wideWidth = 176;
+constexpr int widestField = 216;
 
 } // namespace
 
-QString labelMarkup(const Field& field) {
-    QString symbol = QString::fromUtf8(field.symbol).toHtmlEscaped();
-    static const QRegularExpression index(QStringLiteral("_(\\w+)"),
-                                          QRegularExpression::UseUnicodePropertiesOption);
-    symbol.replace(index, QStringLiteral("<sub>\\1</sub>"));
-    const QString label = inputText(field.label).toHtmlEscaped();
-    return symbol.isEmpty() ? label : QStringLiteral("%1 <i>%2</i>").arg(label, symbol);
-}
-
-QString hintMarkup(const Field& field) {
-    QString html = QStringLiteral("<p>%1</p>").arg(inputText(field.hint).toHtmlEscaped());
-    const auto line = [&html](const QString& text) {
-        html += QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
-    };
-    if (!field.hard.unbounded()) {
-        line(FormRow::tr("Allowed: %1").arg(rangeShown(field.hard, field.unit)));
-    }
-    if (!field.soft.unbounded()) {
-        line(FormRow::tr("Usual: %1").arg(rangeShown(field.soft, field.unit)));
-    }
-    if (*field.nullMeaning) {
-        line(FormRow::tr("Empty: %1").arg(inputText(field.nullMeaning)));
-    }
-    if (*field.source) {
-        line(FormRow::tr("Source: %1").arg(QString::fromUtf8(field.source)));
-    }
-    return html;
-}
-
 FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget* parent)
     : m_editor(std::move(editor))
-    , m_label(new QLabel(parent))
+    , m_head(new QWidget(parent))
+    , m_label(new QLabel(m_head))
     , m_unit(new QLabel(parent))
     , m_reason(new QLabel(parent)) {
     m_label->setTextFormat(Qt::RichText);
@@ -64,25 +45,47 @@ FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget
     m_reason->setVisible(false);
     m_editor->widget()->setObjectName(QString::fromStdString(m_editor->path()));
     connect(m_editor.get(), &FieldEditor::remarkChanged, this, &FormRow::showRemark);
+    for (QWidget* widget : {m_editor->widget(), m_head, m_editor->slider()}) {
+        if (widget) {
+            widget->installEventFilter(this);
+        }
+    }
+    if (hasDefault(m_editor->field())) {
+        m_mark = new ResetMark(m_head);
+        connect(m_mark, &ResetMark::clicked, m_editor.get(), &FieldEditor::resetToDefault);
+    }
     addTo(grid);
 }
 
 void FormRow::addTo(QGridLayout& grid) {
+    auto* head = new QHBoxLayout(m_head);
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(metrics::hair);
+    head->addWidget(m_label, 1);
+    if (m_mark) {
+        head->addWidget(m_mark);
+    }
     const int row = grid.rowCount();
     QWidget* const field = m_editor->widget();
     if (m_editor->tall()) {
-        grid.addWidget(m_label, row, 0, 1, 3);
+        grid.addWidget(m_head, row, 0, 1, 3);
         grid.addWidget(field, row + 1, 0, 1, 3);
     } else if (m_editor->wide()) {
-        field->setFixedWidth(wideWidth);
-        grid.addWidget(m_label, row, 0);
-        grid.addWidget(field, row, 1, 1, 2);
+        head->setSpacing(metrics::gap);
+        head->addWidget(field);
+        grid.addWidget(m_head, row, 0, 1, 3);
     } else {
-        field->setFixedWidth(fieldWidth);
-        m_unit->setMinimumWidth(unitWidth);
-        grid.addWidget(m_label, row, 0);
+        field->setFixedWidth(metrics::field);
+        m_unit->setFixedWidth(unitColumn);
         grid.addWidget(field, row, 1);
         grid.addWidget(m_unit, row, 2);
+        if (QWidget* slider = m_editor->slider()) { // a label of two lines stands beside both
+            m_label->setMinimumHeight(field->sizeHint().height());
+            grid.addWidget(m_head, row, 0, 2, 1, Qt::AlignTop);
+            grid.addWidget(slider, row + 1, 1, 1, 2);
+        } else {
+            grid.addWidget(m_head, row, 0);
+        }
     }
     grid.addWidget(m_reason, row + 2, 0, 1, 3);
     m_unit->setVisible(!m_editor->wide());
@@ -91,11 +94,16 @@ void FormRow::addTo(QGridLayout& grid) {
 void FormRow::show(const Project& project, bool replaced) {
     const ConstMember member = findMember(project, m_editor->path());
     m_relevant = member && member.relevant(project);
-    for (QWidget* widget : {static_cast<QWidget*>(m_label), m_editor->widget()}) {
-        widget->setVisible(m_relevant);
+    for (QWidget* widget : {m_head, m_editor->widget(), m_editor->slider()}) {
+        if (widget) {
+            widget->setVisible(m_relevant);
+        }
     }
     m_unit->setVisible(m_relevant && !m_editor->wide());
     m_editor->show(replaced);
+    if (m_mark) {
+        m_mark->showChanged(m_editor->changedFromDefault());
+    }
     showRemark();
 }
 
@@ -105,7 +113,7 @@ void FormRow::setIssues(const Issues& issues) {
 
 bool FormRow::meaningIsLong() const {
     const QString meaning = inputText(m_editor->field().nullMeaning);
-    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning) > fieldWidth - 12;
+    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning) > metrics::field - 12;
 }
 
 QString FormRow::emptyCaption() const {
@@ -129,22 +137,75 @@ void FormRow::showRemark() {
     m_reason->setVisible(m_relevant && !text.isEmpty());
 }
 
+/// As wide as its texts, where that is more than the other fields take.
+void FormRow::fitWide() {
+    if (!m_editor->wide() || m_editor->tall()) {
+        return;
+    }
+    int width = wideField;
+    if (auto* box = qobject_cast<QComboBox*>(m_editor->widget())) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        width = std::clamp(box->sizeHint().width(), wideField, widestField);
+    }
+    m_editor->widget()->setFixedWidth(width);
+}
+
 void FormRow::retranslate() {
     const Field& field = m_editor->field();
     m_editor->retranslate();
+    fitWide();
     m_label->setText(labelMarkup(field));
     m_unit->setText(unitText(field.unit));
     const QString hint = hintMarkup(field);
-    m_label->setToolTip(hint);
     QWidget* const widget = m_editor->widget();
-    widget->setToolTip(hint);
+    for (QWidget* one : {static_cast<QWidget*>(m_label), widget, m_editor->slider()}) {
+        if (one) {
+            one->setToolTip(hint);
+            setHintField(*one, field);
+        }
+    }
     widget->setAccessibleName(*field.unit
                                   ? tr("%1, %2").arg(inputText(field.label), unitText(field.unit))
                                   : inputText(field.label));
-    if (auto* line = qobject_cast<NumberField*>(widget); line && meaningIsLong()) {
-        line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
+    if (auto* line = qobject_cast<NumberField*>(widget)) {
+        line->setHint(hintPlain(field));
+        if (meaningIsLong()) {
+            line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
+        }
+    } else {
+        widget->setAccessibleDescription(hintPlain(field));
+    }
+    if (m_mark) {
+        m_mark->showDefault(inputText(field.label), defaultText(field));
     }
     showRemark();
+}
+
+void FormRow::fillMenu(QMenu& menu) {
+    if (!m_mark) {
+        return;
+    }
+    menu.addSeparator();
+    QAction* reset = menu.addAction(m_mark->menuText());
+    reset->setEnabled(m_editor->changedFromDefault() && m_editor->widget()->isEnabled());
+    connect(reset, &QAction::triggered, m_editor.get(), &FieldEditor::resetToDefault);
+}
+
+bool FormRow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::ContextMenu) {
+        return QObject::eventFilter(watched, event);
+    }
+    auto* line = qobject_cast<QLineEdit*>(watched);
+    const auto* asked = static_cast<QContextMenuEvent*>(event);
+    auto* menu = line ? line->createStandardContextMenu() : new QMenu(m_editor->widget());
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu);
+    if (menu->isEmpty()) {
+        delete menu;
+        return QObject::eventFilter(watched, event);
+    }
+    menu->popup(asked->globalPos());
+    return true;
 }
 
 } // namespace sparkout

@@ -7,15 +7,15 @@
 
 class QGridLayout;
 class QLabel;
+class QMenu;
 
 namespace sparkout {
 
-/// "Diameter d" as rich text: the symbol in italics, with its index below the line.
-[[nodiscard]] QString labelMarkup(const Field& field);
-/// Meaning, limits and source of a field, for its tooltip.
-[[nodiscard]] QString hintMarkup(const Field& field);
+class ReasonLabel;
+class ResetMark;
 
-/// One row of a form: label with symbol, field, unit, and below them the reason of a mark.
+/// One row of a form: label with symbol, mark of a change from the default, field, unit, slider,
+/// and below them the reason of a mark.
 class FormRow : public QObject {
     Q_OBJECT
 
@@ -23,20 +23,29 @@ public:
     FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget* parent);
 
     [[nodiscard]] FieldEditor& editor() const { return *m_editor; }
+    [[nodiscard]] ResetMark* resetMark() const { return m_mark; }
     void show(const Project& project, bool replaced);
     void setIssues(const Issues& issues);
     void retranslate();
+    /// Adds what one can do with the input to a context menu.
+    void fillMenu(QMenu& menu);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void addTo(QGridLayout& grid);
+    void fitWide();
     void showRemark();
     [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
     [[nodiscard]] QString emptyCaption() const;
 
     std::unique_ptr<FieldEditor> m_editor;
+    QWidget* m_head; ///< label and mark
     QLabel* m_label;
     QLabel* m_unit;
     QLabel* m_reason;
+    ResetMark* m_mark = nullptr; ///< null where there is no default to go back to
     bool m_relevant = true;
 };
 

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/inputs_panel.h"
 
+#include "ui/inputs/hint_strip.h"
+#include "ui/inputs/list_table.h"
+#include "ui/metrics.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace sparkout {
@@ -33,14 +40,17 @@ constexpr std::array pageEntries{
 } // namespace
 
 InputsPanel::InputsPanel(Document& document, QWidget* parent)
-    : QWidget(parent), m_group(new QButtonGroup(this)), m_stack(new QStackedWidget(this)) {
+    : QWidget(parent)
+    , m_group(new QButtonGroup(this))
+    , m_stack(new QStackedWidget(this))
+    , m_hint(new HintStrip(this)) {
     auto* strip = new QHBoxLayout;
     strip->setSpacing(0);
-    strip->setContentsMargins(2, 2, 2, 0);
+    strip->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, 0);
     for (const PageEntry& entry : pageEntries) {
         auto* button = new QToolButton(this);
-        button->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QStringView(entry.icon))));
-        button->setIconSize({22, 22});
+        button->setIcon(themeIcon(entry.icon));
+        button->setIconSize({metrics::icon, metrics::icon});
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setCheckable(true);
@@ -51,20 +61,41 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
         auto* page = new FormPage(entry.page, document, m_stack);
         m_stack->addWidget(page);
         m_pages.push_back(page);
-        connect(page, &FormPage::refusalsChanged, this, &InputsPanel::refusalsChanged);
+        connect(page, &FormPage::refusalsChanged, this, [this] {
+            noteRefusals();
+            emit refusalsChanged();
+        });
+        for (const ListTable* table : page->findChildren<ListTable*>()) {
+            connect(table, &ListTable::currentFieldChanged, this, [this, table] {
+                if (table->view().hasFocus()) {
+                    m_hint->showField(*hintField(&table->view()));
+                }
+            });
+        }
     }
-    auto* line = new QFrame(this);
-    line->setFrameShape(QFrame::HLine);
-    line->setFrameShadow(QFrame::Sunken);
+    const auto rule = [this] {
+        auto* made = new QFrame(this);
+        made->setFrameShape(QFrame::HLine);
+        made->setFrameShadow(QFrame::Sunken);
+        return made;
+    };
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(strip);
-    layout->addWidget(line);
+    layout->addWidget(rule());
     layout->addWidget(m_stack, 1);
+    layout->addWidget(rule());
+    layout->addWidget(m_hint);
     connect(m_group, &QButtonGroup::idClicked, m_stack, &QStackedWidget::setCurrentIndex);
+    // A text just typed is not announced before a pause; it is noted when the focus goes on.
+    connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
     showPage(static_cast<int>(pageEntries.size()) - 1); // the cycle: what one works on most
     retranslate();
+}
+
+InputsPanel::~InputsPanel() {
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while the pages go
 }
 
 void InputsPanel::showPage(int index) {
@@ -74,7 +105,7 @@ void InputsPanel::showPage(int index) {
 
 void InputsPanel::setOutcome(const OutcomePtr& outcome) {
     for (FormPage* page : m_pages) {
-        page->setIssues(outcome->issues);
+        page->setOutcome(outcome);
     }
 }
 
@@ -88,6 +119,7 @@ void InputsPanel::retranslate() {
         m_pages[i]->setAccessibleName(name);
         m_pages[i]->retranslate();
     }
+    m_hint->retranslate();
 }
 
 void InputsPanel::focusPath(const std::string& path) {
@@ -99,6 +131,31 @@ void InputsPanel::focusPath(const std::string& path) {
         }
         showPage(before);
     }
+}
+
+void InputsPanel::noteRefusals() {
+    std::vector<std::string> now;
+    for (const Refusal& refusal : refusals()) {
+        now.push_back(refusal.path);
+    }
+    std::erase_if(m_refused, [&](const std::string& path) {
+        return std::find(now.begin(), now.end(), path) == now.end();
+    });
+    for (std::string& path : now) {
+        if (std::find(m_refused.begin(), m_refused.end(), path) == m_refused.end()) {
+            m_refused.push_back(std::move(path));
+        }
+    }
+}
+
+bool InputsPanel::dropNewestRefusal() {
+    noteRefusals();
+    if (m_refused.empty()) {
+        return false;
+    }
+    const std::string path = m_refused.back();
+    return std::any_of(m_pages.begin(), m_pages.end(),
+                       [&path](FormPage* page) { return page->dropRefusal(path); });
 }
 
 std::vector<Refusal> InputsPanel::refusals() const {

@@ -14,28 +14,38 @@ class QToolButton;
 
 namespace sparkout {
 
+class HintStrip;
+
 /// All inputs: a row of page buttons above the page in view.
 class InputsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit InputsPanel(Document& document, QWidget* parent = nullptr);
+    ~InputsPanel() override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
     void showPage(int index);
     void focusPath(const std::string& path);
     [[nodiscard]] std::vector<Refusal> refusals() const;
+    /// Shows the document's value in place of the text refused last; false when there is none.
+    /// What undo does first.
+    bool dropNewestRefusal();
     [[nodiscard]] const std::vector<FormPage*>& pages() const { return m_pages; }
 
 signals:
     void refusalsChanged();
 
 private:
+    void noteRefusals(); ///< in the order in which they came
+
     QButtonGroup* m_group;
     QStackedWidget* m_stack;
     std::vector<QToolButton*> m_buttons;
     std::vector<FormPage*> m_pages;
+    HintStrip* m_hint;
+    std::vector<std::string> m_refused; ///< paths, oldest first
 };
 
 } // namespace sparkout

@@ -5,6 +5,7 @@
 #include "ui/inputs/number_field.h"
 #include "ui/session/document.h"
 
+#include <QAbstractItemView>
 #include <QKeyEvent>
 
 namespace sparkout {
@@ -62,6 +63,13 @@ void ListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
         list->refuse(index, field->text(), field->refusal());
     } else {
         list->accept(index);
+    }
+}
+
+void ListDelegate::dropRefusal(const QAbstractItemView& view) {
+    auto* field = view.viewport()->findChild<NumberField*>();
+    if (field && field->refused()) {
+        field->revert();
     }
 }
 

@@ -19,6 +19,8 @@ public:
     void setEditorData(QWidget* editor, const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model,
                       const QModelIndex& index) const override;
+    /// Takes back a refused text in the editor that is open in a view.
+    static void dropRefusal(const QAbstractItemView& view);
     void destroyEditor(QWidget* editor, const QModelIndex& index) const override;
 
 protected:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/list_model.h"
 
-#include "ui/inputs/form_row.h"
+#include "ui/inputs/column_header.h"
+#include "ui/inputs/hint_text.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
 #include "ui/session/number_text.h"
@@ -9,6 +10,7 @@
 
 #include <QGuiApplication>
 #include <QPalette>
+#include <QRegularExpression>
 
 namespace sparkout {
 
@@ -40,7 +42,15 @@ int ListModel::rowCount(const QModelIndex& parent) const {
 }
 
 int ListModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size()) + resultColumns();
+}
+
+const char* ListModel::itemName() const {
+    return m_list.nested->name;
+}
+
+bool ListModel::isField(const QModelIndex& index) const {
+    return index.isValid() && index.column() < static_cast<int>(m_columns.size());
 }
 
 const Field& ListModel::field(const QModelIndex& index) const {
@@ -81,7 +91,7 @@ QString ListModel::shown(const QModelIndex& index) const {
 
 QModelIndex ListModel::indexAt(const std::string& wanted) const {
     for (int row = 0; row < m_rows; ++row) {
-        for (int column = 0; column < columnCount(); ++column) {
+        for (int column = 0; column < static_cast<int>(m_columns.size()); ++column) {
             const QModelIndex cell = index(row, column);
             if (path(cell) == wanted) {
                 return cell;
@@ -106,6 +116,18 @@ QVariant ListModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) {
         return {};
     }
+    return isField(index) ? fieldData(index, role) : resultData(index, role);
+}
+
+QVariant ListModel::resultData(const QModelIndex&, int) const {
+    return {};
+}
+
+QVariant ListModel::resultHeader(int, int) const {
+    return {};
+}
+
+QVariant ListModel::fieldData(const QModelIndex& index, int role) const {
     const Remark mark = remark(index);
     switch (role) {
     case Qt::DisplayRole: return shown(index);
@@ -127,7 +149,8 @@ QVariant ListModel::data(const QModelIndex& index, int role) const {
         return tr("%1 %2, %3: %4")
             .arg(structText(m_list.nested->name), QString::number(index.row() + 1),
                  inputText(field(index).label), shown(index));
-    case Qt::AccessibleDescriptionRole: return mark.reason;
+    case Qt::AccessibleDescriptionRole:
+        return mark.mark == Mark::none ? hintPlain(field(index)) : mark.reason;
     default: return {};
     }
 }
@@ -136,20 +159,22 @@ QVariant ListModel::headerData(int section, Qt::Orientation orientation, int rol
     if (orientation == Qt::Vertical) {
         return role == Qt::DisplayRole ? QVariant(QString::number(section + 1)) : QVariant();
     }
+    const int fields = static_cast<int>(m_columns.size());
+    if (section >= fields) {
+        return resultHeader(section - fields, role);
+    }
     const Field& column = *m_columns[std::size_t(section)];
-    if (role == Qt::ToolTipRole) {
-        return hintMarkup(column);
+    switch (role) {
+    case Qt::ToolTipRole: return hintMarkup(column);
+    case Qt::DisplayRole: return columnText(column);
+    case ColumnHeader::markupRole: return columnMarkup(column);
+    default: return {};
     }
-    if (role == Qt::DisplayRole) {
-        return *column.unit ? tr("%1,\n%2").arg(inputText(column.label), unitText(column.unit))
-                            : inputText(column.label);
-    }
-    return {};
 }
 
 Qt::ItemFlags ListModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    return index.isValid() && relevant(index) ? usual | Qt::ItemIsEditable : usual;
+    return isField(index) && relevant(index) ? usual | Qt::ItemIsEditable : usual;
 }
 
 void ListModel::refuse(const QModelIndex& index, const QString& text, const QString& reason) {
@@ -182,6 +207,25 @@ void ListModel::setIssues(const Issues& issues) {
     if (m_rows > 0) {
         emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
     }
+}
+
+QString ListModel::tableText() const {
+    QStringList lines;
+    for (int row = -1; row < m_rows; ++row) {
+        QStringList cells{row < 0 ? structText(m_list.nested->name) : QString::number(row + 1)};
+        for (int column = 0; column < columnCount(); ++column) {
+            const QModelIndex cell = index(std::max(0, row), column);
+            const bool empty = row >= 0 && isField(cell) && !relevant(cell);
+            cells += empty     ? QString()
+                     : row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
+                               : cell.data().toString();
+        }
+        lines += cells
+                     .replaceInStrings(QRegularExpression(QStringLiteral("[\\t\\n\\r]+")),
+                                       QStringLiteral(" "))
+                     .join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
 }
 
 void ListModel::update(bool replaced) {

@@ -33,6 +33,9 @@ public:
                                       int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
+    [[nodiscard]] const char* itemName() const; ///< of the struct of a row, for structText()
+    /// Whether a column shows a member; further columns tell of results and are not edited.
+    [[nodiscard]] bool isField(const QModelIndex& index) const;
     [[nodiscard]] const Field& field(const QModelIndex& index) const;
     [[nodiscard]] std::optional<double> number(const QModelIndex& index) const;
     void setNumber(const QModelIndex& index, std::optional<double> value);
@@ -46,6 +49,7 @@ public:
     [[nodiscard]] QModelIndex indexAt(const std::string& path) const;
 
     void setIssues(const Issues& issues);
+    [[nodiscard]] QString tableText() const; ///< with its heads, tab-separated, for spreadsheets
     void update(bool replaced); ///< takes the document's items; replaced: drops refused texts
     void retranslate();
 
@@ -55,6 +59,9 @@ signals:
 protected:
     [[nodiscard]] virtual bool relevant(const QModelIndex& index) const;
     [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
+    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< behind the fields
+    [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
+    [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
     [[nodiscard]] Document& document() const { return m_document; }
 
 private:
@@ -65,6 +72,7 @@ private:
     using Cell = std::pair<int, const Field*>;
 
     [[nodiscard]] std::string rowPath(int row) const;
+    [[nodiscard]] QVariant fieldData(const QModelIndex& index, int role) const;
     [[nodiscard]] const void* item(const QModelIndex& index) const;
     [[nodiscard]] std::vector<const Field*> relevantColumns() const;
 

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/list_table.h"
 
-#include "ui/inputs/form_row.h"
+#include "ui/inputs/column_header.h"
+#include "ui/inputs/hint_strip.h"
+#include "ui/inputs/hint_text.h"
 #include "ui/inputs/list_delegate.h"
 #include "ui/inputs/list_model.h"
+#include "ui/inputs/row_sliders.h"
+#include "ui/metrics.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QRegularExpression>
+#include <QMenu>
+#include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace sparkout {
@@ -24,7 +32,6 @@ namespace sparkout {
 namespace {
 
 constexpr int shownRows = 8;
-constexpr int headerMargin = 10; ///< of a title, both sides
 
 void setUpView(QTableView& view) {
     view.setSelectionBehavior(QAbstractItemView::SelectItems);
@@ -35,11 +42,6 @@ void setUpView(QTableView& view) {
     view.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     view.setTabKeyNavigation(true);
     view.setWordWrap(false);
-    view.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    view.horizontalHeader()->setMinimumSectionSize(20);
-    view.horizontalHeader()->setDefaultAlignment(
-        Qt::Alignment(int(Qt::AlignCenter) | int(Qt::TextWordWrap)));
-    view.horizontalHeader()->setSectionsClickable(false);
     view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     view.verticalHeader()->setDefaultSectionSize(view.fontMetrics().height() + 10);
 }
@@ -58,7 +60,10 @@ ListTable::ListTable(const std::string& path, const Field& list, Document& docum
     , m_list(list)
     , m_document(document)
     , m_model(model)
+    , m_delegate(delegate)
     , m_view(new QTableView(this))
+    , m_header(new ColumnHeader(m_view))
+    , m_sliders(new RowSliders(*model, document, *m_view, this))
     , m_title(new QLabel(this))
     , m_reasons(new QLabel(this)) {
     model->setParent(this);
@@ -73,20 +78,22 @@ ListTable::ListTable(const std::string& path, const Field& list, Document& docum
 
 void ListTable::setUp() {
     m_view->installEventFilter(this);
-    m_view->viewport()->installEventFilter(this);
+    m_view->setHorizontalHeader(m_header);
     setUpView(*m_view);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setBuddy(m_view);
     m_reasons->setTextFormat(Qt::PlainText);
     m_reasons->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 4, 0, 4);
+    layout->setContentsMargins(0, metrics::tight, 0, metrics::tight);
+    layout->setSpacing(metrics::gap);
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
     buildButtons(*head);
     layout->addLayout(head);
     layout->addWidget(m_view);
     layout->addWidget(m_reasons);
+    layout->addWidget(m_sliders);
     connect(&m_document, &Document::replaced, this, [this] { m_replaced = true; });
     connect(&m_document, &Document::changed, this, &ListTable::takeProject);
     connect(m_model, &ListModel::refusalsChanged, this, [this] {
@@ -94,7 +101,16 @@ void ListTable::setUp() {
         emit refusalsChanged();
     });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            &ListTable::updateButtons);
+            &ListTable::showCurrent);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &ListTable::showCurrent);
+}
+
+void ListTable::showCurrent() {
+    updateButtons();
+    const QModelIndex current = m_view->currentIndex();
+    m_sliders->showRow(current.isValid() ? current.row() : -1);
+    setHintField(*m_view, m_model->isField(current) ? m_model->field(current) : m_list);
+    emit currentFieldChanged();
 }
 
 void ListTable::takeProject() {
@@ -106,14 +122,14 @@ void ListTable::takeProject() {
     if (currentRow() < 0 || currentRow() != row) {
         select(row, column);
     }
-    updateButtons();
+    showCurrent();
     fitHeight();
 }
 
 void ListTable::buildButtons(QHBoxLayout& into) {
     const auto button = [&](const char16_t* icon, auto action) {
         auto* made = new QToolButton(this);
-        made->setIcon(QIcon(QStringLiteral(":/icons/%1.svg").arg(QStringView(icon))));
+        made->setIcon(themeIcon(icon));
         made->setAutoRaise(true);
         made->setFocusPolicy(Qt::TabFocus);
         into.addWidget(made);
@@ -124,6 +140,13 @@ void ListTable::buildButtons(QHBoxLayout& into) {
     m_remove = button(u"remove", [this] { removeRow(); });
     m_up = button(u"up", [this] { moveRow(-1); });
     m_down = button(u"down", [this] { moveRow(1); });
+    setTabOrder(m_down, m_view); // from top to bottom, as one sees them
+}
+
+void ListTable::showTitleBold() {
+    QFont bold = m_title->font();
+    bold.setBold(true);
+    m_title->setFont(bold);
 }
 
 int ListTable::currentRow() const {
@@ -267,6 +290,7 @@ void ListTable::retranslate() {
     name(*m_up, shown.up, tr("Ctrl+Up"));
     name(*m_down, shown.down, tr("Ctrl+Down"));
     m_model->retranslate();
+    m_sliders->retranslate();
     updateReasons();
     updateButtons();
     fitHeight();
@@ -274,6 +298,18 @@ void ListTable::retranslate() {
 
 std::vector<Refusal> ListTable::refusals() const {
     return m_model->refusals();
+}
+
+bool ListTable::dropRefusal(const std::string& path) {
+    const QModelIndex index = m_model->indexAt(path);
+    if (!index.isValid() || m_model->refusedText(index).isNull()) {
+        return false;
+    }
+    if (index == m_view->currentIndex()) {
+        m_delegate->dropRefusal(*m_view);
+    }
+    m_model->accept(index);
+    return true;
 }
 
 bool ListTable::focusPath(const std::string& path) {
@@ -290,68 +326,73 @@ bool ListTable::focusPath(const std::string& path) {
     return true;
 }
 
-/// Each column gets the width of the longest word of its title and a share of what is left.
-void ListTable::fitColumns() {
-    QHeaderView& header = *m_view->horizontalHeader();
-    const int count = m_model->columnCount();
-    std::vector<int> widths(std::size_t(count), 0);
-    for (int column = 0; column < count; ++column) {
-        const QString text =
-            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        for (const QString& word : text.split(QRegularExpression(QStringLiteral("\\s")))) {
-            widths[std::size_t(column)] =
-                std::max(widths[std::size_t(column)], header.fontMetrics().horizontalAdvance(word));
-        }
-        widths[std::size_t(column)] += headerMargin;
-    }
-    const int used = std::accumulate(widths.begin(), widths.end(), 0);
-    const int spare = std::max(0, m_view->viewport()->width() - used);
-    for (int column = 0; column < count; ++column) {
-        header.resizeSection(column, widths[std::size_t(column)] + spare * (column + 1) / count
-                                         - spare * column / count);
-    }
-}
-
 void ListTable::fitHeight() {
     m_view->setVisible(rows() > 0);
-    fitColumns();
-    QHeaderView& header = *m_view->horizontalHeader();
-    int height = 0;
-    for (int column = 0; column < m_model->columnCount(); ++column) {
-        const QRect room(0, 0, header.sectionSize(column) - 10, 1000);
-        const QString text =
-            m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        height = std::max(height,
-                          header.fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+    // Of what is sure: the viewport changes with each scroll bar that comes and goes.
+    const bool scrolls = rows() > shownRows;
+    m_view->setVerticalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    m_header->fit(m_view->width() - 2 * m_view->frameWidth()
+                  - m_view->verticalHeader()->sizeHint().width()
+                  - (scrolls ? m_view->verticalScrollBar()->sizeHint().width() : 0));
+    m_view->setFixedHeight(m_header->height()
+                           + std::min(rows(), shownRows)
+                                 * m_view->verticalHeader()->defaultSectionSize()
+                           + 2 * m_view->frameWidth());
+}
+
+bool ListTable::takeKey(const QKeyEvent& key) {
+    const bool control = key.modifiers() & Qt::ControlModifier;
+    if (key.matches(QKeySequence::Copy)) {
+        copyTable();
+    } else if (key.key() == Qt::Key_Insert && !control) {
+        addRow();
+    } else if (key.key() == Qt::Key_Delete) {
+        removeRow();
+    } else if (control && (key.key() == Qt::Key_Up || key.key() == Qt::Key_Down)) {
+        moveRow(key.key() == Qt::Key_Up ? -1 : 1);
+    } else {
+        return false;
     }
-    header.setFixedHeight(height + 8);
-    m_view->setFixedHeight(
-        height + 8 + std::min(rows(), shownRows) * m_view->verticalHeader()->defaultSectionSize()
-        + 2 * m_view->frameWidth() + 2);
+    return true;
+}
+
+void ListTable::copyTable() const {
+    QGuiApplication::clipboard()->setText(m_model->tableText());
+}
+
+void ListTable::showMenu(const QPoint& at) {
+    auto* menu = new QMenu(m_view);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (QToolButton* button : {m_add, m_remove, m_up, m_down}) {
+        QAction* action = menu->addAction(button->icon(), button->accessibleName());
+        action->setEnabled(button->isEnabled());
+        connect(action, &QAction::triggered, button, &QToolButton::click);
+    }
+    menu->addSeparator();
+    connect(menu->addAction(tr("&Copy the table")), &QAction::triggered, this,
+            &ListTable::copyTable);
+    menu->popup(at);
 }
 
 bool ListTable::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_view->viewport() && event->type() == QEvent::Resize) {
+    if (watched == m_view && event->type() == QEvent::Resize) {
         const auto* resize = static_cast<const QResizeEvent*>(event);
         if (resize->size().width() != resize->oldSize().width()) {
             fitHeight();
         }
     }
-    if (watched == m_view && event->type() == QEvent::KeyPress) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool control = key->modifiers() & Qt::ControlModifier;
-        switch (key->key()) {
-        case Qt::Key_Insert: addRow(); return true;
-        case Qt::Key_Delete: removeRow(); return true;
-        case Qt::Key_Up:
-        case Qt::Key_Down:
-            if (control) {
-                moveRow(key->key() == Qt::Key_Up ? -1 : 1);
-                return true;
-            }
-            break;
-        default: break;
-        }
+    if (watched == m_view && event->type() == QEvent::ShortcutOverride) {
+        // Copying is the table's while it has the focus.
+        event->setAccepted(static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy));
+        return event->isAccepted();
+    }
+    if (watched == m_view && event->type() == QEvent::KeyPress
+        && takeKey(*static_cast<QKeyEvent*>(event))) {
+        return true;
+    }
+    if (watched == m_view && event->type() == QEvent::ContextMenu) {
+        showMenu(static_cast<QContextMenuEvent*>(event)->globalPos());
+        return true;
     }
     return QWidget::eventFilter(watched, event);
 }

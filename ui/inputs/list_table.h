@@ -11,17 +11,21 @@
 #include <vector>
 
 class QHBoxLayout;
+class QKeyEvent;
 class QLabel;
 class QTableView;
 class QToolButton;
 
 namespace sparkout {
 
+class ColumnHeader;
 class ListDelegate;
 class ListModel;
+class RowSliders;
 
 /// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove (Del)
-/// and move (Ctrl+Up, Ctrl+Down) a row. As it stands it serves lists whose items hold numbers only.
+/// and move (Ctrl+Up, Ctrl+Down) a row, and to copy the table (Ctrl+C); below it the sliders of the
+/// selected row. As it stands it serves lists whose items hold numbers only.
 class ListTable : public QWidget {
     Q_OBJECT
 
@@ -34,15 +38,18 @@ public:
     void setIssues(const Issues& issues);
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
+    bool dropRefusal(const std::string& path);
     bool focusPath(const std::string& path);
     [[nodiscard]] QTableView& view() const { return *m_view; }
 
     virtual void addRow();
     virtual void removeRow();
     virtual void moveRow(int by);
+    void copyTable() const; ///< to the clipboard, for spreadsheets
 
 signals:
     void refusalsChanged();
+    void currentFieldChanged(); ///< the hint field of the view may be another
 
 protected:
     struct Texts {
@@ -57,6 +64,7 @@ protected:
     [[nodiscard]] virtual bool canRemove() const;
     [[nodiscard]] virtual bool canMove(int by) const;
 
+    void showTitleBold(); ///< of a table that is a group of its own
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] int rows() const;
     [[nodiscard]] Document& document() const { return m_document; }
@@ -71,20 +79,25 @@ private:
     void setUp();
     void buildButtons(QHBoxLayout& into);
     void takeProject();
+    void showCurrent(); ///< what belongs to the selected cell
+    bool takeKey(const QKeyEvent& key);
+    void showMenu(const QPoint& at);
     void select(int row, int column);
     [[nodiscard]] Numbers numbersOf(const void* item) const;
     [[nodiscard]] std::vector<Numbers> items() const;
     void store(const std::vector<Numbers>& items, int selected);
     void updateButtons();
     void updateReasons();
-    void fitColumns();
     void fitHeight();
 
     std::string m_path;
     const Field& m_list;
     Document& m_document;
     ListModel* m_model;
+    ListDelegate* m_delegate;
     QTableView* m_view;
+    ColumnHeader* m_header;
+    RowSliders* m_sliders;
     QLabel* m_title;
     QLabel* m_reasons;
     QToolButton* m_add = nullptr;

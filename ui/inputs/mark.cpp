@@ -2,14 +2,14 @@
 #include "ui/inputs/mark.h"
 
 #include "ui/session/texts.h"
+#include "ui/theme.h"
 
 namespace sparkout {
 
 QColor markColor(Mark mark, const QPalette& palette) {
-    const bool dark = palette.color(QPalette::Base).lightness() < 128;
     switch (mark) {
-    case Mark::error: return dark ? QColor(0xff, 0x7b, 0x72) : QColor(0xb3, 0x1d, 0x1d);
-    case Mark::warning: return dark ? QColor(0xe3, 0xb3, 0x41) : QColor(0x8a, 0x5a, 0x00);
+    case Mark::error: return tone(Tone::error, palette);
+    case Mark::warning: return tone(Tone::warning, palette);
     case Mark::none: break;
     }
     return palette.color(QPalette::Text);
@@ -17,8 +17,8 @@ QColor markColor(Mark mark, const QPalette& palette) {
 
 QIcon markIcon(Mark mark) {
     switch (mark) {
-    case Mark::error: return QIcon(QStringLiteral(":/icons/error.svg"));
-    case Mark::warning: return QIcon(QStringLiteral(":/icons/warning.svg"));
+    case Mark::error: return themeIcon(u"error");
+    case Mark::warning: return themeIcon(u"warning");
     case Mark::none: break;
     }
     return {};

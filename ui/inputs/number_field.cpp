@@ -72,6 +72,17 @@ void NumberField::setShownText(const QString& text) {
     evaluate();
 }
 
+void NumberField::setHint(const QString& hint) {
+    m_hint = hint;
+    describe();
+}
+
+void NumberField::describe() {
+    setAccessibleDescription(m_shown.reason.isEmpty() || m_hint.isEmpty()
+                                 ? m_shown.reason + m_hint
+                                 : m_shown.reason + QStringLiteral(". ") + m_hint);
+}
+
 void NumberField::setIssue(const Remark& issue) {
     m_issue = issue;
     updateRemark();
@@ -120,7 +131,7 @@ void NumberField::evaluate() {
 }
 
 void NumberField::revert() {
-    const bool another = m_value != m_settled;
+    const bool another = refused() || m_value != m_settled;
     m_value = m_settled;
     m_own = {};
     showValue();
@@ -169,7 +180,7 @@ void NumberField::updateRemark() {
     m_icon->setVisible(shown.mark != Mark::none);
     m_icon->setIcon(markIcon(shown.mark));
     m_icon->setToolTip(shown.reason);
-    setAccessibleDescription(shown.reason);
+    describe();
     update();
     emit remarkChanged();
 }

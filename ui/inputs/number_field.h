@@ -40,13 +40,14 @@ public:
     [[nodiscard]] bool refused() const { return m_own.mark == Mark::error; }
     [[nodiscard]] const QString& refusal() const { return m_own.reason; }
     [[nodiscard]] Remark remark() const;    ///< as shown: while typing a refusal waits a moment
+    void setHint(const QString& hint);      ///< what the field is for, to screen readers
     void setIssue(const Remark& issue);     ///< what the rules between fields say of the value
     void setShownText(const QString& text); ///< as if typed: a text kept from before
 
     void retranslate();
 
 signals:
-    void valueEdited(); ///< another good value, or the one before a text that is refused
+    void valueEdited(); ///< another good value, or the one before a text that is refused or dropped
     void remarkChanged();
 
 protected:
@@ -62,6 +63,7 @@ private:
     void step(int steps);
     void showValue();
     void settle();
+    void describe();
     void updateRemark();
 
     NumberSpec m_spec;
@@ -70,6 +72,7 @@ private:
     Remark m_own;                    ///< of the text
     Remark m_issue;                  ///< of the value, from validation
     Remark m_shown;
+    QString m_hint;
     QTimer m_typing;
     QAction* m_icon;
 };

@@ -21,6 +21,7 @@ public:
     void show(bool replaced) override;
     void retranslate() override;
     [[nodiscard]] Remark remark() const override;
+    void dropRefusal() override { refuse({}, {}); }
     [[nodiscard]] bool wide() const override { return true; }
     [[nodiscard]] bool tall() const override { return true; }
 

@@ -5,6 +5,7 @@
 #include "ui/inputs/number_field.h"
 #include "ui/session/texts.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 
 namespace sparkout {
@@ -35,28 +36,76 @@ SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* paren
         emit edited();
     });
     connect(m_count, &NumberField::valueEdited, this, &SparkOutEditor::edited);
+    connect(m_count, &NumberField::remarkChanged, this, &SparkOutEditor::edited);
+    connect(m_count, &QLineEdit::returnPressed, this, &SparkOutEditor::left);
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
+        if (now && !holds(now)) {
+            emit left();
+        }
+    });
+}
+
+SparkOutEditor::~SparkOutEditor() {
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while it goes
+}
+
+/// Also what opens in a window of its own, as the list of the choices does.
+bool SparkOutEditor::holds(const QWidget* widget) const {
+    while (widget && widget != this) {
+        widget = widget->parentWidget();
+    }
+    return widget;
+}
+
+SparkOut::Mode SparkOutEditor::mode() const {
+    return static_cast<SparkOut::Mode>(m_mode->currentData().toInt());
+}
+
+void SparkOutEditor::setMode(SparkOut::Mode mode) {
+    m_mode->setCurrentIndex(m_mode->findData(int(mode)));
 }
 
 SparkOut SparkOutEditor::value() const {
-    const auto mode = static_cast<SparkOut::Mode>(m_mode->currentData().toInt());
     const int count = static_cast<int>(m_count->value().value_or(1));
-    return {mode, mode == SparkOut::Mode::count ? count : 0};
+    return {mode(), mode() == SparkOut::Mode::count ? count : 0};
 }
 
 void SparkOutEditor::setValue(const SparkOut& value) {
-    m_mode->setCurrentIndex(m_mode->findData(int(value.mode)));
+    m_before = m_before.value_or(value);
+    setMode(value.mode);
     if (value.mode == SparkOut::Mode::count || !m_count->value()) {
         m_count->setValue(value.count > 0 ? value.count : 3);
     }
     showCount();
 }
 
+void SparkOutEditor::revert() {
+    if (m_before) {
+        setMode(m_before->mode);
+        m_count->reset(m_before->count > 0 ? m_before->count : m_count->value());
+        showCount();
+        emit edited();
+    }
+}
+
 bool SparkOutEditor::refused() const {
-    return m_count->refused();
+    return mode() == SparkOut::Mode::count && m_count->refused();
+}
+
+QString SparkOutEditor::refusedText() const {
+    return m_count->text();
+}
+
+QString SparkOutEditor::refusal() const {
+    return m_count->refusal();
+}
+
+void SparkOutEditor::showRefused(const QString& text) {
+    m_count->setShownText(text);
 }
 
 void SparkOutEditor::showCount() {
-    m_count->setVisible(m_mode->currentData().toInt() == int(SparkOut::Mode::count));
+    m_count->setVisible(mode() == SparkOut::Mode::count);
 }
 
 } // namespace sparkout

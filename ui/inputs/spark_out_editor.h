@@ -10,25 +10,37 @@ namespace sparkout {
 class NumberField;
 class StillComboBox;
 
-/// Chooses what the last stage does: feed, spark out a number of times, or until size.
+/// Chooses what the last stage does: feed, spark out a number of times, or until size. A count that
+/// is refused is one only as long as there is something to count.
 class SparkOutEditor : public QWidget {
     Q_OBJECT
 
 public:
     SparkOutEditor(const Field& field, bool traverse, QWidget* parent);
+    ~SparkOutEditor() override;
 
-    [[nodiscard]] SparkOut value() const;
+    [[nodiscard]] SparkOut value() const; ///< with the last good count
     void setValue(const SparkOut& value);
+    void revert(); ///< back to the value it was opened with
+
     [[nodiscard]] bool refused() const;
+    [[nodiscard]] QString refusedText() const;
+    [[nodiscard]] QString refusal() const;
+    void showRefused(const QString& text);
 
 signals:
     void edited();
+    void left(); ///< the focus went elsewhere, or Return ended the edit
 
 private:
+    [[nodiscard]] bool holds(const QWidget* widget) const;
     void showCount();
+    [[nodiscard]] SparkOut::Mode mode() const;
+    void setMode(SparkOut::Mode mode);
 
     StillComboBox* m_mode;
     NumberField* m_count;
+    std::optional<SparkOut> m_before;
 };
 
 } // namespace sparkout

@@ -5,7 +5,8 @@
 
 namespace sparkout {
 
-/// Edits a cell of the stage table in place: numbers, and the spark-out of the last stage.
+/// Edits a cell of the stage table in place: numbers, and the spark-out of the last stage. Under
+/// stock and time it paints the stage's share as a bar.
 class StageDelegate : public ListDelegate {
     Q_OBJECT
 
@@ -19,6 +20,12 @@ public:
                       const QModelIndex& index) const override;
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] static int rowHeight(const QFontMetrics& font); ///< a number above its share
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 } // namespace sparkout

@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/stage_model.h"
 
+#include "ui/inputs/column_header.h"
 #include "ui/session/document.h"
 
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPalette>
+
+#include <algorithm>
+#include <string_view>
+
 namespace sparkout {
+
+QString percentText(double share) {
+    const double percent = share * 100;
+    const bool small = percent > 0 && percent < 0.95;
+    return QLocale().toString(percent, 'f', small ? 1 : 0) + QStringLiteral("\u00a0%");
+}
 
 const Stage& StageModel::stage(const QModelIndex& index) const {
     return document().project().cycle.stages[std::size_t(index.row())];
@@ -46,8 +60,89 @@ QString StageModel::sparkOutShown(const QModelIndex& index) const {
                : tr("%n revolutions", nullptr, sparkOut.count);
 }
 
+void StageModel::setOutcome(const OutcomePtr& outcome) {
+    m_stale = !outcome->ran();
+    if (outcome->ran()) {
+        m_run = outcome;
+    }
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+}
+
+bool StageModel::isStock(const QModelIndex& index) const {
+    return isField(index) && std::string_view(field(index).key) == "stock_mm";
+}
+
+bool StageModel::known(int row) const {
+    return m_run && m_run->result.timeByStage_s.size() == std::size_t(rowCount())
+           && m_run->result.project.cycle.stages.size() == std::size_t(rowCount()) && row >= 0;
+}
+
+/// The stock a stage takes of the part's: the first one what the later ones leave [MODEL-7].
+double StageModel::stockShare(int row) const {
+    const Project& project = m_run->result.project;
+    const auto& stages = project.cycle.stages;
+    double later = 0;
+    for (std::size_t i = 1; i < stages.size(); ++i) {
+        later += stages[i].stock_mm;
+    }
+    const double own = row == 0 ? project.part.stock_mm - later : stages[std::size_t(row)].stock_mm;
+    return std::clamp(own / project.part.stock_mm, 0.0, 1.0);
+}
+
+double StageModel::timeShare(int row) const {
+    const double time_s = m_run->result.time_s;
+    return time_s > 0 ? m_run->result.timeByStage_s[std::size_t(row)] / time_s : 0;
+}
+
+QVariant StageModel::data(const QModelIndex& index, int role) const {
+    if (role == staleRole) {
+        return m_stale;
+    }
+    if (role != shareRole || !known(index.row())) {
+        return role == shareRole ? QVariant() : ListModel::data(index, role);
+    }
+    if (isStock(index)) {
+        return stockShare(index.row());
+    }
+    return isField(index) ? QVariant() : QVariant(timeShare(index.row()));
+}
+
+QVariant StageModel::resultData(const QModelIndex& index, int role) const {
+    const bool has = known(index.row());
+    const QString time =
+        has ? QLocale().toString(m_run->result.timeByStage_s[std::size_t(index.row())], 'g', 3)
+            : QString();
+    switch (role) {
+    case Qt::DisplayRole: return has ? time : QStringLiteral("—");
+    case Qt::TextAlignmentRole: return int(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+        return m_stale || !has
+                   ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text))
+                   : QVariant();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return has ? tr("Stage %1: %2 s, %3 of the machining time")
+                         .arg(QString::number(index.row() + 1), time,
+                              percentText(timeShare(index.row())))
+                   : QVariant();
+    default: return {};
+    }
+}
+
+QVariant StageModel::resultHeader(int, int role) const {
+    switch (role) {
+    case Qt::DisplayRole:
+    case ColumnHeader::markupRole: return tr("Time, s");
+    case Qt::ToolTipRole: return tr("Machining time of the stage and its share of the cycle's.");
+    default: return {};
+    }
+}
+
 QString StageModel::shown(const QModelIndex& index) const {
-    const bool sparkOut = field(index).kind == Kind::sparkOut && relevant(index);
+    const bool sparkOut =
+        field(index).kind == Kind::sparkOut && relevant(index) && refusedText(index).isNull();
     return sparkOut ? sparkOutShown(index) : ListModel::shown(index);
 }
 

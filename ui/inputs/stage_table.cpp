@@ -4,6 +4,9 @@
 #include "ui/inputs/stage_delegate.h"
 #include "ui/inputs/stage_model.h"
 
+#include <QHeaderView>
+#include <QTableView>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,10 +32,19 @@ const Field& stagesField() {
 } // namespace
 
 StageTable::StageTable(Document& document, QWidget* parent)
-    : ListTable(stagesPath, stagesField(), document,
-                new StageModel(stagesPath, stagesField(), document), new StageDelegate(document),
-                parent) {
+    : StageTable(document, new StageModel(stagesPath, stagesField(), document), parent) {}
+
+StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
+    : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
+    , m_stages(model) {
+    view().verticalHeader()->setDefaultSectionSize(StageDelegate::rowHeight(view().fontMetrics()));
+    view().setWordWrap(true); // a spark-out takes two lines
+    showTitleBold();
     retranslate();
+}
+
+void StageTable::setOutcome(const OutcomePtr& outcome) {
+    m_stages->setOutcome(outcome);
 }
 
 void StageTable::applyStages(std::vector<Stage> stages, EditText text, int selected) {

@@ -3,8 +3,11 @@
 
 #include "core/project/cycle.h"
 #include "ui/inputs/list_table.h"
+#include "ui/session/outcome.h"
 
 namespace sparkout {
+
+class StageModel;
 
 /// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a
 /// spark-out at the end.
@@ -14,6 +17,7 @@ class StageTable : public ListTable {
 public:
     explicit StageTable(Document& document, QWidget* parent = nullptr);
 
+    void setOutcome(const sparkout::OutcomePtr& outcome);
     void addRow() override;
     void removeRow() override;
     void moveRow(int by) override;
@@ -24,7 +28,10 @@ protected:
     [[nodiscard]] bool canMove(int by) const override;
 
 private:
+    StageTable(Document& document, StageModel* model, QWidget* parent);
     void applyStages(std::vector<Stage> stages, EditText text, int selected);
+
+    StageModel* m_stages;
 };
 
 } // namespace sparkout

@@ -5,6 +5,7 @@
 #include "ui/session/document.h"
 
 #include <QKeyEvent>
+#include <QLocale>
 #include <QSignalBlocker>
 
 namespace sparkout {
@@ -57,19 +58,62 @@ NotesEditor::NotesEditor(const std::string& path, const Field& field, Document& 
     m_text->setTabChangesFocus(true);
     m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * 5 + 10);
     m_text->installEventFilter(this);
-    connect(m_text, &QPlainTextEdit::textChanged, this, [this] {
-        const std::string text = m_text->toPlainText().toStdString();
-        if (text.size() <= limits::stringBytes) {
-            change([this, &text](void* to) { this->field().as<std::string>(to) = text; });
-        }
-    });
+    connect(m_text, &QPlainTextEdit::textChanged, this, &NotesEditor::take);
 }
 
-void NotesEditor::show(bool) {
-    const QString text = QString::fromStdString(field().as<std::string>(owner()));
+QString NotesEditor::stored() const {
+    return QString::fromStdString(field().as<std::string>(owner()));
+}
+
+void NotesEditor::take() {
+    const std::string text = m_text->toPlainText().toStdString();
+    if (text.size() > limits::stringBytes) {
+        m_kept = stored();
+        refuse(tooLong(text.size()));
+        return;
+    }
+    refuse({});
+    change([this, &text](void* to) { field().as<std::string>(to) = text; });
+}
+
+QString NotesEditor::tooLong(std::size_t bytes) {
+    const auto kilobytes = [](double size) { return QLocale().toString(size / 1024, 'f', 1); };
+    return tr("the text takes %1 KB; at most %2 KB are kept")
+        .arg(kilobytes(double(bytes)), kilobytes(double(limits::stringBytes)));
+}
+
+void NotesEditor::refuse(const QString& reason) {
+    if (reason != m_refused) {
+        m_refused = reason;
+        emit remarkChanged();
+    }
+}
+
+Remark NotesEditor::remark() const {
+    return m_refused.isEmpty() ? FieldEditor::remark() : Remark{Mark::error, m_refused};
+}
+
+void NotesEditor::dropRefusal() {
+    m_kept.clear();
+    refuse({});
+    show(true);
+}
+
+void NotesEditor::show(bool replaced) {
+    const QString text = stored();
+    if (!m_refused.isEmpty() && !replaced && text == m_kept) {
+        return; // the refused text stays in sight
+    }
+    refuse({});
     if (m_text->toPlainText() != text) {
         const QSignalBlocker quiet(m_text);
         m_text->setPlainText(text);
+    }
+}
+
+void NotesEditor::retranslate() {
+    if (!m_refused.isEmpty()) {
+        m_refused = tooLong(std::size_t(m_text->toPlainText().toUtf8().size()));
     }
 }
 

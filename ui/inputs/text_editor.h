@@ -36,15 +36,25 @@ public:
 
     [[nodiscard]] QWidget* widget() const override { return m_text; }
     void show(bool replaced) override;
-    void retranslate() override {}
+    void retranslate() override;
     [[nodiscard]] bool wide() const override { return true; }
     [[nodiscard]] bool tall() const override { return true; }
+    [[nodiscard]] Remark remark() const override;
+    [[nodiscard]] QString refusal() const override { return m_refused; }
+    void dropRefusal() override;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void take();
+    void refuse(const QString& reason);
+    [[nodiscard]] static QString tooLong(std::size_t bytes);
+    [[nodiscard]] QString stored() const;
+
     QPlainTextEdit* m_text;
+    QString m_refused; ///< why the text on the screen was not taken; empty when it was
+    QString m_kept;    ///< the document's text when that happened
 };
 
 } // namespace sparkout

@@ -4,18 +4,16 @@
 #include "core/project/project_file.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QUndoCommand>
 
+#include <algorithm>
 #include <memory>
 
 namespace sparkout {
 
 namespace {
 
-std::filesystem::path systemPath(const QString& path) {
-    return {QFile::encodeName(path).toStdString()};
-}
+constexpr EditText reloadText{"Edit", QT_TRANSLATE_NOOP("Edit", "Reload the file")};
 
 } // namespace
 
@@ -28,16 +26,17 @@ class Document::Edit : public QUndoCommand {
 public:
     Edit(Document& document, Project after, EditText text, QString mergeKey)
         : m_document(document)
-        , m_before(std::make_shared<Project>(document.m_project))
-        , m_after(std::make_shared<Project>(std::move(after)))
+        , m_before(document.m_present)
+        , m_after(document.snapshot(std::move(after)))
         , m_text(text)
         , m_mergeKey(std::move(mergeKey)) {}
 
     [[nodiscard]] const EditText& editText() const { return m_text; }
+    [[nodiscard]] const Project& before() const { return m_before.project; }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
-    void undo() override { m_document.setProject(*m_before); }
-    void redo() override { m_document.setProject(*m_after); }
+    void undo() override { m_document.setProject(m_before); }
+    void redo() override { m_document.setProject(m_after); }
 
     bool mergeWith(const QUndoCommand* other) override {
         const auto* next = static_cast<const Edit*>(other);
@@ -45,19 +44,20 @@ public:
             return false;
         }
         m_after = next->m_after;
-        setObsolete(sameProject(*m_before, *m_after));
+        setObsolete(m_before.runs == m_after.runs
+                    && sameProject(m_before.project, m_after.project));
         return true;
     }
 
 private:
     Document& m_document;
-    std::shared_ptr<const Project> m_before;
-    std::shared_ptr<const Project> m_after;
+    Snapshot m_before;
+    Snapshot m_after;
     EditText m_text;
     QString m_mergeKey;
 };
 
-Document::Document(QObject* parent) : QObject(parent) {
+Document::Document(QObject* parent) : QObject(parent), m_present(snapshot(m_project)) {
     connect(&m_history, &QUndoStack::indexChanged, this, &Document::historyChanged);
     connect(&m_history, &QUndoStack::cleanChanged, this, &Document::historyChanged);
 }
@@ -75,13 +75,17 @@ void Document::endMerge() {
     ++m_mergeRound;
 }
 
+const Document::Edit* Document::editAt(int index) const {
+    return static_cast<const Edit*>(m_history.command(index));
+}
+
 QString Document::undoText() const {
-    const auto* edit = static_cast<const Edit*>(m_history.command(m_history.index() - 1));
+    const Edit* edit = editAt(m_history.index() - 1);
     return edit ? edit->editText().shown() : QString();
 }
 
 QString Document::redoText() const {
-    const auto* edit = static_cast<const Edit*>(m_history.command(m_history.index()));
+    const Edit* edit = editAt(m_history.index());
     return edit ? edit->editText().shown() : QString();
 }
 
@@ -95,33 +99,52 @@ void Document::redo() {
     m_history.redo();
 }
 
+QStringList Document::unsavedEdits() const {
+    QStringList texts;
+    const int clean = m_history.cleanIndex();
+    if (clean >= 0) { // edits made since, or undone since
+        for (int i = std::min(clean, m_history.index()); i < std::max(clean, m_history.index());
+             ++i) {
+            texts += editAt(i)->editText().shown();
+        }
+    }
+    texts.removeDuplicates();
+    return texts;
+}
+
+const Project* Document::lastWith(Operation operation) const {
+    if (m_project.operation == operation) {
+        return &m_project;
+    }
+    for (int i = m_history.index() - 1; i >= 0; --i) {
+        const Project& before = editAt(i)->before();
+        if (before.operation == operation) {
+            return &before;
+        }
+    }
+    return nullptr;
+}
+
 void Document::startUntitled(Project project) {
-    replace(std::move(project), {});
+    take(std::move(project), {}, {}, false);
 }
 
 OpenResult Document::open(const QString& path) {
-    OpenResult result;
-    const auto read = readFile(systemPath(path), limits::fileBytes);
-    if (const auto* error = std::get_if<FileError>(&read)) {
-        result.error = *error;
-        return result;
-    }
-    ReadResult parsed = readProject(std::get<std::string>(read));
-    result.issues = std::move(parsed.issues);
-    auto& project = parsed.project ? parsed.project : parsed.unfinished;
-    if (project) {
+    LoadedProject loaded = loadProject(path);
+    OpenResult result{std::move(loaded.issues), std::move(loaded.error)};
+    if (loaded.project) {
         result.taken = true;
-        replace(std::move(*project), path);
+        take(std::move(*loaded.project), path, loaded.hash, false);
     }
     return result;
 }
 
 Issues Document::openCopy(const QByteArray& text) {
-    ReadResult parsed = readProject({text.constData(), static_cast<std::size_t>(text.size())});
-    if (parsed.project && !hasErrors(parsed.issues)) {
-        replace(std::move(*parsed.project), {});
+    LoadedProject loaded = parseProject({text.constData(), static_cast<std::size_t>(text.size())});
+    if (loaded.project && !hasErrors(loaded.issues)) {
+        startUntitled(std::move(*loaded.project));
     }
-    return parsed.issues;
+    return loaded.issues;
 }
 
 std::optional<FileError> Document::save() {
@@ -129,38 +152,76 @@ std::optional<FileError> Document::save() {
 }
 
 std::optional<FileError> Document::saveAs(const QString& path) {
-    // A text that could not be opened again must never reach the disk.
-    const std::string text = writeProject(m_project);
-    const ReadResult back = readProject(text);
-    const auto& same = back.project ? back.project : back.unfinished;
-    if (!same || !sameProject(*same, m_project)) {
-        FileError error;
-        error.path = path.toStdString();
-        error.step = FileStep::verify;
-        return error;
+    const SavedProject saved = saveProject(m_project, path);
+    if (!saved.error) {
+        markSaved(path, saved.hash);
     }
-    auto error = writeFileSafely(systemPath(path), text);
-    if (!error) {
-        m_filePath = path;
-        endMerge();
-        m_history.setClean();
-        emit historyChanged();
-    }
-    return error;
+    return saved.error;
 }
 
-void Document::replace(Project project, const QString& path) {
-    m_history.clear();
-    m_project = std::move(project);
+void Document::markSaved(const QString& path, const QByteArray& hash) {
     m_filePath = path;
+    m_diskHash = hash;
+    m_readOnly = false;
+    endMerge();
+    m_history.setClean();
+    emit historyChanged();
+}
+
+void Document::markUnsaved() {
+    m_history.resetClean();
+}
+
+void Document::reload(Project project, const QByteArray& hash) {
+    endMerge();
+    edit(std::move(project), reloadText);
+    m_diskHash = hash;
+    m_history.setClean();
+}
+
+void Document::take(Project project, const QString& path, const QByteArray& hash, bool readOnly) {
+    replace(std::move(project), path, hash, readOnly, Kept::onDisk);
+}
+
+void Document::recover(Project project, const QString& path, const QByteArray& hash,
+                       bool readOnly) {
+    replace(std::move(project), path, hash, readOnly, Kept::nowhere);
+}
+
+void Document::replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
+                       Kept kept) {
+    m_history.clear();
+    if (kept == Kept::nowhere) {
+        m_history.resetClean();
+    }
+    m_project = std::move(project);
+    m_present = snapshot(m_project);
+    m_filePath = path;
+    m_diskHash = hash;
+    m_readOnly = readOnly;
     endMerge();
     emit historyChanged();
     emit replaced();
     emit changed();
 }
 
-void Document::setProject(const Project& project) {
-    m_project = project;
+Document::Snapshot Document::snapshot(Project project) const {
+    Snapshot made;
+    made.runs = m_present.runs;
+    if (!made.runs || project.runs != *made.runs) {
+        made.runs = std::make_shared<const std::vector<KeptRun>>(project.runs);
+    }
+    project.runs.clear();
+    made.project = std::move(project);
+    return made;
+}
+
+void Document::setProject(const Snapshot& snapshot) {
+    const bool sameRuns = snapshot.runs == m_present.runs;
+    std::vector<KeptRun> runs = sameRuns ? std::move(m_project.runs) : *snapshot.runs;
+    m_present = snapshot;
+    m_project = snapshot.project;
+    m_project.runs = std::move(runs);
     emit changed();
 }
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/issue.h"
-#include "core/project/project.h"
-#include "core/project/safe_file.h"
+#include "ui/session/project_io.h"
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QUndoStack>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace sparkout {
 
@@ -40,6 +41,13 @@ public:
     [[nodiscard]] const Project& project() const { return m_project; }
     [[nodiscard]] const QString& filePath() const { return m_filePath; } ///< empty: untitled
     [[nodiscard]] bool modified() const { return !m_history.isClean(); }
+    /// The file may not be written: a save goes elsewhere.
+    [[nodiscard]] bool readOnly() const { return m_readOnly; }
+    /// Of the file as it was last read or written; empty: untitled.
+    [[nodiscard]] const QByteArray& diskHash() const { return m_diskHash; }
+    /// What the edits since the last save are called, each once, the first one first. Empty with
+    /// modified(): nobody knows any more.
+    [[nodiscard]] QStringList unsavedEdits() const;
 
     /// Replaces the value. Edits in a row with the same non-empty key become one step of the
     /// history, until endMerge().
@@ -53,11 +61,23 @@ public:
     void undo();
     void redo();
 
+    /// The project as it was the last time under an operation, as far as undo reaches; null when
+    /// it never was.
+    [[nodiscard]] const Project* lastWith(Operation operation) const;
+
     void startUntitled(Project project);
     [[nodiscard]] OpenResult open(const QString& path);
     [[nodiscard]] Issues openCopy(const QByteArray& text); ///< as an untitled document
     [[nodiscard]] std::optional<FileError> save();
     [[nodiscard]] std::optional<FileError> saveAs(const QString& path);
+
+    // The same in parts, for whoever reads and writes the file himself.
+    void take(Project project, const QString& path, const QByteArray& hash, bool readOnly);
+    /// What a crash left: it has its file and is modified; its history starts here.
+    void recover(Project project, const QString& path, const QByteArray& hash, bool readOnly);
+    void reload(Project project, const QByteArray& hash); ///< from its file; can be undone
+    void markSaved(const QString& path, const QByteArray& hash);
+    void markUnsaved(); ///< the file does not hold it any more
 
 signals:
     void changed();        ///< another value
@@ -66,12 +86,25 @@ signals:
 
 private:
     class Edit;
+    /// A value of the history. Kept runs may be megabytes: steps that do not change them share
+    /// them.
+    struct Snapshot {
+        Project project; ///< without its runs
+        std::shared_ptr<const std::vector<KeptRun>> runs;
+    };
 
-    void replace(Project project, const QString& path);
-    void setProject(const Project& project);
+    enum class Kept { onDisk, nowhere };
+    void replace(Project project, const QString& path, const QByteArray& hash, bool readOnly,
+                 Kept kept);
+    [[nodiscard]] Snapshot snapshot(Project project) const;
+    void setProject(const Snapshot& snapshot);
+    [[nodiscard]] const Edit* editAt(int index) const;
 
     Project m_project;
+    Snapshot m_present; ///< the same
     QString m_filePath;
+    QByteArray m_diskHash;
+    bool m_readOnly = false;
     QUndoStack m_history;
     int m_mergeRound = 0;
 };

@@ -10,14 +10,14 @@ namespace sparkout {
 
 namespace {
 
-/// Reason, what the system says of it, and the free space when that may be the cause.
+/// Reason, what the system says of it, and the free space where something was to be written.
 QString details(const FileError& error) {
     QString text = QCoreApplication::translate("FileError", fileStepText(error.step));
     if (error.systemError != 0) {
         text = QCoreApplication::translate("FileError", "%1 (%2)")
                    .arg(text, QString::fromLocal8Bit(std::strerror(error.systemError)));
     }
-    if (error.freeBytes && *error.freeBytes < (1u << 20)) {
+    if (error.freeBytes) {
         text = QCoreApplication::translate("FileError", "%1; free space: %2")
                    .arg(text, QLocale().formattedDataSize(qint64(*error.freeBytes)));
     }

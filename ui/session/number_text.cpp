@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/number_text.h"
 
-#include "core/project/validate.h"
-
 #include <QRegularExpression>
 
 #include <charconv>
@@ -14,6 +12,8 @@ namespace sparkout {
 namespace {
 
 constexpr qsizetype longest = 400; // digits of the smallest double, with room
+constexpr double smallestPlain = 1e-7;
+constexpr double largestPlain = 1e15;
 
 /// The text in the letters from_chars reads; empty when it holds others.
 QByteArray plain(const QString& text) {
@@ -64,8 +64,15 @@ std::optional<double> parseNumber(const QString& text) {
 }
 
 QString showNumber(double value, const QLocale& locale) {
-    QString text = QString::fromStdString(numberText(value));
-    return text.replace(u'.', locale.decimalPoint());
+    const double size = std::abs(value);
+    const bool plain = value == 0 || (size >= smallestPlain && size < largestPlain);
+    char buffer[64];
+    const auto [end, error] =
+        plain ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed)
+              : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
+    QString text = QString::fromLatin1(buffer, end - buffer);
+    static const QRegularExpression padding(QStringLiteral("e\\+?(-?)0*(\\d)"));
+    return text.replace(padding, QStringLiteral("e\\1\\2")).replace(u'.', locale.decimalPoint());
 }
 
 QString stepNumber(const QString& text, int steps, bool zeroAllowed) {

@@ -13,7 +13,8 @@ namespace sparkout {
 /// spaces around it. Anything else, group separators too, is no number.
 [[nodiscard]] std::optional<double> parseNumber(const QString& text);
 
-/// The shortest digits that read back to the same double, with the locale's decimal separator.
+/// The shortest digits that read back to the same double, with the locale's decimal separator;
+/// plain decimals from 1e-7 to 1e15, an exponent beyond.
 [[nodiscard]] QString showNumber(double value, const QLocale& locale);
 
 /// The number of a text one step of its last digit higher (steps > 0) or lower, written as the

@@ -75,8 +75,7 @@ void makePlunge(Project& project) {
         stage.radial_feed_mm.reset();
         stage.axial_feed_mm_min.reset();
     }
-    // The wheel of a plunge cycle covers the ground length.
-    project.wheel.width_mm = std::max(project.wheel.width_mm, project.part.length_mm);
+    project = fitted(std::move(project), Operation::plunge);
 }
 
 /// Leaves a zone between the reversals: L_p > (B − o1) + (B − o2), each bracket above zero.
@@ -113,7 +112,7 @@ void makeTraverse(Project& project) {
     project.gauge.section.reset();
     project.gauge.position_mm.reset();
     project.gauge.compliance_mm_per_n.reset();
-    fitZones(project);
+    project = fitted(std::move(project), Operation::traverse);
     const bool computed =
         std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
     if (computed && !complianceComputable(project)) { // a bore has no shaft
@@ -148,6 +147,15 @@ bool complianceComputable(const Project& project) {
                           ? project.part.shaft.quill.has_value()
                           : !project.part.shaft.segments.empty();
     return body && project.machine.stiffness_n_um;
+}
+
+Project fitted(Project project, Operation operation) {
+    if (operation == Operation::traverse) {
+        fitZones(project);
+    } else { // the wheel of a plunge cycle covers the ground length
+        project.wheel.width_mm = std::max(project.wheel.width_mm, project.part.length_mm);
+    }
+    return project;
 }
 
 Project withOperation(Project project, Operation operation) {

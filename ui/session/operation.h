@@ -13,6 +13,15 @@ namespace sparkout {
 /// operation can run with; what it does not read is cleared.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
+/// The same, with the project as it last was under that operation: feeds come back as they were
+/// there, and of wheel, overruns, compliance, gauge and surface what was not touched since. There
+/// and back is the project it was.
+[[nodiscard]] Project withOperation(const Project& project, Operation operation,
+                                    const Project* last);
+
+/// The project with wheel width and overruns that suit the ground length under an operation.
+[[nodiscard]] Project fitted(Project project, Operation operation);
+
 /// The project with another number of plunge sections; a listed compliance follows.
 [[nodiscard]] Project withSections(Project project, int sections);
 

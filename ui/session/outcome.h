@@ -3,6 +3,8 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/quality/shop_numbers.h"
+#include "core/simulation/feed_series.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -17,7 +19,9 @@ struct Outcome {
     Issues issues; ///< errors and warnings of the inputs
     SimulationResult result;
     Trajectory trajectory;
+    FeedSeries feeds; ///< the trajectory summed up for the view "Feeds by stage"
     std::vector<ConstraintResult> constraints;
+    ShopNumbers shop;
 
     [[nodiscard]] bool ran() const { return !hasErrors(issues); }
 };

@@ -2,6 +2,7 @@
 #include "ui/session/run_controller.h"
 
 #include "core/project/validate.h"
+#include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
 
 #include <QElapsedTimer>
@@ -25,6 +26,10 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
         return nullptr;
     }
     outcome->constraints = evaluateConstraints(outcome->result);
+    outcome->shop = shopNumbers(outcome->result);
+    const Issues remarks = remarksOn(outcome->result);
+    outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());
+    outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
     return outcome;
 }
 

@@ -2,75 +2,123 @@
 #include "ui/session/settings.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QLocale>
+#include <QStandardPaths>
 
 namespace sparkout {
 
 namespace {
 
 const QString languageKey = QStringLiteral("language");
+const QString themeKey = QStringLiteral("theme");
+const QString csvKey = QStringLiteral("csvDialect");
 const QString folderKey = QStringLiteral("lastFolder");
+const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 
+const QString english = QStringLiteral("en");
+const QString russian = QStringLiteral("ru");
+
+QString usersFile() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation);
+    return folder.isEmpty() ? QString() : folder + QStringLiteral("/sparkout/settings.json");
+}
+
+QVariant asText(const QByteArray& bytes) {
+    return QString::fromLatin1(bytes.toBase64());
+}
+
+QByteArray asBytes(const QVariant& text) {
+    return QByteArray::fromBase64(text.toString().toLatin1());
+}
+
 } // namespace
 
-Settings::Settings()
-    : Settings(std::make_unique<QSettings>(QSettings::IniFormat, QSettings::UserScope,
-                                           QStringLiteral("sparkout"),
-                                           QStringLiteral("sparkout"))) {}
+Settings::Settings() : Settings(usersFile()) {}
 
-Settings::Settings(const QString& iniFile)
-    : Settings(std::make_unique<QSettings>(iniFile, QSettings::IniFormat)) {}
+Settings::Settings(const QString& file) : m_file(std::make_unique<SettingsFile>(file)) {}
 
 Settings Settings::transient() {
-    return Settings(std::unique_ptr<QSettings>());
+    return Settings(QString());
+}
+
+QString Settings::oneOf(const QString& key, const QStringList& allowed) const {
+    const QString chosen = m_file->value(key).toString();
+    return allowed.contains(chosen) ? chosen : QString();
 }
 
 QString Settings::language() const {
-    const QString chosen = value(languageKey).toString();
-    if (chosen == u"en" || chosen == u"ru") {
+    const QString chosen = oneOf(languageKey, {english, russian});
+    if (!chosen.isEmpty()) {
         return chosen;
     }
-    return QLocale::system().language() == QLocale::Russian ? QStringLiteral("ru")
-                                                            : QStringLiteral("en");
+    return QLocale::system().language() == QLocale::Russian ? russian : english;
 }
 
 void Settings::setLanguage(const QString& code) {
-    set(languageKey, code);
+    m_file->set(languageKey, code);
+}
+
+QString Settings::theme() const {
+    const QString chosen = oneOf(
+        themeKey, {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
+    return chosen.isEmpty() ? QStringLiteral("system") : chosen;
+}
+
+void Settings::setTheme(const QString& theme) {
+    m_file->set(themeKey, theme);
+}
+
+QString Settings::csvDialect() const {
+    const QString chosen = oneOf(csvKey, {english, russian});
+    return chosen.isEmpty() ? language() : chosen;
+}
+
+void Settings::setCsvDialect(const QString& dialect) {
+    m_file->set(csvKey, dialect);
 }
 
 QString Settings::lastFolder() const {
-    return value(folderKey, QDir::homePath()).toString();
+    const QString folder = m_file->value(folderKey).toString();
+    return folder.isEmpty() ? QDir::homePath() : folder;
 }
 
 void Settings::setLastFolder(const QString& folder) {
-    set(folderKey, folder);
+    m_file->set(folderKey, folder);
+}
+
+QStringList Settings::recentFiles() const {
+    QStringList paths = m_file->value(recentKey).toStringList();
+    paths.removeAll(QString());
+    return paths.mid(0, recentFilesKept);
+}
+
+void Settings::addRecentFile(const QString& path) {
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    m_file->refresh();
+    QStringList paths = recentFiles();
+    paths.removeAll(whole);
+    paths.prepend(whole);
+    setRecentFiles(paths);
+}
+
+void Settings::setRecentFiles(const QStringList& paths) {
+    m_file->set(recentKey, paths.mid(0, recentFilesKept));
 }
 
 QByteArray Settings::windowGeometry() const {
-    return value(geometryKey).toByteArray();
+    return asBytes(m_file->value(geometryKey));
 }
 
 QByteArray Settings::windowState() const {
-    return value(stateKey).toByteArray();
+    return asBytes(m_file->value(stateKey));
 }
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
-    set(geometryKey, geometry);
-    set(stateKey, state);
-}
-
-QVariant Settings::value(const QString& key, const QVariant& otherwise) const {
-    return m_store ? m_store->value(key, otherwise) : m_memory.value(key, otherwise);
-}
-
-void Settings::set(const QString& key, const QVariant& value) {
-    if (m_store) {
-        m_store->setValue(key, value);
-    } else {
-        m_memory.insert(key, value);
-    }
+    m_file->set(geometryKey, asText(geometry));
+    m_file->set(stateKey, asText(state));
 }
 
 } // namespace sparkout

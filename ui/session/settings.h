@@ -1,38 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/settings_file.h"
+
 #include <QByteArray>
-#include <QSettings>
 #include <QString>
-#include <QVariantMap>
+#include <QStringList>
 
 #include <memory>
 
 namespace sparkout {
 
-/// What the program remembers between starts, in an ini file; or, for pictures and tests, only
-/// while it runs.
+/// What the program remembers between starts; or, for pictures and tests, only while it runs. A
+/// value that makes no sense counts as not set.
 class Settings {
 public:
     Settings();                                ///< the user's own
-    explicit Settings(const QString& iniFile); ///< another file
+    explicit Settings(const QString& file);    ///< another file
     [[nodiscard]] static Settings transient(); ///< nothing is read or written
 
     [[nodiscard]] QString language() const; ///< "en" or "ru": as chosen, else as the system speaks
     void setLanguage(const QString& code);
+    [[nodiscard]] QString theme() const; ///< "system", "light", "dark" or "contrast"
+    void setTheme(const QString& theme);
+    [[nodiscard]] QString csvDialect() const; ///< "ru" (; and comma) or "en" (, and point)
+    void setCsvDialect(const QString& dialect);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
+    [[nodiscard]] QStringList recentFiles() const; ///< newest first
+    void addRecentFile(const QString& path);
+    void setRecentFiles(const QStringList& paths);
     [[nodiscard]] QByteArray windowGeometry() const;
     [[nodiscard]] QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
 
-private:
-    explicit Settings(std::unique_ptr<QSettings> store) : m_store(std::move(store)) {}
-    [[nodiscard]] QVariant value(const QString& key, const QVariant& otherwise = {}) const;
-    void set(const QString& key, const QVariant& value);
+    std::optional<FileError> flush() { return m_file->flush(); } ///< writes now what is unwritten
+    /// Where a damaged settings file was put aside; empty when it was in order.
+    [[nodiscard]] const QString& damaged() const { return m_file->damaged(); }
 
-    std::unique_ptr<QSettings> m_store;
-    QVariantMap m_memory;
+    static constexpr int recentFilesKept = 9; ///< as many as there are digits to choose one by
+
+private:
+    [[nodiscard]] QString oneOf(const QString& key, const QStringList& allowed) const;
+
+    std::unique_ptr<SettingsFile> m_file;
 };
 
 } // namespace sparkout

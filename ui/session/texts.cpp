@@ -57,6 +57,19 @@ std::array<QRegularExpression, N> patterns(const std::array<const char*, N>& tex
     return all;
 }
 
+/// "1e-05 mm" → "0.00001 mm": the core writes the shortest text of a number.
+QString withoutExponents(QString text) {
+    static const QRegularExpression number(QStringLiteral("\\d+(?:\\.\\d+)?e[-+]?\\d+"));
+    qsizetype from = 0;
+    for (auto found = number.match(text); found.hasMatch(); found = number.match(text, from)) {
+        const auto value = parseNumber(found.captured());
+        const QString shown = value ? showNumber(*value, QLocale::c()) : found.captured();
+        text.replace(found.capturedStart(), found.capturedLength(), shown);
+        from = found.capturedStart() + shown.size();
+    }
+    return text;
+}
+
 /// A value or limit of an issue in the present language. What quotes the file stays as it is.
 std::string localised(const std::string& detail) {
     QString text = QString::fromStdString(detail);
@@ -75,7 +88,7 @@ std::string localised(const std::string& detail) {
         text.replace(unitPatterns[i], u' ' + translated("Unit", units[i]));
     }
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
-    return text.replace(point, QLocale().decimalPoint()).toStdString();
+    return withoutExponents(text).replace(point, QLocale().decimalPoint()).toStdString();
 }
 
 } // namespace
@@ -120,6 +133,21 @@ QString rangeShown(const Range& range, const char* unit) {
                              : QCoreApplication::translate("Range", "at least %1").arg(low);
     } else if (above) {
         text = QCoreApplication::translate("Range", "at most %1").arg(high);
+    }
+    return text.isEmpty() || !*unit ? text : text + u'\u00a0' + unitText(unit);
+}
+
+QString rangeBrief(const Range& range, const char* unit) {
+    const auto number = [](double value) {
+        return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
+    };
+    QString text;
+    if (std::isfinite(range.low)) {
+        text = (range.lowOpen ? QStringLiteral(">") : QString()) + number(range.low);
+        text.prepend(std::isfinite(range.high) || range.lowOpen ? QString() : QStringLiteral("≥"));
+    }
+    if (std::isfinite(range.high)) {
+        text += (text.isEmpty() ? QStringLiteral("≤") : QStringLiteral("…")) + number(range.high);
     }
     return text.isEmpty() || !*unit ? text : text + u'\u00a0' + unitText(unit);
 }

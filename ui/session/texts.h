@@ -19,6 +19,9 @@ namespace sparkout {
 /// A range with its unit: "0.5 to 1000 mm", "above 0, up to 5 mm"; empty when unbounded.
 [[nodiscard]] QString rangeShown(const Range& range, const char* unit);
 
+/// The same in figures: "0.5…1000 mm", ">0…5 mm".
+[[nodiscard]] QString rangeBrief(const Range& range, const char* unit);
+
 /// The sentence of an issue with value and limit filled in.
 [[nodiscard]] QString issueText(const Issue& issue);
 

@@ -11,12 +11,14 @@ namespace sparkout {
 struct Band {
     double from = 0, to = 0; ///< in the axis' unit
     QColor colour;
-    QString name;    ///< "E1", drawn above the axis rect
-    QString meaning; ///< "plunge-in", for tooltips
+    QString name;    ///< "stage 1", drawn above the axis rect
+    QString brief;   ///< "st. 1", where the names are too long; empty: there is none
+    QString meaning; ///< "E1: plunge-in", for tooltips
 };
 
-/// Draws bands behind the curves of one axis rect, and their names in its upper margin, where they
-/// cover no data; names that would overlap go to a second line or are left out.
+/// Draws bands behind the curves of one axis rect, and their names in one line of its upper margin,
+/// where they cover no data. A name keeps touching its band and has its colour; where not all names
+/// fit, the brief ones are tried, then the narrowest bands go without.
 class BandLayer : public QCPLayerable {
     Q_OBJECT
 public:
@@ -25,8 +27,13 @@ public:
     void setBands(std::vector<Band> bands) { m_bands = std::move(bands); }
     [[nodiscard]] const std::vector<Band>& bands() const { return m_bands; }
     [[nodiscard]] const Band* bandAt(double x) const;
-    /// Names drawn by the last replot, widest band first.
-    [[nodiscard]] const QStringList& drawnNames() const { return m_drawnNames; }
+
+    /// A name drawn by the last replot.
+    struct DrawnName {
+        QString text;
+        QRectF box;
+    };
+    [[nodiscard]] const std::vector<DrawnName>& drawnNames() const { return m_drawnNames; }
 
     static int nameMargin(const QFont& font); ///< height the names need above the rect
 
@@ -36,12 +43,14 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
+    struct Name;
+    [[nodiscard]] std::vector<Name> namesIn(const QRectF& area, bool brief) const;
     void drawNames(QCPPainter* painter, const QRectF& area);
 
     QCPAxisRect* m_rect;
     bool m_showNames;
     std::vector<Band> m_bands;
-    QStringList m_drawnNames;
+    std::vector<DrawnName> m_drawnNames;
 };
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feed_text.h"
 
+#include "core/units.h"
 #include "ui/views/names.h"
 
 #include <QCoreApplication>
@@ -17,6 +18,7 @@ class FeedText {
     Q_DECLARE_TR_FUNCTIONS(FeedText)
 public:
     static QString name(Quantity quantity);
+    static QString withUnit(Quantity quantity);
     static QString where(const FeedPoint& p, double time_s, const FeedSeries& series);
     static QString values(const FeedPoint& p, const FeedSeries& series);
 
@@ -36,6 +38,14 @@ QString FeedText::name(Quantity quantity) {
     case Quantity::force: return tr("normal force");
     }
     return {};
+}
+
+QString FeedText::withUnit(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::axialFeed: return tr("%1, mm/min").arg(name(quantity));
+    case Quantity::force: return tr("%1, N").arg(name(quantity));
+    default: return tr("%1, µm").arg(name(quantity));
+    }
 }
 
 QString FeedText::spread(const Spread& s, bool sign) {
@@ -60,7 +70,7 @@ QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& ser
         parts << tr("radius %1").arg(p.radius);
     }
     return parts.join(QStringLiteral(", ")) + QStringLiteral(" — ")
-           + tr("%1 min").arg(Names::significant(time_s / 60, 4));
+           + tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute, 4));
 }
 
 QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {
@@ -71,11 +81,10 @@ QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {
                  .arg(spread(p.programmedSum_um, false), spread(p.actualSum_um, false));
     parts << tr("radius before %1, after %2 µm")
                  .arg(spread(p.came_um, true), spread(p.left_um, true));
-    if (series.operation == Operation::plunge) {
-        parts << tr("force %1 N").arg(Names::significant(p.force_n.mean));
-    } else if (p.axialFeed_mm_min > 0) {
+    if (series.operation == Operation::traverse && p.axialFeed_mm_min > 0) {
         parts << tr("axial feed %1 mm/min").arg(Names::significant(p.axialFeed_mm_min));
     }
+    parts << tr("force %1 N").arg(Names::significant(p.force_n.mean));
     return parts.join(QStringLiteral("; "));
 }
 
@@ -83,6 +92,10 @@ QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {
 
 QString quantityName(Quantity quantity) {
     return FeedText::name(quantity);
+}
+
+QString quantityWithUnit(Quantity quantity) {
+    return FeedText::withUnit(quantity);
 }
 
 QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/feed_series.h"
+#include "core/simulation/feed_curves.h"
 
 #include <QString>
 
@@ -9,6 +9,9 @@ namespace sparkout {
 
 /// What a curve of the view is called in its legend.
 [[nodiscard]] QString quantityName(Quantity quantity);
+
+/// The same with its unit: "actual feed, µm".
+[[nodiscard]] QString quantityWithUnit(Quantity quantity);
 
 /// The values at a time as two lines of plain text: where in the cycle, and the numbers. Empty when
 /// the zone has no point there.

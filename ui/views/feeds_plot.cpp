@@ -3,7 +3,7 @@
 
 #include "ui/views/band_layer.h"
 #include "ui/views/feed_text.h"
-#include "ui/views/names.h"
+#include "ui/views/hair_line.h"
 #include "ui/views/plot_style.h"
 
 #include <algorithm>
@@ -11,35 +11,49 @@
 namespace sparkout {
 
 FeedsPlot::FeedsPlot(QWidget* parent) : QCustomPlot(parent) {
-    setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     setPlottingHints(QCP::phFastPolylines);
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
+    m_hairLine = new HairLine(*this);
     setMouseTracking(true);
-    connect(this, &QCustomPlot::mouseWheel, this, &FeedsPlot::onWheel);
     connect(this, &QCustomPlot::mouseMove, this, &FeedsPlot::onMouse);
-    connect(this, &QCustomPlot::mouseDoubleClick, this, &FeedsPlot::fitAsked);
 }
 
-void FeedsPlot::setRun(OutcomePtr outcome, FeedSeries series) {
-    const bool sameGrid =
-        series.columns.size() == m_columns.size() && series.operation == m_series.operation;
+const FeedSeries& FeedsPlot::series() const {
+    static const FeedSeries none;
+    return m_outcome ? m_outcome->feeds : none;
+}
+
+const FeedColumn& FeedsPlot::source(int column) const {
+    return series().columns.at(m_columns.at(static_cast<std::size_t>(column)).index);
+}
+
+void FeedsPlot::setRun(OutcomePtr outcome, const std::vector<int>& shown) {
+    const bool sameGrid = m_outcome && shown.size() == m_columns.size()
+                          && outcome->feeds.operation == series().operation;
     m_outcome = std::move(outcome);
-    m_series = std::move(series);
-    m_scale = CycleScale(m_series, m_axis);
-    m_strokes = CycleScale(m_series, CycleAxis::strokes);
+    m_scale = CycleScale(series(), m_axis);
+    m_strokes = CycleScale(series(), CycleAxis::strokes);
     if (!sameGrid) {
-        buildGrid();
+        buildGrid(shown.size());
     }
-    fitHeaders();
-    const bool inside = m_to_s > m_from_s && m_from_s < m_series.end_s;
-    showTimes(inside ? m_from_s : 0, inside ? std::min(m_to_s, m_series.end_s) : m_series.end_s);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        m_columns[i].index = static_cast<std::size_t>(shown[i]);
+    }
+    if (!sameGrid) {
+        retranslate();
+        emit gridBuilt();
+    }
+    const double end_s = series().end_s;
+    const bool inside = m_to_s > m_from_s && m_from_s < end_s;
+    showTimes(inside ? m_from_s : 0, inside ? std::min(m_to_s, end_s) : end_s);
 }
 
 void FeedsPlot::setAxis(CycleAxis axis) {
     m_axis = axis;
-    m_scale = CycleScale(m_series, axis);
+    m_scale = CycleScale(series(), axis);
+    m_hairLine->setAt({});
     labelAxes();
     showTimes(m_from_s, m_to_s);
 }
@@ -50,6 +64,18 @@ void FeedsPlot::setDimmed(bool dim) {
         restyle();
     }
 }
+
+void FeedsPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    showCurves();
+}
+
+void FeedsPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    showCurves();
+}
+
+// --- what is in sight ---------------------------------------------------------------------------
 
 void FeedsPlot::showTimes(double from_s, double to_s) {
     if (m_columns.empty() || !(to_s > from_s)) {
@@ -66,6 +92,7 @@ void FeedsPlot::showTimes(double from_s, double to_s) {
     }
     m_linking = false;
     refresh();
+    emit timesChanged();
 }
 
 void FeedsPlot::onTimesChanged(const QCPRange& range) {
@@ -73,11 +100,10 @@ void FeedsPlot::onTimesChanged(const QCPRange& range) {
         return;
     }
     // Pan and zoom stay within the cycle, and wider than a thousandth of a revolution.
-    const double end = m_scale.at(m_series.end_s);
+    const double end = m_scale.at(series().end_s);
     const double size = std::clamp(range.size(), end * 1e-6, end);
     const double low = std::clamp(range.lower, 0.0, end - size);
     showTimes(m_scale.time_s(low), m_scale.time_s(low + size));
-    emit movedByUser();
 }
 
 void FeedsPlot::onValuesChanged(QCPAxis* axis, const QCPRange& range) {
@@ -88,26 +114,58 @@ void FeedsPlot::onValuesChanged(QCPAxis* axis, const QCPRange& range) {
     for (std::size_t row = 0; row < rowCount; ++row) {
         const bool here = std::ranges::any_of(
             m_columns, [&](const Column& c) { return c.rects[row] == axis->axisRect(); });
+        if (!here) {
+            continue;
+        }
         for (Column& column : m_columns) {
-            if (here) {
-                column.rects[row]->axis(axis->axisType())->setRange(range);
-                m_ownValues[row] = true;
+            column.rects[row]->axis(axis->axisType())->setRange(range);
+        }
+        const QCPAxisRect* first = m_columns.front().rects[row];
+        m_values[row] = {true, first->axis(QCPAxis::atLeft)->range(),
+                         first->axis(QCPAxis::atRight)->range()};
+    }
+    m_linking = false;
+    fitColumns();
+}
+
+PlotHistory::State FeedsPlot::sight() const {
+    PlotHistory::State state{m_from_s, m_to_s};
+    for (const RowValues& row : m_values) {
+        const RowValues v = row.own ? row : RowValues{};
+        state.insert(state.end(),
+                     {v.own ? 1.0 : 0.0, v.left.lower, v.left.upper, v.right.lower, v.right.upper});
+    }
+    return state;
+}
+
+void FeedsPlot::setSight(const PlotHistory::State& state) {
+    constexpr std::size_t perRow = 5;
+    if (m_columns.empty() || state.size() != 2 + perRow * rowCount) {
+        return;
+    }
+    m_linking = true;
+    for (std::size_t row = 0; row < rowCount; ++row) {
+        const double* v = state.data() + 2 + perRow * row;
+        m_values[row] = {v[0] > 0, QCPRange(v[1], v[2]), QCPRange(v[3], v[4])};
+        for (Column& column : m_columns) {
+            if (m_values[row].own) {
+                column.rects[row]->axis(QCPAxis::atLeft)->setRange(m_values[row].left);
+                column.rects[row]->axis(QCPAxis::atRight)->setRange(m_values[row].right);
             }
         }
     }
     m_linking = false;
+    const double end_s = series().end_s;
+    const double from_s = std::min(state[0], end_s);
+    const bool inside = from_s < end_s;
+    showTimes(inside ? from_s : 0, inside ? std::min(state[1], end_s) : end_s);
 }
 
-void FeedsPlot::onWheel(QWheelEvent* event) {
-    const QPointF at = event->position();
-    for (QCPAxisRect* rect : axisRects()) {
-        const bool left = at.x() < rect->left();
-        const bool right = at.x() > rect->right();
-        QCPAxis* values = rect->axis(right ? QCPAxis::atRight : QCPAxis::atLeft);
-        rect->setRangeZoomAxes(left || right ? nullptr : rect->axis(QCPAxis::atBottom),
-                               left || right ? values : nullptr);
-    }
+QList<QCPAxis*> FeedsPlot::movedAxes(QCPAxisRect& rect) {
+    return {rect.axis(QCPAxis::atBottom)};
 }
+
+// --- the mouse ----------------------------------------------------------------------------------
 
 void FeedsPlot::onMouse(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton) {
@@ -120,24 +178,27 @@ void FeedsPlot::onMouse(QMouseEvent* event) {
                 continue;
             }
             const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
-            const double time_s = m_scale.time_s(x);
-            emit pointed(feedText(column.points, time_s, m_series, m_detail == Detail::stroke));
+            m_hairLine->setAt(x);
+            emit pointed(
+                feedText(column.points, m_scale.time_s(x), series(), m_detail == Detail::stroke));
             const Band* band = column.bands[row]->bandAt(x);
             emit pointedBand(band ? band->meaning : QString());
             return;
         }
     }
+    m_hairLine->setAt({});
     emit pointed({});
     emit pointedBand({});
 }
 
 void FeedsPlot::leaveEvent(QEvent* event) {
     QCustomPlot::leaveEvent(event);
+    m_hairLine->setAt({});
     emit pointed({});
 }
 
 void FeedsPlot::resizeEvent(QResizeEvent* event) {
-    fitHeaders();
+    fitColumns();
     QCustomPlot::resizeEvent(event);
 }
 

@@ -28,28 +28,27 @@ QCPGraphData toData(const XY& p) {
 
 void FeedsPlot::refresh() {
     const Detail before = m_detail;
-    const bool stepsBefore = m_stepsShown;
+    const auto stepsBefore = m_steps;
     chooseDetail();
-    m_stepsShown = showsSteps();
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        fillColumn(i);
-        fillBands(i);
+    m_steps = stepsInSight();
+    for (Column& column : m_columns) {
+        fillColumn(column);
     }
+    fillBands();
     scaleValues();
     if (before != m_detail) {
         labelAxes();
     }
-    if (before != m_detail || stepsBefore != m_stepsShown) {
+    if (before != m_detail || stepsBefore != m_steps) {
         emit contentChanged();
     }
 }
 
 void FeedsPlot::chooseDetail() {
     const double strokes = visibleStrokes();
-    const bool traverse = m_series.operation == Operation::traverse;
-    if (strokes <= (traverse ? mostStrokesByRadius : mostRevolutionsByRadius)) {
+    if (strokes <= (isTraverse() ? mostStrokesByRadius : mostRevolutionsByRadius)) {
         m_detail = Detail::radius;
-    } else if (strokes <= (traverse ? mostStrokesByPass : mostPassesDrawn)) {
+    } else if (strokes <= (isTraverse() ? mostStrokesByPass : mostPassesDrawn)) {
         m_detail = Detail::pass;
     } else {
         m_detail = Detail::stroke;
@@ -57,17 +56,41 @@ void FeedsPlot::chooseDetail() {
 }
 
 bool FeedsPlot::showsSteps() const {
-    return m_series.operation == Operation::traverse && visibleStrokes() <= mostStrokesWithSteps;
+    return isTraverse() && visibleStrokes() <= mostStrokesWithSteps;
 }
 
-void FeedsPlot::fillColumn(std::size_t index) {
-    const FeedColumn& source = m_series.columns[index];
-    Column& column = m_columns[index];
+std::vector<std::pair<Zone, Step>> FeedsPlot::stepsInSight() const {
+    std::vector<std::pair<Zone, Step>> steps;
+    for (const Column& column : m_columns) {
+        const FeedColumn& zone = series().columns[column.index];
+        if (!showsSteps()) {
+            continue;
+        }
+        for (const StepSpan& span : stepSpans(zone, m_outcome->trajectory, m_from_s, m_to_s)) {
+            const StrokeStep step = strokeStep(zone.zone, span.place.step);
+            const bool inSight = span.end_s > m_from_s && span.start_s < m_to_s;
+            if (inSight && std::ranges::none_of(steps, [step](const auto& known) {
+                    return strokeStep(known.first, known.second) == step;
+                })) {
+                steps.emplace_back(zone.zone, span.place.step);
+            }
+        }
+    }
+    // In the order of the double stroke.
+    std::ranges::sort(steps, {}, [](const auto& s) { return strokeStep(s.first, s.second); });
+    return steps;
+}
+
+void FeedsPlot::fillColumn(Column& column) {
+    const FeedColumn& source = series().columns[column.index];
+    const Trajectory& trajectory = m_outcome->trajectory;
     switch (m_detail) {
     case Detail::stroke: column.points = within(source.strokes, m_from_s, m_to_s); break;
-    case Detail::pass: column.points = within(source.passes, m_from_s, m_to_s); break;
+    case Detail::pass:
+        column.points = passPoints(series(), source, trajectory, m_from_s, m_to_s);
+        break;
     case Detail::radius:
-        column.points = radiusPoints(m_series, source, m_outcome->trajectory, m_from_s, m_to_s);
+        column.points = radiusPoints(series(), source, trajectory, m_from_s, m_to_s);
         break;
     }
     for (const Curve& c : column.curves) {
@@ -83,62 +106,79 @@ void FeedsPlot::fillColumn(std::size_t index) {
 
 std::vector<Band> FeedsPlot::stepBands(const FeedColumn& column) const {
     std::vector<Band> bands;
-    Place last;
-    for (const FeedPoint& p : within(column.passes, m_from_s, m_to_s)) {
-        const double from = m_scale.at(p.start_s), to = m_scale.at(p.end_s);
-        if (!bands.empty() && last.step == p.place.step && last.cycleCount == p.place.cycleCount) {
-            bands.back().to = to;
-        } else {
-            const QString name = Names::step(p.place.step);
-            const QString meaning =
-                tr("%1: %2").arg(name, Names::stepMeaning(p.place.zone, p.place.step));
-            bands.push_back({from, to, colourOf(p.place.zone, p.place.step), name, meaning});
-        }
-        last = p.place;
+    for (const StepSpan& span : stepSpans(column, m_outcome->trajectory, m_from_s, m_to_s)) {
+        const Place& place = span.place;
+        const QString name = Names::step(place.step);
+        const QString meaning = tr("%1: %2").arg(name, Names::stepMeaning(place.zone, place.step));
+        bands.push_back({m_scale.at(span.start_s),
+                         m_scale.at(span.end_s),
+                         stepColour(place.zone, place.step, palette()),
+                         name,
+                         {},
+                         meaning});
     }
     return bands;
 }
 
 std::vector<Band> FeedsPlot::stageBands() const {
     std::vector<Band> bands;
-    for (const StageSpan& span : m_series.stages) {
+    for (const StageSpan& span : series().stages) {
         const bool odd = span.stage % 2 == 1;
         QColor colour = style::colour(odd ? style::Hue::sky : style::Hue::yellow, palette());
         colour.setAlpha(odd ? 28 : 38);
         const QString name = tr("stage %1").arg(span.stage);
-        bands.push_back({m_scale.at(span.start_s), m_scale.at(span.end_s), colour, name, name});
+        bands.push_back({m_scale.at(span.start_s), m_scale.at(span.end_s), colour, name,
+                         tr("st. %1", "stage, short").arg(span.stage), name});
     }
     return bands;
 }
 
-void FeedsPlot::fillBands(std::size_t index) {
-    const std::vector<Band> bands =
-        showsSteps() ? stepBands(m_series.columns[index]) : stageBands();
-    for (BandLayer* layer : m_columns[index].bands) {
-        layer->setBands(bands);
+void FeedsPlot::fillBands() {
+    for (Column& column : m_columns) {
+        const std::vector<Band> bands =
+            showsSteps() ? stepBands(series().columns[column.index]) : stageBands();
+        for (BandLayer* layer : column.bands) {
+            layer->setBands(bands);
+        }
     }
 }
 
+/// What the user hid is neither drawn nor scaled to.
+void FeedsPlot::showCurves() {
+    for (Column& column : m_columns) {
+        for (const Curve& c : column.curves) {
+            c.graph->setVisible(shows(c.quantity)
+                                && (c.edge == Edge::mean || m_choice.shows(spreadKey)));
+        }
+    }
+    scaleValues();
+    emit contentChanged();
+}
+
+/// Extremes of the shown ones of the quantities within the visible span; (0, 0) if none is shown.
 QCPRange FeedsPlot::valuesOf(std::initializer_list<Quantity> quantities) const {
     double low = std::numeric_limits<double>::max();
     double high = std::numeric_limits<double>::lowest();
+    const bool spread = m_choice.shows(spreadKey);
     for (const Column& column : m_columns) {
         for (const FeedPoint& p : column.points) {
             if (p.end_s < m_from_s || p.start_s > m_to_s) {
                 continue;
             }
             for (Quantity q : quantities) {
-                low = std::min(low, valueOf(p, q, Edge::low));
-                high = std::max(high, valueOf(p, q, Edge::high));
+                if (shows(q)) {
+                    low = std::min(low, valueOf(p, q, spread ? Edge::low : Edge::mean));
+                    high = std::max(high, valueOf(p, q, spread ? Edge::high : Edge::mean));
+                }
             }
         }
     }
-    return low <= high ? QCPRange(low, high) : QCPRange(0, 1);
+    return low <= high ? QCPRange(low, high) : QCPRange(0, 0);
 }
 
 void FeedsPlot::scaleValues() {
     const auto set = [this](std::size_t row, QCPAxis::AxisType type, double low, double high) {
-        if (m_ownValues[row]) {
+        if (m_values[row].own) {
             return;
         }
         const double pad = high > low ? (high - low) * 0.06 : 1;
@@ -154,10 +194,15 @@ void FeedsPlot::scaleValues() {
     set(1, QCPAxis::atLeft, m_detail == Detail::stroke ? 0 : sums.lower, sums.upper);
     const QCPRange radii = valuesOf({Quantity::came, Quantity::left});
     set(1, QCPAxis::atRight, radii.lower, radii.upper);
-    const bool plunge = m_series.operation == Operation::plunge;
-    const QCPRange last = valuesOf({plunge ? Quantity::force : Quantity::axialFeed});
-    set(2, QCPAxis::atLeft, 0, last.upper);
+    const QCPRange force = valuesOf({Quantity::force});
+    if (isTraverse()) {
+        set(2, QCPAxis::atLeft, 0, valuesOf({Quantity::axialFeed}).upper);
+        set(2, QCPAxis::atRight, 0, force.upper);
+    } else {
+        set(2, QCPAxis::atLeft, 0, force.upper);
+    }
     m_linking = false;
+    fitColumns();
 }
 
 } // namespace sparkout

@@ -1,42 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grid of plots: building, linking, labels and colours.
+// The grid of plots: building, linking, room and labels.
 #include "ui/views/feeds_plot.h"
 
 #include "ui/views/band_layer.h"
-#include "ui/views/feed_text.h"
 #include "ui/views/names.h"
-#include "ui/views/plot_style.h"
 
 #include <algorithm>
 
 namespace sparkout {
 
-using style::Hue;
-
 namespace {
 
-/// A name in one line, or in two, or the short one: whatever fits the width.
-QString fitted(const QString& full, const QString& brief, const QFontMetrics& metrics, int width) {
-    if (metrics.horizontalAdvance(full) <= width) {
-        return full;
+constexpr int gap = 6; ///< beside each plot, between the columns
+constexpr int tickPad = 3;
+constexpr int labelPad = 3;
+constexpr int smallestPlot = 40;
+constexpr int rowGap = 4;    ///< above and below each plot
+constexpr int bottomPad = 2; ///< below the tick labels
+
+/// Width of the widest tick label an axis will draw.
+int tickWidth(const QCPAxis& axis, const QLocale& locale, const QFontMetrics& metrics) {
+    QVector<double> ticks;
+    QVector<QString> labels;
+    axis.ticker()->generate(axis.range(), locale, QLatin1Char('g'), axis.numberPrecision(), ticks,
+                            nullptr, &labels);
+    int width = 0;
+    for (const QString& label : labels) {
+        width = std::max(width, metrics.horizontalAdvance(label));
     }
-    const qsizetype middle = full.size() / 2;
-    const qsizetype after = full.indexOf(u' ', middle);
-    const qsizetype before = full.lastIndexOf(u' ', middle);
-    const bool later = after >= 0 && (before < 0 || after - middle < middle - before);
-    const qsizetype cut = later ? after : before;
-    if (cut < 0) {
-        return brief;
-    }
-    const QString lines = full.left(cut) + u'\n' + full.mid(cut + 1);
-    const bool fits = metrics.horizontalAdvance(full.left(cut)) <= width
-                      && metrics.horizontalAdvance(full.mid(cut + 1)) <= width;
-    return fits ? lines : brief;
+    return width;
 }
 
 } // namespace
 
-void FeedsPlot::buildGrid() {
+void FeedsPlot::buildGrid(std::size_t columns) {
     for (Column& column : m_columns) {
         for (BandLayer* band : column.bands) {
             delete band;
@@ -45,34 +42,39 @@ void FeedsPlot::buildGrid() {
     m_columns.clear();
     clearGraphs();
     plotLayout()->clear();
-    plotLayout()->setRowSpacing(2);
-    plotLayout()->setColumnSpacing(0);
-    m_columns.resize(m_series.columns.size());
+    m_grid = new QCPLayoutGrid;
+    m_grid->setRowSpacing(2);
+    m_grid->setColumnSpacing(0);
+    m_timeLabel = new QCPTextElement(this);
+    plotLayout()->setRowSpacing(0);
+    plotLayout()->addElement(0, 0, m_grid);
+    plotLayout()->addElement(1, 0, m_timeLabel);
+    plotLayout()->setRowStretchFactor(1, 0.001);
+    m_columns.resize(columns);
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
         m_columns[i].header = new QCPTextElement(this);
-        plotLayout()->addElement(0, static_cast<int>(i), m_columns[i].header);
+        m_grid->addElement(0, static_cast<int>(i), m_columns[i].header);
         for (int row = 0; row < rowCount; ++row) {
             buildCell(m_columns[i], row, static_cast<int>(i));
         }
     }
-    plotLayout()->setRowStretchFactor(0, 0.001);
-    m_ownValues = {};
+    m_grid->setRowStretchFactor(0, 0.001);
+    m_values = {};
     linkAxes();
+    showCurves();
     restyle();
-    retranslate();
 }
 
 void FeedsPlot::buildCell(Column& column, int row, int index) {
     auto* rect = new QCPAxisRect(this, true);
     const auto r = static_cast<std::size_t>(row);
     const bool first = index == 0;
-    const bool last = index + 1 == static_cast<int>(m_columns.size());
+    const bool last = index + 1 == columnCount();
     column.rects[r] = rect;
-    plotLayout()->addElement(row + 1, index, rect);
-    rect->setRangeDragAxes(rect->axis(QCPAxis::atBottom), nullptr);
-    const int top = row == 0 ? BandLayer::nameMargin(font()) : 4;
-    rect->setMinimumMargins(
-        QMargins(first ? 0 : 10, top, last ? 0 : 10, row + 1 < rowCount ? 4 : 0));
+    m_grid->addElement(row + 1, index, rect);
+    rect->setAutoMargins(QCP::msTop | QCP::msBottom);
+    const int top = row == 0 ? BandLayer::nameMargin(font()) : rowGap;
+    rect->setMinimumMargins(QMargins(0, top, 0, row + 1 < rowCount ? rowGap : 0));
     setUpAxes(rect, row, first, last);
     column.bands[r] = new BandLayer(rect, row == 0);
     addRow(column, row);
@@ -87,14 +89,17 @@ void FeedsPlot::setUpAxes(QCPAxisRect* rect, int row, bool first, bool last) {
         axis->setNumberFormat(QStringLiteral("g"));
         axis->setNumberPrecision(6);
         axis->setSubTicks(false);
+        axis->setTickLabelPadding(tickPad);
+        axis->setPadding(bottomPad);
         axis->ticker()->setTickCount(4);
     }
+    const bool rightValues = row == 1 || (row == 2 && isTraverse());
     rect->axis(QCPAxis::atTop)->setVisible(true);
     rect->axis(QCPAxis::atTop)->setTicks(false);
     rect->axis(QCPAxis::atTop)->setTickLabels(false);
     rect->axis(QCPAxis::atRight)->setVisible(true);
-    rect->axis(QCPAxis::atRight)->setTicks(row == 1);
-    rect->axis(QCPAxis::atRight)->setTickLabels(row == 1 && last);
+    rect->axis(QCPAxis::atRight)->setTicks(rightValues);
+    rect->axis(QCPAxis::atRight)->setTickLabels(rightValues && last);
     rect->axis(QCPAxis::atRight)->grid()->setVisible(false);
     rect->axis(QCPAxis::atLeft)->setTickLabels(first);
     rect->axis(QCPAxis::atBottom)->setTickLabels(row + 1 == rowCount);
@@ -103,15 +108,17 @@ void FeedsPlot::setUpAxes(QCPAxisRect* rect, int row, bool first, bool last) {
 void FeedsPlot::addRow(Column& column, int row) {
     QCPAxisRect* rect = column.rects[static_cast<std::size_t>(row)];
     QCPAxis* left = rect->axis(QCPAxis::atLeft);
+    QCPAxis* right = rect->axis(QCPAxis::atRight);
     if (row == 0) {
         addCurves(column, Quantity::actual, left, true);
         addCurves(column, Quantity::programmed, left, false);
     } else if (row == 1) {
-        addCurves(column, Quantity::came, rect->axis(QCPAxis::atRight), true);
-        addCurves(column, Quantity::left, rect->axis(QCPAxis::atRight), true);
+        addCurves(column, Quantity::came, right, true);
+        addCurves(column, Quantity::left, right, true);
         addCurves(column, Quantity::actualSum, left, true);
         addCurves(column, Quantity::programmedSum, left, false);
-    } else if (m_series.operation == Operation::traverse) {
+    } else if (isTraverse()) {
+        addCurves(column, Quantity::force, right, true);
         addCurves(column, Quantity::axialFeed, left, false);
     } else {
         addCurves(column, Quantity::force, left, true);
@@ -139,21 +146,13 @@ void FeedsPlot::addCurves(Column& column, Quantity quantity, QCPAxis* value, boo
 
 void FeedsPlot::linkAxes() {
     const auto changed = QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged);
-    auto* left = new QCPMarginGroup(this);
-    auto* right = new QCPMarginGroup(this);
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        for (QCPAxisRect* rect : m_columns[i].rects) {
+    for (const Column& column : m_columns) {
+        for (QCPAxisRect* rect : column.rects) {
             connect(rect->axis(QCPAxis::atBottom), changed, this, &FeedsPlot::onTimesChanged);
             for (auto type : {QCPAxis::atLeft, QCPAxis::atRight}) {
                 QCPAxis* axis = rect->axis(type);
                 connect(axis, changed, this,
                         [this, axis](const QCPRange& range) { onValuesChanged(axis, range); });
-            }
-            if (i == 0) {
-                rect->setMarginGroup(QCP::msLeft, left);
-            }
-            if (i + 1 == m_columns.size()) {
-                rect->setMarginGroup(QCP::msRight, right);
             }
         }
     }
@@ -164,150 +163,116 @@ void FeedsPlot::retranslate() {
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     setLocale(numbers);
     labelAxes();
-    fitHeaders();
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        fillBands(i);
+    if (m_outcome) {
+        fillBands();
     }
+}
+
+QString FeedsPlot::timeLabel() const {
+    switch (m_axis) {
+    case CycleAxis::minutes: return tr("Time, min");
+    case CycleAxis::seconds: return tr("Time, s");
+    case CycleAxis::strokes:
+        return isTraverse() ? tr("Double strokes done") : tr("Revolutions done");
+    case CycleAxis::revolutions: return tr("Revolutions done");
+    }
+    return {};
 }
 
 void FeedsPlot::labelAxes() {
-    QString x;
-    switch (m_axis) {
-    case CycleAxis::minutes: x = tr("Time, min"); break;
-    case CycleAxis::seconds: x = tr("Time, s"); break;
-    case CycleAxis::strokes:
-        x = m_series.operation == Operation::traverse ? tr("Double strokes done")
-                                                      : tr("Revolutions done");
-        break;
-    case CycleAxis::revolutions: x = tr("Revolutions done"); break;
-    }
-    const bool plunge = m_series.operation == Operation::plunge;
-    const QString feed = plunge                       ? tr("Feed, µm\nper revolution")
-                         : m_detail == Detail::stroke ? tr("Feed, µm per\ndouble stroke")
-                                                      : tr("Feed, µm\nper pass");
-    const QString last = plunge ? tr("Normal\nforce, N") : tr("Axial feed,\nmm/min");
-    for (Column& column : m_columns) {
-        column.rects[2]->axis(QCPAxis::atBottom)->setLabel(x);
-        if (&column == &m_columns.front()) {
-            column.rects[0]->axis(QCPAxis::atLeft)->setLabel(feed);
-            column.rects[1]->axis(QCPAxis::atLeft)->setLabel(tr("Accumulated\nfeed, µm"));
-            column.rects[2]->axis(QCPAxis::atLeft)->setLabel(last);
-        }
-        if (&column == &m_columns.back()) {
-            column.rects[1]->axis(QCPAxis::atRight)->setLabel(tr("Radius above\ntarget, µm"));
-        }
-    }
-}
-
-void FeedsPlot::fitHeaders() {
     if (m_columns.empty()) {
         return;
     }
-    // Equal plots, though the first and the last column also hold labels.
+    const QString feed = !isTraverse()                ? tr("Feed, µm\nper revolution")
+                         : m_detail == Detail::stroke ? tr("Feed, µm per\ndouble stroke")
+                                                      : tr("Feed, µm\nper pass");
+    const auto& left = m_columns.front().rects;
+    const auto& right = m_columns.back().rects;
+    const QString force = tr("Normal\nforce, N");
+    left[0]->axis(QCPAxis::atLeft)->setLabel(feed);
+    left[1]->axis(QCPAxis::atLeft)->setLabel(tr("Accumulated\nfeed, µm"));
+    left[2]->axis(QCPAxis::atLeft)->setLabel(isTraverse() ? tr("Axial feed,\nmm/min") : force);
+    right[1]->axis(QCPAxis::atRight)->setLabel(tr("Radius above\ntarget, µm"));
+    right[2]->axis(QCPAxis::atRight)->setLabel(isTraverse() ? force : QString());
+    m_timeLabel->setText(timeLabel());
+    m_timeLabel->setFont(font());
+    fitColumns();
+}
+
+/// Lines the labels of an outer column's axes up; the room that ticks and labels take together.
+int FeedsPlot::alignLabels(QCPAxis::AxisType side, std::size_t column) const {
     const QFontMetrics metrics(font());
-    const int side = metrics.height() * 2 + metrics.horizontalAdvance(QStringLiteral("00000")) + 18;
-    const auto count = static_cast<int>(m_columns.size());
-    const int plot = std::max((width() - 2 * side) / count, 40);
+    std::array<int, rowCount> widths{};
+    int widest = 0;
+    for (std::size_t row = 0; row < rowCount; ++row) {
+        const QCPAxis* axis = m_columns[column].rects[row]->axis(side);
+        widths[row] = axis->tickLabels() ? tickWidth(*axis, locale(), metrics) : 0;
+        widest = std::max(widest, widths[row]);
+    }
+    for (std::size_t row = 0; row < rowCount; ++row) {
+        m_columns[column].rects[row]->axis(side)->setLabelPadding(labelPad + widest - widths[row]);
+    }
+    return widest + tickPad + labelPad + 2 * metrics.height() + 4;
+}
+
+/// Equal plots, though the first and the last column also hold labels.
+void FeedsPlot::fitColumns() {
+    if (m_columns.empty()) {
+        return;
+    }
+    const int left = alignLabels(QCPAxis::atLeft, 0);
+    const int right = alignLabels(QCPAxis::atRight, m_columns.size() - 1);
+    const int count = columnCount();
+    const int plot =
+        std::max((width() - left - right - 2 * gap * (count - 1)) / count, smallestPlot);
+    const QFontMetrics metrics(font());
+    const int room = metrics.horizontalAdvance(QStringLiteral("000000"));
     for (int i = 0; i < count; ++i) {
-        const int sides = (i == 0 ? side : 0) + (i + 1 == count ? side : 0);
-        plotLayout()->setColumnStretchFactor(i, plot + sides);
-        const FeedColumn& zone = m_series.columns[static_cast<std::size_t>(i)];
-        QCPTextElement* header = m_columns[static_cast<std::size_t>(i)].header;
-        QString full = Names::zoneFull(zone.zone, zone.section);
-        if (zone.gauge) {
-            full = tr("%1 (gauge)").arg(full);
-        }
-        const QString brief = Names::zone(zone.zone, zone.section);
-        header->setText(fitted(full, brief, metrics, plot - 4));
-        // Centred over the plot, not over its labels.
-        header->setMargins(QMargins(i == 0 ? side : 0, 2, i + 1 == count ? side : 0, 0));
-        header->setFont(font());
-        header->setTextColor(palette().color(QPalette::Text));
+        const int before = i == 0 ? left : gap;
+        const int after = i + 1 == count ? right : gap;
+        m_grid->setColumnStretchFactor(i, plot + before + after);
         for (QCPAxisRect* rect : m_columns[static_cast<std::size_t>(i)].rects) {
-            const int room = metrics.horizontalAdvance(QStringLiteral("000000"));
+            rect->setMargins(
+                QMargins(before, rect->margins().top(), after, rect->margins().bottom()));
             rect->axis(QCPAxis::atBottom)->ticker()->setTickCount(std::clamp(plot / room, 2, 8));
         }
     }
+    // Equally high plots too, though the first and the last row hold names and labels.
+    const int heading = metrics.height() + 2;
+    const int margins[rowCount] = {BandLayer::nameMargin(font()) + rowGap, 2 * rowGap,
+                                   rowGap + metrics.height() + tickPad + bottomPad};
+    int taken = 2 * heading;
+    for (const int margin : margins) {
+        taken += margin;
+    }
+    const int high = std::max((height() - taken) / rowCount, smallestPlot);
+    for (int row = 0; row < rowCount; ++row) {
+        m_grid->setRowStretchFactor(row + 1, high + margins[row]);
+    }
+    m_timeLabel->setMargins(QMargins(left, 0, right, 2));
+    showHeaders(plot, left, right);
 }
 
-QColor FeedsPlot::colourOf(Quantity quantity) const {
-    switch (quantity) {
-    case Quantity::programmed:
-    case Quantity::programmedSum: return style::colour(Hue::blue, palette());
-    case Quantity::actual:
-    case Quantity::actualSum: return style::colour(Hue::vermilion, palette());
-    case Quantity::came: return style::colour(Hue::green, palette());
-    case Quantity::left: return style::colour(Hue::purple, palette());
-    case Quantity::axialFeed:
-    case Quantity::force: return style::colour(Hue::orange, palette());
+/// The full names of the zones, or of all of them the short ones.
+void FeedsPlot::showHeaders(int plotWidth, int left, int right) {
+    const QFontMetrics metrics(font());
+    QStringList full, brief;
+    bool fits = true;
+    for (int i = 0; i < columnCount(); ++i) {
+        const FeedColumn& zone = source(i);
+        const QString form = zone.gauge ? tr("%1 (gauge)") : QStringLiteral("%1");
+        full << form.arg(Names::zoneFull(zone.zone, zone.section));
+        brief << form.arg(Names::zone(zone.zone, zone.section));
+        fits = fits && metrics.horizontalAdvance(full.back()) <= plotWidth + 2 * gap - 4;
     }
-    return palette().color(QPalette::Text);
-}
-
-QColor FeedsPlot::colourOf(Zone zone, Step step) const {
-    constexpr Hue hues[] = {Hue::orange, Hue::sky, Hue::green, Hue::purple, Hue::yellow, Hue::sky};
-    QColor colour = style::colour(hues[static_cast<int>(strokeStep(zone, step))], palette());
-    colour.setAlpha(style::isDark(palette()) ? 70 : 60);
-    return colour;
-}
-
-void FeedsPlot::stylePens(Column& column) {
-    for (const Curve& c : column.curves) {
-        const QColor colour = style::dimmed(colourOf(c.quantity), m_dim);
-        if (c.edge != Edge::mean) {
-            QColor fill = colour;
-            fill.setAlphaF(fill.alphaF() * 0.25F);
-            c.graph->setPen(Qt::NoPen);
-            c.graph->setBrush(c.edge == Edge::high ? QBrush(fill) : QBrush(Qt::NoBrush));
-            continue;
-        }
-        const bool programmed =
-            c.quantity == Quantity::programmed || c.quantity == Quantity::programmedSum;
-        const Qt::PenStyle dash = programmed                     ? Qt::DashLine
-                                  : c.quantity == Quantity::came ? Qt::DotLine
-                                                                 : Qt::SolidLine;
-        c.graph->setPen(QPen(colour, 1.5, dash));
+    for (int i = 0; i < columnCount(); ++i) {
+        QCPTextElement* header = m_columns[static_cast<std::size_t>(i)].header;
+        header->setText(fits ? full[i] : brief[i]);
+        header->setFont(font());
+        // Centred over the plot, not over its labels.
+        header->setMargins(
+            QMargins(i == 0 ? left - gap : 0, 0, i + 1 == columnCount() ? right - gap : 0, 0));
     }
-}
-
-void FeedsPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        stylePens(m_columns[i]);
-        m_columns[i].header->setTextColor(palette().color(QPalette::Text));
-        fillBands(i);
-    }
-}
-
-std::vector<LegendEntry> FeedsPlot::legendEntries() const {
-    std::vector<LegendEntry> entries;
-    if (m_columns.empty()) {
-        return entries;
-    }
-    const auto line = [&](Quantity q, Qt::PenStyle pen, const QString& text) {
-        entries.push_back({style::dimmed(colourOf(q), m_dim), pen, text});
-    };
-    line(Quantity::programmed, Qt::DashLine, quantityName(Quantity::programmed));
-    line(Quantity::actual, Qt::SolidLine, quantityName(Quantity::actual));
-    line(Quantity::came, Qt::DotLine, quantityName(Quantity::came));
-    line(Quantity::left, Qt::SolidLine, quantityName(Quantity::left));
-    const bool plunge = m_series.operation == Operation::plunge;
-    const Quantity last = plunge ? Quantity::force : Quantity::axialFeed;
-    line(last, Qt::SolidLine, quantityName(last));
-    if (m_detail != Detail::radius) {
-        QColor grey = palette().color(QPalette::Text);
-        grey.setAlpha(60);
-        entries.push_back({grey, Qt::NoPen, tr("smallest…largest over the radii")});
-    }
-    if (showsSteps()) {
-        for (Step step : {Step::e1, Step::e2, Step::e3, Step::e4}) {
-            entries.push_back(
-                {colourOf(Zone::rz1, step), Qt::NoPen, Names::stepMeaning(Zone::rz1, step)});
-        }
-        entries.push_back(
-            {colourOf(Zone::rz2, Step::e2), Qt::NoPen, Names::stepMeaning(Zone::rz2, Step::e2)});
-    }
-    return entries;
 }
 
 } // namespace sparkout

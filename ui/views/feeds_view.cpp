@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds_view.h"
 
+#include "core/process/system_compliance.h"
+#include "ui/views/feeds_note.h"
+#include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_tools.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -15,8 +19,14 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sparkout {
+
+namespace {
+constexpr int strokeGesture = 2001; ///< for PlotNavigation::gestureOf()
+constexpr int wideView = 900;
+} // namespace
 
 void FeedsView::setOutcome(OutcomePtr outcome) {
     m_latest = std::move(outcome);
@@ -50,14 +60,13 @@ void FeedsView::showEvent(QShowEvent* event) {
     redraw();
 }
 
-FeedSeries FeedsView::currentSeries() const {
-    const SimulationResult& result = m_good->result;
-    std::vector<int> sections;
-    if (result.project.operation == Operation::plunge) {
-        sections = shownSections(static_cast<int>(result.sections.size()), gaugeSection(result),
-                                 m_wantedSection);
-    }
-    return makeFeedSeries(result, m_good->trajectory, sections);
+/// All zones, or some of the sections.
+std::vector<int> FeedsView::shownColumns() const {
+    const Project& project = m_good->result.project;
+    const auto count = static_cast<int>(m_good->feeds.columns.size());
+    return project.operation == Operation::plunge
+               ? shownSections(count, gaugeSection(project), m_wantedSection)
+               : shownSections(count, 0);
 }
 
 void FeedsView::showOutcome() {
@@ -73,10 +82,12 @@ void FeedsView::showOutcome() {
             m_wantedSection.reset();
             fillAxes();
         }
-        m_plot->setRun(m_good, currentSeries());
+        m_plot->setRun(m_good, shownColumns());
         fillSections();
         fillSpans();
         applySpan();
+        m_overview->showRun();
+        m_tools->navigation().amendView();
     }
     m_plot->setDimmed(m_good && !ran);
     showState();
@@ -111,18 +122,30 @@ void FeedsView::showState() {
     }
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
-    m_plot->setVisible(m_good != nullptr && !unrecorded);
-    m_legend->setVisible(m_good != nullptr);
-    m_values->setVisible(m_good != nullptr);
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_span, m_stroke, m_axis, m_fit}) {
-        tool->setEnabled(m_good != nullptr);
+    const bool drawn = m_good != nullptr && !unrecorded;
+    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_overview, m_legend, m_values}) {
+        part->setVisible(drawn);
     }
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_span, m_stroke, m_axis, m_section}) {
+        tool->setEnabled(drawn);
+    }
+    m_tools->setEnabled(drawn);
     m_section->setVisible(m_section->count() > 0);
     showSpan();
 }
 
 void FeedsView::showLegend() {
     m_legend->setEntries(m_plot->legendEntries());
+}
+
+void FeedsView::showNote() {
+    if (!m_noteDialog) {
+        m_noteDialog = new FeedsNote(this);
+    }
+    m_noteDialog->setOperation(m_good ? m_good->result.project.operation : Operation::traverse);
+    m_noteDialog->show();
+    m_noteDialog->raise();
+    m_noteDialog->activateWindow();
 }
 
 // --- what is in sight ---------------------------------------------------------------------------
@@ -153,8 +176,9 @@ void FeedsView::showSpan() {
     const int wanted = m_what == Span::whole ? 0 : m_what == Span::stage ? m_stage : -1;
     const int index = m_what == Span::free ? -1 : m_span->findData(wanted);
     m_span->setCurrentIndex(index);
-    m_previous->setEnabled(m_good && m_stroke->value() > m_stroke->minimum());
-    m_next->setEnabled(m_good && m_stroke->value() < m_stroke->maximum());
+    const bool drawn = m_plot->columnCount() > 0 && m_stroke->isEnabled();
+    m_previous->setEnabled(drawn && m_stroke->value() > m_stroke->minimum());
+    m_next->setEnabled(drawn && m_stroke->value() < m_stroke->maximum());
 }
 
 void FeedsView::applySpan() {
@@ -181,19 +205,55 @@ void FeedsView::onSpanChosen(int index) {
     m_stage = chosen > 0 ? chosen : m_stage;
     applySpan();
     m_plot->replot();
+    m_tools->navigation().noteView();
 }
 
 void FeedsView::onStrokeChosen(int) {
     m_what = Span::stroke;
     applySpan();
     m_plot->replot();
+    // Stepping from stroke to stroke is one gesture: Back leads out of it.
+    m_tools->navigation().noteView(m_tools->navigation().gestureOf(strokeGesture));
+}
+
+/// Shows the whole cycle; the values' axes are scaled anew.
+void FeedsView::fitAll() {
+    m_what = Span::whole;
+    m_plot->fitValues();
+    applySpan();
+}
+
+void FeedsView::readSpan() {
+    const FeedSeries& series = m_plot->series();
+    const double from_s = m_plot->visibleFrom_s(), to_s = m_plot->visibleTo_s();
+    const auto shows = [&](double start_s, double end_s) {
+        const double near = 1e-9 * series.end_s;
+        return std::abs(from_s - start_s) <= near && std::abs(to_s - end_s) <= near;
+    };
+    m_what = shows(0, series.end_s) ? Span::whole : Span::free;
+    for (const StageSpan& stage : series.stages) {
+        if (m_what == Span::free && shows(stage.start_s, stage.end_s)) {
+            m_what = Span::stage;
+            m_stage = stage.stage;
+        }
+    }
+    const int number = series.strokeAt((from_s + to_s) / 2);
+    if (m_what == Span::free && series.strokeCount() > 0
+        && shows(series.strokeStart_s[static_cast<std::size_t>(number - 1)],
+                 series.strokeEnd_s(number))) {
+        m_what = Span::stroke;
+        const QSignalBlocker blocker(m_stroke);
+        m_stroke->setValue(number);
+    }
+    showSpan();
 }
 
 void FeedsView::onSectionChosen(int index) {
     const int section = m_section->itemData(index).toInt();
     m_wantedSection = section < 0 ? std::nullopt : std::optional<int>(section);
     if (m_good) {
-        m_plot->setRun(m_good, currentSeries());
+        m_plot->setRun(m_good, shownColumns());
+        m_overview->showRun();
         m_plot->replot();
     }
 }
@@ -240,6 +300,13 @@ void FeedsView::retranslate() {
     fillSections();
     fillSpans();
     m_plot->retranslate();
+    m_overview->showRun();
+    m_overview->retranslate();
+    m_legend->retranslate();
+    m_tools->retranslate();
+    if (m_noteDialog) {
+        m_noteDialog->retranslate();
+    }
     showState();
     showLegend();
     m_plot->replot();
@@ -252,11 +319,14 @@ void FeedsView::changeEvent(QEvent* event) {
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_plot->restyle();
-        showLegend();
-        m_plot->replot();
     }
+}
+
+/// In a narrow view the values need three lines.
+void FeedsView::resizeEvent(QResizeEvent* event) {
+    View::resizeEvent(event);
+    const int lines = width() < wideView ? 3 : 2;
+    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * lines);
 }
 
 } // namespace sparkout

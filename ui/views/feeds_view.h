@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/feed_series.h"
+#include "core/simulation/feed_series.h"
 #include "ui/views/view.h"
 
 #include <optional>
@@ -13,18 +13,25 @@ class QToolButton;
 
 namespace sparkout {
 
+class FeedsNote;
+class FeedsOverview;
 class FeedsPlot;
 class LegendStrip;
+class PlotTools;
+class Settings;
 
 /// The view "Feeds by stage": programmed and actual feed, accumulated feeds with the radii before
-/// and after, axial feed or force; over the whole cycle, one stage or one double stroke.
+/// and after, axial feed and force; over the whole cycle, one stage or one double stroke.
 class FeedsView : public View {
     Q_OBJECT
 public:
-    explicit FeedsView(QWidget* parent = nullptr);
+    explicit FeedsView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] FeedsPlot* plot() const { return m_plot; }
-    [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
+    [[nodiscard]] FeedsOverview* overview() const { return m_overview; }
+    [[nodiscard]] LegendStrip* legend() const { return m_legend; }
+    [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< filling and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
@@ -34,30 +41,40 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     enum class Span { whole, stage, stroke, free };
 
     void buildToolBar(QWidget* bar);
+    void buildPlotTools(Settings* settings);
+    void nameTools();
     void buildLabels();
     void connectTools();
+    void connectPlot();
     void scheduleUpdate();
     void redraw();
     void showOutcome();
     void fillSpans();
     void fillAxes();
     void fillSections();
+    void fitAll();
     void onSpanChosen(int index);
     void onStrokeChosen(int number);
     void onSectionChosen(int index);
     void applySpan();
+    void readSpan(); ///< which part of the cycle the times in sight are
     void showSpan();
     void showState();
     void showLegend();
-    [[nodiscard]] FeedSeries currentSeries() const;
+    void showNote();
+    [[nodiscard]] std::vector<int> shownColumns() const;
 
     FeedsPlot* m_plot = nullptr;
+    FeedsOverview* m_overview = nullptr;
     LegendStrip* m_legend = nullptr;
+    PlotTools* m_tools = nullptr;
+    FeedsNote* m_noteDialog = nullptr;
     QLabel* m_notice = nullptr;
     QLabel* m_values = nullptr;
     QComboBox* m_span = nullptr;
@@ -67,7 +84,7 @@ private:
     QToolButton* m_next = nullptr;
     QComboBox* m_axis = nullptr;
     QComboBox* m_section = nullptr;
-    QToolButton* m_fit = nullptr;
+    QToolButton* m_note = nullptr;
 
     OutcomePtr m_latest; ///< what was given last, maybe refused
     OutcomePtr m_good;   ///< what the curves show

@@ -1,29 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The widgets of the feeds view: building and connecting.
-#include "ui/views/feeds_view.h"
-
+#include "ui/metrics.h"
+#include "ui/theme.h"
+#include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
+#include "ui/views/feeds_view.h"
 #include "ui/views/legend_strip.h"
+#include "ui/views/plot_tools.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QToolTip>
 #include <QVBoxLayout>
 
 namespace sparkout {
 
-FeedsView::FeedsView(QWidget* parent) : View(parent) {
+namespace {
+constexpr int overviewGesture = 2002; ///< for PlotNavigation::gestureOf()
+}
+
+FeedsView::FeedsView(QWidget* parent, Settings* settings) : View(parent) {
+    setObjectName(QStringLiteral("feeds"));
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(6, 6, 6, 6);
-    layout->setSpacing(4);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    layout->setSpacing(metrics::tight);
     auto* bar = new QWidget(this);
     m_notice = new QLabel(this);
     m_values = new QLabel(this);
     m_legend = new LegendStrip(this);
     m_plot = new FeedsPlot(this);
+    m_overview = new FeedsOverview(*m_plot, this);
+    buildPlotTools(settings);
     buildToolBar(bar);
     for (QLabel* label : {m_notice, m_values}) {
         label->setTextFormat(Qt::PlainText);
@@ -31,21 +40,43 @@ FeedsView::FeedsView(QWidget* parent) : View(parent) {
         label->setWordWrap(true);
     }
     m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 3);
     layout->addWidget(bar);
     layout->addWidget(m_notice);
     layout->addWidget(m_legend);
     layout->addWidget(m_plot, 1);
+    layout->addWidget(m_overview);
     layout->addWidget(m_values);
     layout->addStretch();
     connectTools();
+    connectPlot();
     retranslate();
+}
+
+void FeedsView::buildPlotTools(Settings* settings) {
+    PlotSubject subject;
+    subject.heading = [this] {
+        QStringList heading{title()};
+        if (m_good) {
+            const QString project = QString::fromStdString(m_good->result.project.title);
+            heading << project.simplified();
+        }
+        heading.removeAll(QString());
+        return heading;
+    };
+    subject.legend = [this] { return m_plot->legendEntries(); };
+    subject.table = [this] { return m_plot->table(); };
+    subject.navigation.fit = [this] { fitAll(); };
+    subject.navigation.state = [this] { return m_plot->sight(); };
+    subject.navigation.setState = [this](const PlotHistory::State& s) { m_plot->setSight(s); };
+    subject.navigation.axes = FeedsPlot::movedAxes;
+    m_tools = new PlotTools(*m_plot, std::move(subject));
+    m_tools->setSettings(settings);
 }
 
 void FeedsView::buildToolBar(QWidget* bar) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
+    row->setSpacing(metrics::tight);
     m_span = new QComboBox(bar);
     m_previous = new QToolButton(bar);
     m_stroke = new QSpinBox(bar);
@@ -53,11 +84,13 @@ void FeedsView::buildToolBar(QWidget* bar) {
     m_strokeLabel = new QLabel(bar);
     m_section = new QComboBox(bar);
     m_axis = new QComboBox(bar);
-    m_fit = new QToolButton(bar);
+    m_note = new QToolButton(bar);
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
+    m_note->setIcon(themeIcon(u"info"));
+    m_note->setAutoRaise(true);
     m_strokeLabel->setTextFormat(Qt::PlainText);
-    for (QToolButton* button : {m_previous, m_next, m_fit}) {
+    for (QToolButton* button : {m_previous, m_next, m_note}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
     for (QComboBox* box : {m_span, m_section, m_axis}) {
@@ -69,16 +102,24 @@ void FeedsView::buildToolBar(QWidget* bar) {
         row->addWidget(w);
     }
     row->addStretch();
-    for (QWidget* w : std::initializer_list<QWidget*>{m_section, m_axis, m_fit}) {
-        row->addWidget(w);
+    row->addWidget(m_section);
+    row->addWidget(m_axis);
+    for (QAction* action : {m_tools->back, m_tools->forward, m_tools->fit}) {
+        row->addWidget(m_tools->button(action, bar));
     }
+    row->addWidget(m_tools->exportButton(bar));
+    row->addWidget(m_note);
+    nameTools();
+}
+
+void FeedsView::nameTools() {
     m_span->setObjectName(QStringLiteral("span"));
     m_stroke->setObjectName(QStringLiteral("stroke"));
     m_previous->setObjectName(QStringLiteral("previous"));
     m_next->setObjectName(QStringLiteral("next"));
     m_axis->setObjectName(QStringLiteral("axis"));
     m_section->setObjectName(QStringLiteral("section"));
-    m_fit->setObjectName(QStringLiteral("fit"));
+    m_note->setObjectName(QStringLiteral("note"));
     m_notice->setObjectName(QStringLiteral("notice"));
     m_values->setObjectName(QStringLiteral("values"));
 }
@@ -102,10 +143,8 @@ void FeedsView::buildLabels() {
     m_next->setAccessibleName(tr("Next"));
     m_next->setToolTip(tr("Next"));
     m_values->setText(tr("Point at a curve to read its values."));
-    m_fit->setText(tr("Fit"));
-    m_fit->setAccessibleName(tr("Fit the whole cycle"));
-    m_fit->setToolTip(tr("Show the whole cycle (double click in a plot). "
-                         "Wheel: zoom; over a vertical axis: that axis. Drag: move."));
+    m_note->setAccessibleName(tr("How to read the feeds"));
+    m_note->setToolTip(tr("How to read the feeds: the steps E1…E5 and the curves"));
 }
 
 void FeedsView::connectTools() {
@@ -116,25 +155,38 @@ void FeedsView::connectTools() {
     connect(m_section, &QComboBox::currentIndexChanged, this, &FeedsView::onSectionChosen);
     connect(m_axis, &QComboBox::currentIndexChanged, this, [this] {
         m_plot->setAxis(static_cast<CycleAxis>(m_axis->currentData().toInt()));
+        m_overview->showRun();
         m_plot->replot();
     });
-    const auto fit = [this] {
-        m_what = Span::whole;
-        m_plot->fitValues();
-        applySpan();
+    connect(m_note, &QToolButton::clicked, this, &FeedsView::showNote);
+    connect(m_legend, &LegendStrip::toggled, this, [this](int key) {
+        m_plot->toggleCurve(key);
         m_plot->replot();
-    };
-    connect(m_fit, &QToolButton::clicked, this, fit);
-    connect(m_plot, &FeedsPlot::fitAsked, this, fit);
-    connect(m_plot, &FeedsPlot::movedByUser, this, [this] {
-        m_what = Span::free;
-        showSpan();
     });
+    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) {
+        m_plot->showOnly(key);
+        m_plot->replot();
+    });
+}
+
+void FeedsView::connectPlot() {
+    PlotNavigation& navigation = m_tools->navigation();
+    connect(&navigation, &PlotNavigation::moved, this, &FeedsView::readSpan);
+    connect(m_plot, &FeedsPlot::gridBuilt, &navigation, &PlotNavigation::forgetViews);
+    connect(m_plot, &FeedsPlot::timesChanged, m_overview, &FeedsOverview::followPlot);
     connect(m_plot, &FeedsPlot::contentChanged, this, &FeedsView::showLegend);
     connect(m_plot, &FeedsPlot::pointed, this, [this](const QString& text) {
         m_values->setText(text.isEmpty() ? tr("Point at a curve to read its values.") : text);
     });
     connect(m_plot, &FeedsPlot::pointedBand, m_plot, &QWidget::setToolTip);
+    connect(m_overview, &FeedsOverview::timesAsked, this, [this](double from_s, double to_s) {
+        m_plot->showTimes(from_s, to_s);
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+        readSpan();
+    });
+    connect(m_overview, &FeedsOverview::dragged, this,
+            [this, &navigation] { navigation.noteView(navigation.gestureOf(overviewGesture)); });
+    connect(m_overview, &FeedsOverview::fitAsked, &navigation, &PlotNavigation::fit);
 }
 
 } // namespace sparkout

@@ -7,7 +7,8 @@
 
 namespace sparkout {
 
-/// Circle, triangle or square in the light's colour, told apart without colour too.
+/// Circle, triangle or square in the light's colour of the present theme, told apart without
+/// colour too.
 [[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
 
 } // namespace sparkout

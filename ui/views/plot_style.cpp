@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/plot_style.h"
 
+#include "ui/theme.h"
+
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -9,19 +11,18 @@
 namespace sparkout::style {
 
 bool isDark(const QPalette& palette) {
-    return palette.color(QPalette::Base).lightness() < 128;
+    return sparkout::isDark(palette);
 }
 
 QColor colour(Hue hue, const QPalette& palette) {
-    const bool dark = isDark(palette);
     switch (hue) {
-    case Hue::blue: return dark ? QColor(0x56B4E9) : QColor(0x0072B2);
-    case Hue::sky: return QColor(0x56B4E9);
-    case Hue::vermilion: return dark ? QColor(0xFF7F3A) : QColor(0xD55E00);
-    case Hue::orange: return dark ? QColor(0xE69F00) : QColor(0xB87F00);
-    case Hue::green: return dark ? QColor(0x2CC89B) : QColor(0x009E73);
-    case Hue::purple: return dark ? QColor(0xE39AC6) : QColor(0xB4578C);
-    case Hue::yellow: return QColor(0xF0E442);
+    case Hue::blue: return tone(Tone::blue, palette);
+    case Hue::sky: return tone(Tone::sky, palette);
+    case Hue::vermilion: return tone(Tone::vermilion, palette);
+    case Hue::orange: return tone(Tone::orange, palette);
+    case Hue::green: return tone(Tone::green, palette);
+    case Hue::purple: return tone(Tone::purple, palette);
+    case Hue::yellow: return tone(Tone::yellow, palette);
     }
     return palette.color(QPalette::Text);
 }

@@ -69,7 +69,11 @@ void VerdictModel::retranslate() {
 }
 
 bool VerdictModel::isZoneRow(int row) const {
-    return m_rows.at(static_cast<std::size_t>(row)).constraint == nullptr;
+    return constraintAt(row) == nullptr;
+}
+
+const ConstraintResult* VerdictModel::constraintAt(int row) const {
+    return m_rows.at(static_cast<std::size_t>(row)).constraint;
 }
 
 int VerdictModel::rowCount(const QModelIndex& parent) const {
@@ -129,7 +133,9 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     const Light light = lightOf(*row.constraint);
     const QString shown = text(*row.constraint, column);
     switch (role) {
-    case Qt::DisplayRole: return first ? shown + QLatin1Char('\n') + lightName(light) : shown;
+    case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
+        return first && light != Light::holds ? shown + QLatin1Char('\n') + lightName(light)
+                                              : shown;
     case Qt::DecorationRole:
         return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
     case Qt::ToolTipRole:

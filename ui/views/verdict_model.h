@@ -33,6 +33,8 @@ public:
     void retranslate();
 
     [[nodiscard]] bool isZoneRow(int row) const;
+    /// Null for a row that names a zone. Valid as long as the outcome is shown.
+    [[nodiscard]] const ConstraintResult* constraintAt(int row) const;
     /// The whole table as tab-separated text with a head line, zone and light in columns of their
     /// own.
     [[nodiscard]] QString asTsv() const;

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_panel.h"
 
+#include "ui/metrics.h"
+#include "ui/views/copy_table.h"
 #include "ui/views/light_icon.h"
 #include "ui/views/names.h"
+#include "ui/views/verdict_shop.h"
 #include "ui/views/verdict_text.h"
 
-#include <QClipboard>
+#include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
-#include <QTableView>
 #include <QVBoxLayout>
 
 namespace sparkout {
 
 namespace {
-constexpr int iconSize = 13;
+using metrics::iconSmall;
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
@@ -28,80 +29,82 @@ VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
     retranslate();
 }
 
+QLabel* VerdictPanel::addText(QVBoxLayout* layout, const char* name) {
+    auto* label = new QLabel(layout->parentWidget());
+    label->setObjectName(QString::fromLatin1(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setWordWrap(true);
+    label->setMinimumWidth(1);
+    layout->addWidget(label);
+    return label;
+}
+
+/// Notices, time and light stay in sight; the rest scrolls as one page.
 void VerdictPanel::build() {
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    auto* head = new QWidget(this);
     auto* area = new QScrollArea(this);
+    outer->addWidget(head);
+    outer->addWidget(area, 1);
+    buildHead(head);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFocusPolicy(Qt::NoFocus);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(area);
     auto* page = new QWidget(area);
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
-    m_layout->setContentsMargins(8, 6, 8, 6);
-    m_layout->setSpacing(6);
-    for (QLabel** label :
-         {&m_notice, &m_time, &m_status, &m_overall, &m_unchecked, &m_stages, &m_peaks}) {
-        *label = new QLabel(page);
-        (*label)->setTextFormat(Qt::PlainText);
-        (*label)->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        (*label)->setWordWrap(true);
-        (*label)->setMinimumWidth(1);
-    }
-    m_light = new QLabel(page);
-    m_table = new QTableView(page);
+    m_layout->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::gap);
+    m_layout->setSpacing(metrics::gap);
+    m_status = addText(m_layout, "status");
+    m_model = new VerdictModel(this);
+    m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
+    m_layout->addWidget(m_table);
+    m_unchecked = addText(m_layout, "unchecked");
+    m_shop = new ShopSection(page);
+    m_layout->addWidget(m_shop);
+    m_layout->addStretch(1);
+}
+
+void VerdictPanel::buildHead(QWidget* head) {
+    auto* layout = new QVBoxLayout(head);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::hair);
+    layout->setSpacing(metrics::tight);
+    m_notice = addText(layout, "notice");
+    m_refused = addText(layout, "refusedFields");
+    m_time = addText(layout, "time");
+    m_overall = addText(layout, "overall");
+    m_light = new QLabel(head);
     auto* line = new QHBoxLayout;
     line->addWidget(m_light, 0, Qt::AlignTop);
     line->addWidget(m_overall, 1);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_notice, m_time, m_status}) {
-        m_layout->addWidget(w);
-    }
-    m_layout->addLayout(line);
-    for (QWidget* w : std::initializer_list<QWidget*>{m_table, m_unchecked, m_stages, m_peaks}) {
-        m_layout->addWidget(w);
-    }
-    m_layout->addStretch(1);
-    setUpFonts();
-}
-
-void VerdictPanel::setUpFonts() {
+    layout->addLayout(line);
     QFont big = font();
-    big.setPointSizeF(big.pointSizeF() * 1.6);
+    big.setPointSizeF(big.pointSizeF() * metrics::headline);
     m_time->setFont(big);
     QFont bold = font();
     bold.setBold(true);
     m_overall->setFont(bold);
-    m_notice->setObjectName(QStringLiteral("notice"));
-    m_overall->setObjectName(QStringLiteral("overall"));
-    m_time->setObjectName(QStringLiteral("time"));
-    m_status->setObjectName(QStringLiteral("status"));
-    m_stages->setObjectName(QStringLiteral("stages"));
-    m_peaks->setObjectName(QStringLiteral("peaks"));
-    m_unchecked->setObjectName(QStringLiteral("unchecked"));
 }
 
 void VerdictPanel::buildTable() {
-    m_model = new VerdictModel(this);
+    m_table->setObjectName(QStringLiteral("requirements"));
     m_table->setModel(m_model);
-    m_table->setIconSize(QSize(iconSize, iconSize));
+    m_table->setIconSize(QSize(iconSmall, iconSmall));
     m_table->setWordWrap(true);
-    m_table->setShowGrid(false);
-    m_table->setAlternatingRowColors(true);
-    m_table->setCornerButtonEnabled(false);
-    m_table->setTabKeyNavigation(false);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->verticalHeader()->hide();
     QHeaderView* header = m_table->horizontalHeader();
-    header->setHighlightSections(false);
-    header->setMinimumSectionSize(20);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
-    header->setSectionsClickable(false);
-    m_table->installEventFilter(this);
+    connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
+    connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
+        if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
+            emit requirementActivated(*constraint);
+        }
+    });
 }
 
 void VerdictPanel::setOutcome(OutcomePtr outcome) {
@@ -124,6 +127,7 @@ void VerdictPanel::showOutcome() {
     if (ran) {
         m_good = m_latest;
         m_model->setOutcome(m_good);
+        m_shop->setOutcome(m_good);
     }
     grey(m_good && !ran);
     showTexts();
@@ -144,43 +148,57 @@ void VerdictPanel::showTexts() {
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
     for (QWidget* w : std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table,
-                                                      m_stages, m_peaks}) {
+                                                      m_unchecked}) {
         w->setVisible(m_good != nullptr);
     }
+    m_shop->setVisible(m_good && !m_good->shop.stages.empty());
     if (!m_good) {
         return;
     }
     m_time->setText(verdict::time(m_good->result));
     m_status->setText(verdict::status(m_good->result));
     m_overall->setText(verdict::overall(*m_good));
-    m_stages->setText(verdict::stages(m_good->result));
-    m_peaks->setText(verdict::peaks(m_good->result));
     m_light->setPixmap(
-        lightPixmap(verdict::overallLight(*m_good), iconSize + 3, devicePixelRatioF(), refused));
+        lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);
     const QString unchecked = verdict::unchecked(m_good->result);
     m_unchecked->setText(unchecked);
     m_unchecked->setVisible(!unchecked.isEmpty());
 }
 
+void VerdictPanel::setRefusedFields(int n) {
+    m_refusedFields = n;
+    showRefusedFields();
+}
+
+void VerdictPanel::showRefusedFields() {
+    m_refused->setText(m_refusedFields > 0
+                           ? tr("%n fields hold a refused text; the verdict is of the values "
+                                "before it.",
+                                nullptr, m_refusedFields)
+                           : QString());
+    m_refused->setVisible(m_refusedFields > 0);
+}
+
 void VerdictPanel::grey(bool on) {
     const QPalette::ColorGroup group = on ? QPalette::Disabled : QPalette::Active;
     const QColor colour = QGuiApplication::palette().color(group, QPalette::WindowText);
-    for (QLabel* label : {m_time, m_status, m_overall, m_unchecked, m_stages, m_peaks}) {
-        QPalette own;
-        if (on) {
-            own.setColor(QPalette::WindowText, colour);
-        }
+    QPalette own;
+    if (on) {
+        own.setColor(QPalette::WindowText, colour);
+    }
+    for (QLabel* label : {m_time, m_status, m_overall, m_unchecked}) {
         label->setPalette(own);
     }
     m_model->setGreyed(on);
+    m_shop->setGreyed(on, own);
     drawIcons();
 }
 
 void VerdictPanel::drawIcons() {
     const bool grey = m_good && m_latest && !m_latest->ran();
     const auto icon = [&](Light light) {
-        return QIcon(lightPixmap(light, iconSize, devicePixelRatioF(), grey));
+        return QIcon(lightPixmap(light, iconSmall, devicePixelRatioF(), grey));
     };
     m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }
@@ -205,21 +223,8 @@ void VerdictPanel::fitTable() {
     m_fitting = false;
 }
 
-bool VerdictPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_table && event->type() == QEvent::Resize) {
-        QMetaObject::invokeMethod(
-            this, [this] { fitTable(); }, Qt::QueuedConnection);
-    }
-    if (watched == m_table && event->type() == QEvent::KeyPress
-        && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
-        copy();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
 void VerdictPanel::copy() const {
-    QGuiApplication::clipboard()->setText(m_model->asTsv());
+    m_table->copy();
 }
 
 void VerdictPanel::retranslate() {
@@ -230,11 +235,12 @@ void VerdictPanel::retranslate() {
     m_status->setAccessibleName(tr("End of the cycle"));
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
-    m_table->setToolTip(tr("Ctrl+C copies the table"));
+    m_table->retranslate();
     m_unchecked->setAccessibleName(tr("Requirements that are not checked"));
-    m_stages->setAccessibleName(tr("Stages"));
-    m_peaks->setAccessibleName(tr("Largest force and power"));
+    m_refused->setAccessibleName(tr("Fields that hold a refused text"));
+    m_shop->retranslate();
     m_model->retranslate();
+    showRefusedFields();
     showTexts();
     fitTable();
 }
@@ -246,6 +252,9 @@ void VerdictPanel::changeEvent(QEvent* event) {
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        grey(m_good && m_latest && !m_latest->ran());
+        showTexts();
     }
 }
 

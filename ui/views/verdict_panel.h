@@ -6,56 +6,67 @@
 #include <QWidget>
 
 class QLabel;
-class QTableView;
 class QVBoxLayout;
 
 namespace sparkout {
 
+class CopyTable;
+class ShopSection;
 class VerdictModel;
 
-/// What the cycle comes to: machining time, each requirement of the drawing with its predicted
-/// value, limit, margin and light, stages, peaks. Works from 300 px width on.
+/// What the cycle comes to: machining time and light, always in sight; below them, on a page that
+/// scrolls, each requirement of the drawing with its predicted value, limit and margin, and the
+/// shop's numbers. Works from 300 px width on.
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
     explicit VerdictPanel(QWidget* parent = nullptr);
 
     [[nodiscard]] VerdictModel* model() const { return m_model; }
+    [[nodiscard]] ShopSection* shop() const { return m_shop; }
     [[nodiscard]] QSize sizeHint() const override { return {320, 620}; }
 
 public slots:
     void setOutcome(sparkout::OutcomePtr outcome); ///< shown once, later in the event loop
     void retranslate();
-    void copy() const; ///< the table as tab-separated text to the clipboard
+    void copy() const; ///< the requirements as tab-separated text to the clipboard
+    /// Says that so many fields of the inputs show a text that is not what was computed.
+    void setRefusedFields(int n);
+
+signals:
+    /// A requirement was clicked, or Enter pressed on it.
+    void requirementActivated(const sparkout::ConstraintResult& requirement);
 
 protected:
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void build();
-    void setUpFonts();
+    void buildHead(QWidget* head);
+    QLabel* addText(QVBoxLayout* layout, const char* name);
     void buildTable();
     void showOutcome();
     void showTexts();
+    void showRefusedFields();
     void grey(bool on);
     void drawIcons();
     void fitTable();
 
     QLabel* m_notice = nullptr;
+    QLabel* m_refused = nullptr;
     QLabel* m_time = nullptr;
     QLabel* m_status = nullptr;
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
-    QLabel* m_stages = nullptr;
     QLabel* m_unchecked = nullptr;
-    QLabel* m_peaks = nullptr;
     QVBoxLayout* m_layout = nullptr;
-    QTableView* m_table = nullptr;
+    CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;
+    ShopSection* m_shop = nullptr;
 
     OutcomePtr m_latest;
     OutcomePtr m_good;
+    int m_refusedFields = 0;
     bool m_queued = false;
     bool m_fitting = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_text.h"
 
+#include "core/units.h"
 #include "ui/session/texts.h"
 #include "ui/views/names.h"
 
@@ -13,8 +14,6 @@
 namespace sparkout::verdict {
 
 namespace {
-
-constexpr std::size_t mostStages = 12;
 
 struct VerdictText {
     Q_DECLARE_TR_FUNCTIONS(VerdictText)
@@ -44,7 +43,7 @@ const ConstraintResult* worst(const std::vector<ConstraintResult>& constraints) 
 }
 
 QString minutes(double time_s) {
-    return VerdictText::tr("%1 min").arg(Names::significant(time_s / 60));
+    return VerdictText::tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute));
 }
 
 } // namespace
@@ -60,39 +59,7 @@ QString status(const SimulationResult& result) {
     }
     return VerdictText::tr("%1: the gauge reads %2 mm, %3 µm a side remain")
         .arg(Names::status(result.status), Names::millimetres(result.gaugeReading_mm),
-             Names::micrometres(result.remainingStock_mm * 1000));
-}
-
-QString stages(const SimulationResult& result) {
-    const bool traverse = result.project.operation == Operation::traverse;
-    const auto counted = [traverse](int count) {
-        return traverse ? VerdictText::tr("double strokes: %1").arg(count)
-                        : VerdictText::tr("revolutions: %1").arg(count);
-    };
-    QStringList lines;
-    const std::size_t n = std::min(result.countsByStage.size(), result.timeByStage_s.size());
-    for (std::size_t z = 0; z < std::min(n, mostStages); ++z) {
-        lines << VerdictText::tr("Stage %1: %2; %3")
-                     .arg(QString::number(z + 1), counted(result.countsByStage[z]),
-                          minutes(result.timeByStage_s[z]));
-    }
-    if (n > mostStages) {
-        lines << VerdictText::tr("and %1 stages more").arg(n - mostStages);
-    }
-    lines
-        << VerdictText::tr("Total: %1; %2").arg(counted(result.cycleCount), minutes(result.time_s));
-    return lines.join(QLatin1Char('\n'));
-}
-
-QString peaks(const SimulationResult& result) {
-    const Operation operation = result.project.operation;
-    return VerdictText::tr("Largest normal force: %1 N (%2)")
-               .arg(Names::significant(result.peakNormalForce_n),
-                    Names::place(result.peakNormalForceAt, operation))
-           + QLatin1Char('\n')
-           + VerdictText::tr("Largest power: %1 kW (%2)")
-                 .arg(Names::significant(result.peakPower_w / 1000),
-                      Names::place(result.peakPowerAt, operation));
+             Names::micrometres(result.remainingStock_mm * units::umPerMm));
 }
 
 QString unchecked(const SimulationResult& result) {

@@ -11,10 +11,8 @@ namespace sparkout::verdict {
 
 [[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
 [[nodiscard]] QString status(const SimulationResult& result); ///< with what is short of the size
-[[nodiscard]] QString stages(const SimulationResult& result); ///< counts and times, a line a stage
 /// Requirements that are given but not evaluated; empty when there are none.
 [[nodiscard]] QString unchecked(const SimulationResult& result);
-[[nodiscard]] QString peaks(const SimulationResult& result); ///< force and power with their places
 /// "Holds the drawing", or the worst requirement that does not hold.
 [[nodiscard]] QString overall(const Outcome& outcome);
 [[nodiscard]] Light overallLight(const Outcome& outcome);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/feed_series.h"
+#include "core/simulation/feed_series.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,26 +11,35 @@ namespace sparkout {
 /// Sums up the passes of one zone or section, in time, into the points of its column.
 class FeedColumnBuilder {
 public:
-    FeedColumnBuilder(const FeedSeries& series, FeedColumn& column, std::size_t radii);
+    /// `group` strokes in a row become one point.
+    FeedColumnBuilder(const FeedSeries& series, FeedColumn& column, std::size_t radii,
+                      std::size_t group);
     void add(std::size_t index, const Pass& pass, const Visit* visits);
     int finish(); ///< closes the last stroke; how many visits were not finite
 
 private:
     void openStroke(const Pass& pass, const Visit* visits);
-    void growStroke(const FeedPoint& pass);
     void closeStroke();
+    void keepStroke();
 
     const FeedSeries& m_series;
     FeedColumn& m_column;
     std::size_t m_radii;
+    std::size_t m_group;
+    std::size_t m_strokes = 0; ///< closed so far
     int m_dropped = 0;
     std::vector<double> m_fed_mm;        ///< t_П at the last visit of each radius
     std::vector<double> m_strokeFed_mm;  ///< the same when the stroke began
     std::vector<double> m_strokeCut_mm;  ///< Σa within the stroke
     std::vector<double> m_strokeCame_mm; ///< radius when the stroke began
+    const Visit* m_last = nullptr;       ///< visits of the stroke's latest pass
     FeedPoint m_stroke;
     bool m_open = false;
 };
+
+/// A pass as a point; `before` are the visits of the column's pass before, or null.
+[[nodiscard]] FeedPoint passPoint(const FeedSeries& series, const Pass& pass, const Visit* visits,
+                                  const Visit* before, std::size_t radii);
 
 /// One visit as a point; `before_mm` is t_П at the radius' visit before.
 [[nodiscard]] FeedPoint radiusPoint(const FeedSeries& series, const Pass& pass, const Visit& visit,

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// What the view "Feeds by stage" draws, computed from a trajectory; no Qt.
+/// A trajectory summed up over the radii: what the view "Feeds by stage" draws.
 namespace sparkout {
 
 /// Smallest, mean and largest value over the radii of a cross-section.
@@ -15,8 +15,8 @@ struct Spread {
     double min = 0, mean = 0, max = 0;
 };
 
-/// A stretch of time of one zone or section, summed up over its radii: one pass, one double
-/// stroke, or (all three of a spread equal) one radius of one pass.
+/// A stretch of time of one zone or section, summed up over its radii: one double stroke or
+/// revolution, one pass, or (all three of a spread equal) one radius of one pass.
 struct FeedPoint {
     Place place;
     int radius = -1; ///< k, when the point is of one radius only
@@ -29,7 +29,7 @@ struct FeedPoint {
     Spread actualSum_um;     ///< Σa at the end
     Spread came_um;          ///< radius before, less the target radius
     Spread left_um;          ///< radius after, less the target radius
-    Spread force_n;          ///< P_y
+    Spread force_n;          ///< P_y; of a double stroke: smallest, largest mean of a pass, largest
 };
 using FeedPoints = std::vector<FeedPoint>;
 
@@ -39,7 +39,6 @@ struct FeedColumn {
     int section = 0;
     bool gauge = false;                 ///< plunge: the section that carries the gauge
     std::vector<std::size_t> passIndex; ///< its passes in the trajectory, in time
-    FeedPoints passes;                  ///< one point a pass
     FeedPoints strokes;                 ///< one point a double stroke or revolution, thinned
 };
 
@@ -50,6 +49,14 @@ struct StageSpan {
     double end_s = 0;
 };
 
+/// A step E1…E5 of one double stroke in one zone.
+struct StepSpan {
+    Place place; ///< of its first pass
+    double start_s = 0;
+    double end_s = 0;
+};
+
+/// All zones or sections of a run; the passes within a span of time are worked out when asked for.
 struct FeedSeries {
     Operation operation = Operation::traverse;
     double target_mm = 0;   ///< R_t
@@ -59,7 +66,7 @@ struct FeedSeries {
     int dropped = 0;                   ///< visits with a value that is no finite number, not drawn
     std::vector<double> strokeStart_s; ///< start of each double stroke or revolution
     std::vector<StageSpan> stages;
-    std::vector<FeedColumn> columns;
+    std::vector<FeedColumn> columns; ///< zones, or all sections from the headstock on
 
     [[nodiscard]] int strokeCount() const { return static_cast<int>(strokeStart_s.size()); }
     [[nodiscard]] double strokeEnd_s(int number) const; ///< number counts from 1
@@ -69,59 +76,26 @@ struct FeedSeries {
 /// More points than this are merged in FeedColumn::strokes.
 inline constexpr std::size_t mostStrokePoints = 500;
 
-/// Section that carries the gauge (or stands nearest to it), 0-based.
-[[nodiscard]] int gaugeSection(const SimulationResult& result);
+/// The series of a run; empty columns when the trajectory was not recorded.
+[[nodiscard]] FeedSeries makeFeedSeries(const SimulationResult& result,
+                                        const Trajectory& trajectory);
 
 /// At most `most` sections, evenly chosen, first and last and the gauge's among them; a wanted one
 /// takes the place of its nearest neighbour that is not the gauge's.
 [[nodiscard]] std::vector<int> shownSections(int count, int gauge, std::optional<int> wanted = {},
                                              int most = 4);
 
-/// The series of a run; plunge: of the listed sections.
-[[nodiscard]] FeedSeries makeFeedSeries(const SimulationResult& result,
-                                        const Trajectory& trajectory,
-                                        const std::vector<int>& sections = {});
+/// One point a pass for the passes that touch the time span, and one neighbour at each side.
+[[nodiscard]] FeedPoints passPoints(const FeedSeries& series, const FeedColumn& column,
+                                    const Trajectory& trajectory, double from_s, double to_s);
+
+/// The steps whose passes touch the time span, and one at each side.
+[[nodiscard]] std::vector<StepSpan>
+stepSpans(const FeedColumn& column, const Trajectory& trajectory, double from_s, double to_s);
 
 /// One point a radius for the passes that touch the time span. The radii of a pass are spread
 /// evenly over it in the order of their visits.
 [[nodiscard]] FeedPoints radiusPoints(const FeedSeries& series, const FeedColumn& column,
                                       const Trajectory& trajectory, double from_s, double to_s);
-
-// --- the horizontal axis ------------------------------------------------------------------------
-
-enum class CycleAxis { minutes, seconds, strokes, revolutions };
-
-/// Time to the chosen axis and back; both grow strictly. Strokes are counted as done: the first one
-/// runs from 0 to 1.
-class CycleScale {
-public:
-    CycleScale() = default;
-    CycleScale(const FeedSeries& series, CycleAxis axis);
-    [[nodiscard]] double at(double time_s) const;
-    [[nodiscard]] double time_s(double x) const;
-
-private:
-    double m_factor = 1;
-    std::vector<double> m_bounds_s; ///< starts of the strokes and the end; strokes axis only
-};
-
-// --- curves -------------------------------------------------------------------------------------
-
-enum class Quantity { programmed, actual, programmedSum, actualSum, came, left, axialFeed, force };
-enum class Edge { low, mean, high };
-
-struct XY {
-    double x = 0, y = 0;
-};
-
-/// Feeds and forces as steps that fall to zero where the wheel is elsewhere, accumulated feeds as
-/// ramps, radii as held steps. x never falls, all values are finite.
-[[nodiscard]] std::vector<XY> polyline(const FeedPoints& points, Quantity quantity, Edge edge,
-                                       const CycleScale& scale);
-
-[[nodiscard]] double valueOf(const FeedPoint& point, Quantity quantity, Edge edge);
-
-/// The points that touch a time span, and one neighbour at each side.
-[[nodiscard]] FeedPoints within(const FeedPoints& points, double from_s, double to_s);
 
 } // namespace sparkout

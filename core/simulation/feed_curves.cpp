@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/feed_series.h"
+#include "core/simulation/feed_curves.h"
+
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +38,7 @@ double growth(const FeedPoint& point, Quantity quantity, Edge edge) {
 
 CycleScale::CycleScale(const FeedSeries& series, CycleAxis axis) {
     switch (axis) {
-    case CycleAxis::minutes: m_factor = 1.0 / 60; break;
+    case CycleAxis::minutes: m_factor = 1 / units::secondsPerMinute; break;
     case CycleAxis::seconds: break;
     case CycleAxis::revolutions: m_factor = std::max(series.revolutions_per_s, 1e-9); break;
     case CycleAxis::strokes:

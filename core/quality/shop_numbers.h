@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/result.h"
+
+#include <optional>
+#include <vector>
+
+/// The numbers a grinding shop judges a cycle by, for each stage of the cycle and for the whole of
+/// it [MODEL-7].
+///
+/// **Depth.** Q'_w, h_eq and aggressiveness are taken at the largest actual depth a of any pass,
+/// per revolution (plunge) or stroke (traverse); the mean Q'_w at the mean of a over all passes,
+/// weighted by their length, passes that find nothing to remove included. S_ф = a·n.
+///
+/// **Passes.** A pass grinds the length ℓ its zone or section stands for at the effective width b:
+/// plunge ℓ = L_p/J, b = L_p, so that J sections make one revolution; plunge passes of a reversal
+/// zone ℓ = b = B − o; traverse passes ℓ = the zone's length, b = min(S_ax/n, B), because the table
+/// of MODEL-5 draws each zone as ground once by each stroke. It takes ℓ/b revolutions, so for the
+/// mean ⟨ ⟩ over the radii of a pass
+///
+///     volume   V = π·d·ℓ·⟨a⟩                      d nominal, as in V_d = π·d·n
+///     energy   E = ∫P_z·V_k dt = ⟨P_z(a)⟩·V_k·ℓ/(b·n)
+///     E/V at one depth = P_z(a)·V_k/(b·a·V_d)     b cancels: P_z is proportional to it
+///
+/// and a stage sums both over the same passes. V is the ring to first order: π(R0² − R1²)·ℓ differs
+/// by the factor (R0 + R1)/d, half a percent for 0.15 mm of stock on 30 mm. The grinding time is
+/// Σℓ/(b·n): in plunge all of the stage's time; in traverse a stroke counts L_p/S_ax, its table
+/// travel being B − o1 − o2 shorter as the reversal zones are ground under the standing wheel.
+namespace sparkout {
+
+/// Plausible specific energy of steel; below it the work cuts too freely to be true, above it the
+/// wheel rubs (as it always does late in a spark-out) [MODEL-7].
+inline constexpr double leastSpecificEnergy_j_mm3 = 20;
+inline constexpr double mostSpecificEnergy_j_mm3 = 120;
+
+/// Below this the table advances more than the wheel's width in a revolution.
+inline constexpr double leastOverlap = 1;
+
+/// A rotation ratio this near to a whole number prints the wheel's waves onto one another: over ten
+/// revolutions, a usual spark-out, they shift by less than half of their length [BADGER2010].
+inline constexpr double nearInteger = 0.05;
+
+/// Where a number lies against its plausible band.
+enum class BandSide { none, inside, below, above }; ///< none: there is no number
+
+/// The numbers of one stage of the cycle, or of all.
+struct ShopColumn {
+    int count = 0;             ///< double strokes or revolutions
+    double time_s = 0;         ///< as charged to the cycle
+    double grindingTime_s = 0; ///< Σℓ/(b·n)
+    double removedVolume_mm3 = 0;
+    double energy_j = 0;
+    Peak depth_mm;                      ///< largest a: where the next three are taken
+    double removalRate_mm2_s = 0;       ///< Q'_w = π·d·S_ф/60 [mm³/(mm·s)]
+    double equivalentChip_um = 0;       ///< h_eq = Q'_w/V_k
+    double aggressiveness = 0;          ///< 10⁶·(V_d/V_k)·√(a/D_e)
+    double meanRemovalRate_mm2_s = 0;   ///< the mean Q'_w
+    std::optional<double> overlap;      ///< B/s_ax, s_ax = S_ax/n; the least of a cycle's stages
+    std::optional<double> energy_j_mm3; ///< specific energy E/V; not when nothing is removed
+    Peak power_w;                       ///< largest P_z·V_k of a pass
+    double meanPower_w = 0;             ///< E over the grinding time
+    Peak normalForce_n;                 ///< largest P_y of a pass
+
+    [[nodiscard]] BandSide specificEnergyBand() const;
+    [[nodiscard]] BandSide overlapBand() const; ///< never above
+};
+
+struct ShopNumbers {
+    std::vector<ShopColumn> stages; ///< as many as the cycle has; one that never ran is all zero
+    ShopColumn cycle;
+    double wheelSpeed_rpm = 0;
+    double rotationRatio = 0; ///< wheel rev/min : work rev/min
+
+    /// Whether the ratio is within `nearInteger` of a whole number from 1 on.
+    [[nodiscard]] bool ratioNearInteger() const;
+};
+
+[[nodiscard]] ShopNumbers shopNumbers(const SimulationResult& result);
+
+} // namespace sparkout

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/feed_series.h"
+
+#include <vector>
+
+/// Feed points as curves over a chosen horizontal axis.
+namespace sparkout {
+
+enum class CycleAxis { minutes, seconds, strokes, revolutions };
+
+/// Time to the chosen axis and back; both grow strictly. Strokes are counted as done: the first one
+/// runs from 0 to 1.
+class CycleScale {
+public:
+    CycleScale() = default;
+    CycleScale(const FeedSeries& series, CycleAxis axis);
+    [[nodiscard]] double at(double time_s) const;
+    [[nodiscard]] double time_s(double x) const;
+
+private:
+    double m_factor = 1;
+    std::vector<double> m_bounds_s; ///< starts of the strokes and the end; strokes axis only
+};
+
+enum class Quantity { programmed, actual, programmedSum, actualSum, came, left, axialFeed, force };
+enum class Edge { low, mean, high };
+
+struct XY {
+    double x = 0, y = 0;
+};
+
+/// Feeds and forces as steps that fall to zero where the wheel is elsewhere, accumulated feeds as
+/// ramps, radii as held steps. x never falls, all values are finite.
+[[nodiscard]] std::vector<XY> polyline(const FeedPoints& points, Quantity quantity, Edge edge,
+                                       const CycleScale& scale);
+
+[[nodiscard]] double valueOf(const FeedPoint& point, Quantity quantity, Edge edge);
+
+/// The points that touch a time span, and one neighbour at each side.
+[[nodiscard]] FeedPoints within(const FeedPoints& points, double from_s, double to_s);
+
+} // namespace sparkout

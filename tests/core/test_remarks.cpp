@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What only a run shows to be amiss in the inputs.
+#include "core/quality/remarks.h"
+#include "tests/core/project_fixtures.h"
+#include "tests/core/project_samples.h"
+
+#include <QTest>
+
+using namespace sparkout;
+
+namespace {
+
+Project example(const char* name) {
+    const ReadResult read = readProject(
+        samples::readText(samples::sourcePath(std::string("resources/examples/") + name)));
+    return *read.project;
+}
+
+} // namespace
+
+class TestRemarks : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Stage z ends when the later ones' stock is left: a last stage that feeds nothing takes of it
+    // only what the deflection gives back.
+    void aCountedSparkOutThatLeavesItsStockIsNamedWithStageAndStock_data() {
+        QTest::addColumn<bool>("internal");
+        QTest::newRow("external") << false;
+        QTest::newRow("internal") << true;
+    }
+    void aCountedSparkOutThatLeavesItsStockIsNamedWithStageAndStock() {
+        QFETCH(bool, internal);
+        Project project = example(internal ? "internal-plunge.sparkout" : "wheel-sharp.sparkout");
+        auto& stages = project.cycle.stages;
+        QCOMPARE(stages.back().spark_out.mode, SparkOut::Mode::count);
+        QVERIFY(remarksOn(simulate(project)).empty()); // the deflection gives back what it has
+        stages[0].stock_mm -= 0.04;
+        stages.back().stock_mm += 0.04;
+        const SimulationResult result = simulate(project);
+        QCOMPARE(result.status, RunStatus::completed);
+        QVERIFY(result.remainingStock_mm > 0.02);
+        const Issues remarks = remarksOn(result);
+        QCOMPARE(remarks.size(), 1u);
+        QCOMPARE(remarks[0].code, IssueCode::sparkOutLeaves);
+        QCOMPARE(remarks[0].severity, Severity::warning);
+        QCOMPARE(remarks[0].path,
+                 "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm");
+        QVERIFY(std::abs(std::stod(remarks[0].value) - result.remainingStock_mm) < 1e-5);
+        QVERIFY(std::abs(std::stod(remarks[0].limit) - stages.back().stock_mm) < 1e-5);
+    }
+
+    void withoutStockNothingIsLeft() {
+        Project project = example("wheel-sharp.sparkout");
+        auto& stages = project.cycle.stages;
+        stages[0].stock_mm += stages.back().stock_mm;
+        stages.back().stock_mm = 0;
+        QVERIFY(remarksOn(simulate(project)).empty());
+    }
+
+    void untilSizeEndsAtSizeOrSaysSoItself() {
+        Project project = example("wheel-sharp.sparkout");
+        project.cycle.stages.back().spark_out = {SparkOut::Mode::untilSize, 0};
+        QVERIFY(remarksOn(simulate(project)).empty());
+        project.cycle.stages[0].stock_mm -= 0.04;
+        project.cycle.stages.back().stock_mm += 0.04;
+        const SimulationResult result = simulate(project);
+        QCOMPARE(result.status, RunStatus::cannotReachSize);
+        QVERIFY(remarksOn(result).empty());
+    }
+
+    void theExamplesHaveNoneToMake() {
+        for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
+                                 "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
+            const std::string file = std::string(name) + ".sparkout";
+            QVERIFY2(remarksOn(simulate(example(file.c_str()))).empty(), name);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRemarks)
+#include "test_remarks.moc"

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <QString>
+
+#include <csignal>
+
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/// Trouble with disks and rights, made on purpose and in folders of the test's own.
+namespace trouble {
+
+constexpr uid_t nobody = 65534;
+
+inline QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<not there>");
+}
+
+inline void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+        qFatal("the test cannot write %s", qPrintable(path));
+    }
+}
+
+/// While it lives, root counts as nobody: root may write anything, so nothing could be forbidden.
+class Unprivileged {
+public:
+    Unprivileged() : m_root(::geteuid() == 0 && ::seteuid(nobody) == 0) {}
+    Unprivileged(const Unprivileged&) = delete;
+    Unprivileged& operator=(const Unprivileged&) = delete;
+    ~Unprivileged() {
+        if (m_root && ::seteuid(0) != 0) {
+            qFatal("the test cannot become root again");
+        }
+    }
+
+private:
+    bool m_root;
+};
+
+/// Gives a file or folder to the user that Unprivileged turns into.
+inline void giveAway(const QString& path) {
+    if (::geteuid() == 0 && ::chown(QFile::encodeName(path).constData(), nobody, nobody) != 0) {
+        qFatal("the test cannot give away %s", qPrintable(path));
+    }
+}
+
+inline void setMode(const QString& path, mode_t mode) {
+    if (::chmod(QFile::encodeName(path).constData(), mode) != 0) {
+        qFatal("the test cannot set the mode of %s", qPrintable(path));
+    }
+}
+
+/// While it lives, no file takes a byte: every write fails, as on a disk that is full.
+class NoBytes {
+public:
+    NoBytes() {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit none{0, m_before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &none);
+    }
+    NoBytes(const NoBytes&) = delete;
+    NoBytes& operator=(const NoBytes&) = delete;
+    ~NoBytes() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
+
+private:
+    rlimit m_before{};
+};
+
+/// A file system of our own of so many KB, seen by this process only. Call it before the first
+/// thread is started. False where that is not allowed.
+inline bool mountSmallDisk(const QString& folder, int kilobytes) {
+    if (::unshare(CLONE_NEWNS) != 0
+        || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) {
+        return false;
+    }
+    const QByteArray options = "size=" + QByteArray::number(kilobytes) + "k,mode=1777";
+    return ::mount("sparkout", QFile::encodeName(folder).constData(), "tmpfs", 0,
+                   options.constData())
+           == 0;
+}
+
+/// What is in a folder, hidden files too.
+inline QStringList entries(const QString& folder) {
+    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
+                                  QDir::Name);
+}
+
+} // namespace trouble

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/long_project.h"
+
+#include "ui/session/operation.h"
+#include "ui/session/run_controller.h"
+
+namespace sparkout {
+
+Project longProject(int sections) {
+    Project project = withSections(newProject(Operation::plunge), sections);
+    project.part.radii_per_section = 360;
+    project.part.stock_mm = 0.2;
+    project.part.initial_runout_mm = 0.05;
+    project.part.profile = ProfileForm::ellipse;
+    project.wheel.dullness = 0.04;
+    project.machine.work_speed_rpm = 500;
+    project.gauge.control = Control::position;
+    project.cycle.stages.resize(1);
+    Stage& stage = project.cycle.stages.front();
+    stage.radial_feed_mm_min = 0.04;
+    stage.stock_mm = project.part.stock_mm;
+    stage.spark_out = {};
+    return project;
+}
+
+OutcomePtr runForSeconds(const Project& project, const std::stop_token& stop) {
+    constexpr int times = 40;
+    const bool once = project.operation == Operation::traverse || project.sections < 10;
+    OutcomePtr outcome;
+    for (int i = 0; i < (once ? 1 : times); ++i) {
+        outcome = runProject(project, stop);
+        if (!outcome) {
+            return nullptr;
+        }
+    }
+    return outcome;
+}
+
+} // namespace sparkout

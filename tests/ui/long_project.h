@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/session/outcome.h"
+
+#include <stop_token>
+
+namespace sparkout {
+
+/// An ordinary plunge cycle made long: a dull wheel, a slow feed, as many radii as may be, in that
+/// many sections: about a million visits each.
+[[nodiscard]] Project longProject(int sections);
+
+/// Runs the cycle of a plunge of many sections over and over, which takes seconds; others once.
+/// A stop is heeded where the engine heeds it.
+[[nodiscard]] OutcomePtr runForSeconds(const Project& project, const std::stop_token& stop);
+
+} // namespace sparkout

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window never stands still: a heartbeat of 5 ms beats on while values are dragged and
+// projects opened. Prints the worst gap; fails only at four times the target, so that a busy
+// machine does not turn it red.
+#include "core/project/project_file.h"
+#include "tests/ui/long_project.h"
+#include "tests/ui/window_bench.h"
+#include "ui/inputs/inputs_panel.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStyleOption>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int beat_ms = 5;
+constexpr int frame_ms = 16; ///< 60 Hz
+constexpr int drag_ms = 10'000;
+constexpr double target_ms = 50;
+constexpr double limit_ms = 4 * target_ms;
+
+/// What this thread has waited for a processor so far, in ms: a busy machine's doing. 0 where the
+/// kernel does not tell.
+double waited_ms() {
+    QFile file(QStringLiteral("/proc/thread-self/schedstat"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(1).toDouble() * 1e-6
+                                          : 0;
+}
+
+/// Beats and remembers how late it was.
+class Heartbeat : public QObject {
+public:
+    Heartbeat() {
+        m_timer.setTimerType(Qt::PreciseTimer);
+        connect(&m_timer, &QTimer::timeout, this, &Heartbeat::beat);
+        m_clock.start();
+        m_timer.start(beat_ms);
+    }
+    /// Prints and gives the worst gap that is the window's own.
+    double report(const char* what) {
+        beat();
+        std::sort(m_gaps_ms.begin(), m_gaps_ms.end());
+        qInfo("HEARTBEAT %s: worst gap %.1f ms, 99 of 100 below %.1f ms, %zu beats; with the waits "
+              "for a processor %.1f ms; target %g ms",
+              what, m_gaps_ms.back(), m_gaps_ms[m_gaps_ms.size() * 99 / 100], m_gaps_ms.size(),
+              m_worst_ms, target_ms);
+        return m_gaps_ms.back();
+    }
+
+private:
+    void beat() {
+        const double gap_ms = double(m_clock.nsecsElapsed()) * 1e-6;
+        const double waits_ms = waited_ms();
+        m_clock.start();
+        m_worst_ms = std::max(m_worst_ms, gap_ms);
+        m_gaps_ms.push_back(std::max(0.0, gap_ms - (waits_ms - m_waited_ms)));
+        m_waited_ms = waits_ms;
+    }
+
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    double m_waited_ms = waited_ms();
+    double m_worst_ms = 0;
+    std::vector<double> m_gaps_ms;
+};
+
+/// A slider a person could drag now, wherever the forms have one.
+QSlider* sliderInSight(const MainWindow& window) {
+    for (auto* slider : window.findChildren<QSlider*>()) {
+        if (slider->isVisible() && slider->isEnabled() && slider->maximum() > slider->minimum()
+            && slider->orientation() == Qt::Horizontal) {
+            return slider;
+        }
+    }
+    return nullptr;
+}
+
+QPoint handleOf(const QSlider& slider) {
+    QStyleOptionSlider option;
+    option.initFrom(&slider);
+    option.orientation = slider.orientation();
+    option.minimum = slider.minimum();
+    option.maximum = slider.maximum();
+    option.sliderPosition = slider.sliderPosition();
+    option.sliderValue = slider.value();
+    return slider.style()
+        ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider)
+        .center();
+}
+
+/// From 0 to 1 and back, every two seconds.
+double swing(qint64 time_ms) {
+    return 0.5 - 0.5 * std::cos(double(time_ms) * 3.141592653589793e-3);
+}
+
+void dragSlider(QSlider& slider) {
+    const QPoint start = handleOf(slider);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, start);
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < drag_ms) {
+        const int x = 4 + int(swing(clock.elapsed()) * (slider.width() - 8));
+        QTest::mouseMove(&slider, QPoint(x, start.y()));
+        QTest::qWait(frame_ms);
+    }
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, handleOf(slider));
+}
+
+void dragFeed(Document& document) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < drag_ms) {
+        Project project = document.project();
+        project.cycle.stages.front().radial_feed_mm = 0.003 + 0.004 * swing(clock.elapsed());
+        document.edit(std::move(project), {"Input", "Radial feed"}, QStringLiteral("drag"));
+        QTest::qWait(frame_ms);
+    }
+    document.endMerge();
+}
+
+QString exampleWithMostVisits() {
+    QString most;
+    long long visits = -1;
+    for (const QString& path : examplePaths()) {
+        Document document;
+        const bool opened = document.open(path).opened();
+        const OutcomePtr outcome = opened ? runProject(document.project(), {}) : nullptr;
+        if (outcome && outcome->result.visits > visits) {
+            visits = outcome->result.visits;
+            most = path;
+        }
+    }
+    return most;
+}
+
+} // namespace
+
+class TestHeartbeat : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aValueIsDraggedForTenSeconds() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(
+            QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout")));
+        QSlider* slider = nullptr;
+        for (int page = static_cast<int>(bench.window->inputs().pages().size());
+             !slider && page-- > 0;) {
+            bench.window->inputs().showPage(page);
+            bench.settle();
+            slider = sliderInSight(*bench.window);
+        }
+        QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+        const Project before = bench.window->document().project();
+        Heartbeat heartbeat;
+        slider ? dragSlider(*slider) : dragFeed(bench.window->document());
+        const double worst_ms = heartbeat.report(slider ? "dragging a slider" : "dragging a feed");
+        QTRY_VERIFY(!bench.window->runs().running());
+        qInfo("HEARTBEAT outcomes shown meanwhile: %d", int(shown.count()));
+        QVERIFY(shown.count() > 20); // the curves followed
+        QVERIFY(worst_ms <= limit_ms);
+        bench.window->document().undo(); // the whole drag is one step
+        QVERIFY(sameProject(bench.window->document().project(), before));
+    }
+
+    void theLargestExampleIsOpened() {
+        const QString path = exampleWithMostVisits();
+        QVERIFY(!path.isEmpty());
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        Heartbeat heartbeat;
+        for (int time = 0; time < 5; ++time) {
+            QVERIFY(bench.open(path));
+            QTest::qWait(100);
+        }
+        const QByteArray what = "opening " + nameOf(path).toUtf8();
+        QVERIFY(heartbeat.report(what.constData()) <= limit_ms);
+    }
+
+    void aProjectOfMillionsOfVisitsIsRun_data() {
+        QTest::addColumn<int>("sections");
+        QTest::newRow("all recorded and drawn") << 1;
+        QTest::newRow("too many to draw") << 30;
+    }
+
+    void aProjectOfMillionsOfVisitsIsRun() {
+        QFETCH(int, sections);
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        Heartbeat heartbeat;
+        QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+        bench.window->document().startUntitled(longProject(sections));
+        QTRY_VERIFY_WITH_TIMEOUT(shown.count() > 0, 60'000);
+        QTest::qWait(200);
+        QVERIFY(bench.window->outcome()->ran());
+        qInfo("HEARTBEAT %lld visits in %.0f ms",
+              static_cast<long long>(bench.window->outcome()->result.visits),
+              bench.window->runs().lastRun_ms());
+        QVERIFY(bench.window->outcome()->result.visits > 1'000'000);
+        QVERIFY(heartbeat.report("running millions of visits") <= limit_ms);
+    }
+};
+
+SPARKOUT_WINDOW_TEST(TestHeartbeat)
+#include "test_heartbeat.moc"

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the inputs say of themselves: hints, marks of changes, refused texts and undo.
+#include "ui/inputs/form_row.h"
+#include "ui/inputs/hint_text.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/number_field.h"
+#include "ui/inputs/reset_mark.h"
+#include "ui/inputs/stage_table.h"
+#include "ui/main_window.h"
+#include "ui/session/defaults.h"
+#include "ui/session/operation.h"
+#include "ui/session/source_names.h"
+
+#include "core/project/project_file.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QTest>
+
+#include <clocale>
+#include <functional>
+
+using namespace sparkout;
+
+namespace {
+
+struct Bench {
+    Bench() : panel(document) {
+        panel.resize(360, 640);
+        panel.show();
+        document.startUntitled(newProject(Operation::traverse));
+    }
+    [[nodiscard]] FormRow* row(const std::string& path) const {
+        for (const FormPage* page : panel.pages()) {
+            for (FormRow* row : page->rows()) {
+                if (row->editor().path() == path) {
+                    return row;
+                }
+            }
+        }
+        return nullptr;
+    }
+    [[nodiscard]] NumberField* field(const char* path) const {
+        return panel.findChild<NumberField*>(QString::fromLatin1(path));
+    }
+    Document document;
+    InputsPanel panel;
+};
+
+void typeOver(QWidget& widget, const QString& text) {
+    widget.setFocus();
+    QTest::keySequence(&widget, QKeySequence::SelectAll);
+    QTest::keyClicks(&widget, text);
+}
+
+/// The menu that the Menu key opens on a widget.
+QMenu* menuByKey(QWidget& widget) {
+    widget.setFocus();
+    QContextMenuEvent event(QContextMenuEvent::Keyboard, widget.rect().center(),
+                            widget.mapToGlobal(widget.rect().center()));
+    QApplication::sendEvent(&widget, &event);
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+}
+
+void eachField(const StructInfo& table, const std::function<void(const Field&)>& visit) {
+    for (const Field& field : table.fields) {
+        visit(field);
+        if (field.nested) {
+            eachField(*field.nested, visit);
+        }
+    }
+}
+
+} // namespace
+
+class TestInputMarks : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everySourceOfAnInputHasAName() {
+        eachField(tableOf<Project>(), [](const Field& field) {
+            QVERIFY2(!*field.source || !sourceText(field.source).isEmpty(), field.source);
+            QVERIFY(!hintMarkup(field).contains(
+                QRegularExpression(QStringLiteral("MODEL-|[A-Z]{4,}[0-9]{4}"))));
+        });
+        QFile sources(QStringLiteral(SPARKOUT_SOURCE_DIR "/core/SOURCES.md"));
+        QVERIFY(sources.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(sources.readAll());
+        QRegularExpression line(QStringLiteral("^\\| ([A-Z][A-Z0-9]+(?:-1)?) "),
+                                QRegularExpression::MultilineOption);
+        int count = 0;
+        for (auto it = line.globalMatch(text); it.hasNext(); ++count) {
+            const QString key = it.next().captured(1);
+            QVERIFY2(!sourceText(key.toStdString()).isEmpty(), qPrintable(key));
+        }
+        QVERIFY(count > 5);
+        QVERIFY(sourceText("NOBODY1900").isEmpty());
+    }
+
+    void aHintTellsMeaningFormulaRangesDefaultAndSource() {
+        const QString hint = hintMarkup(*tableOf<Material>().find("friction"));
+        QVERIFY2(hint.contains(QStringLiteral("Coefficient of friction")), qPrintable(hint));
+        QVERIFY2(hint.contains(QStringLiteral("P<sub>z</sub>")), qPrintable(hint));
+        QVERIFY2(hint.contains(QStringLiteral("Allowed: 0 to 2")), qPrintable(hint));
+        QVERIFY2(hint.contains(QStringLiteral("Usual: 0.1 to 0.6")), qPrintable(hint));
+        QVERIFY2(hint.contains(QStringLiteral("Default: 0.3")), qPrintable(hint));
+        QVERIFY2(hint.contains(QStringLiteral("Source: model page")), qPrintable(hint));
+    }
+
+    void aScreenReaderHearsTheHintAndTheReasonOfAMarkFirst() {
+        Bench bench;
+        bench.panel.showPage(1);
+        NumberField& friction = *bench.field("/material/friction");
+        QVERIFY(friction.accessibleDescription().contains(QStringLiteral("Allowed: 0 to 2")));
+        typeOver(friction, QStringLiteral("0.9"));
+        QTest::keyClick(&friction, Qt::Key_Return);
+        QVERIFY(friction.accessibleDescription().startsWith(QStringLiteral("unusual")));
+        QVERIFY(friction.accessibleDescription().contains(QStringLiteral("Coefficient")));
+    }
+
+    void theStripBelowThePagesFollowsTheFocus() {
+        Bench bench;
+        bench.panel.showPage(1);
+        QApplication::setActiveWindow(&bench.panel);
+        auto* strip = bench.panel.findChild<QWidget*>(QStringLiteral("hintStrip"));
+        QVERIFY(strip);
+        const auto* text = strip->findChild<QLabel*>();
+        bench.field("/material/friction")->setFocus();
+        QTRY_VERIFY(text->text().contains(QStringLiteral("default 0.3")));
+        bench.panel.showPage(5);
+        auto& table = bench.panel.findChild<StageTable*>()->view();
+        table.setFocus();
+        table.setCurrentIndex(table.model()->index(0, 1));
+        QTRY_VERIFY2(text->text().contains(QStringLiteral("Table speed")),
+                     qPrintable(text->text()));
+    }
+
+    void onlyInputsWithADefaultAreMarkedAndAClickTakesThemBack() {
+        Bench bench;
+        bench.panel.showPage(1);
+        FormRow& friction = *bench.row("/material/friction");
+        QVERIFY(friction.resetMark() && !friction.resetMark()->isVisible());
+        QVERIFY2(!bench.row("/material/flow_stress_mpa")->resetMark(), "required: the user's own");
+        typeOver(*friction.editor().widget(), QStringLiteral("0.4"));
+        QVERIFY(friction.resetMark()->isVisible());
+        QVERIFY(friction.resetMark()->toolTip().contains(QStringLiteral("0.3")));
+        QTest::mouseClick(friction.resetMark(), Qt::LeftButton);
+        QCOMPARE(bench.document.project().material.friction, 0.3);
+        QVERIFY(!friction.resetMark()->isVisible());
+        bench.document.undo();
+        QCOMPARE(bench.document.project().material.friction, 0.4);
+        QVERIFY(friction.resetMark()->isVisible());
+    }
+
+    void theMarkTellsTheDefaultWithItsUnitOrWhatNotGivenMeans() {
+        Bench bench;
+        QVERIFY(bench.row("/part/shaft/youngs_modulus_gpa")
+                    ->resetMark()
+                    ->toolTip()
+                    .contains(QStringLiteral("210\u00a0GPa")));
+        QVERIFY(bench.row("/part/target_diameter_mm")
+                    ->resetMark()
+                    ->toolTip()
+                    .contains(QStringLiteral("middle of the tolerance field")));
+        QVERIFY(bench.row("/part/shaft/mounting")
+                    ->resetMark()
+                    ->toolTip()
+                    .contains(QStringLiteral("between centres")));
+    }
+
+    void theMenuKeyOffersTheReset_data() {
+        QTest::addColumn<int>("page");
+        QTest::addColumn<QString>("path");
+        QTest::newRow("number") << 1 << QStringLiteral("/material/friction");
+        QTest::newRow("choice") << 0 << QStringLiteral("/part/shaft/mounting");
+        QTest::newRow("given or not") << 0 << QStringLiteral("/part/target_diameter_mm");
+    }
+    void theMenuKeyOffersTheReset() {
+        QFETCH(int, page);
+        QFETCH(QString, path);
+        Bench bench;
+        bench.panel.showPage(page);
+        Project changed = bench.document.project();
+        changed.material.friction = 0.5;
+        changed.part.shaft.mounting = Mounting::chuck;
+        changed.part.target_diameter_mm = 29.995;
+        bench.document.startUntitled(changed);
+        FormRow& row = *bench.row(path.toStdString());
+        QVERIFY(row.resetMark()->isVisible());
+        QMenu* menu = menuByKey(*row.editor().widget());
+        QVERIFY(menu);
+        QAction* reset = menu->actions().constLast();
+        QCOMPARE(reset->text(), row.resetMark()->menuText());
+        QVERIFY(reset->isEnabled());
+        reset->trigger();
+        menu->close();
+        QVERIFY(!row.editor().changedFromDefault());
+        QVERIFY(!row.resetMark()->isVisible());
+        bench.document.undo();
+        QVERIFY(row.resetMark()->isVisible());
+    }
+
+    void undoDropsTheTextRefusedLastBeforeItUndoesAnything() {
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.resize(1200, 700);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        window.document().startUntitled(newProject(Operation::traverse));
+        auto* panel = window.findChild<InputsPanel*>();
+        panel->showPage(1);
+        auto* friction = panel->findChild<NumberField*>(QStringLiteral("/material/friction"));
+        auto* stress = panel->findChild<NumberField*>(QStringLiteral("/material/flow_stress_mpa"));
+        typeOver(*friction, QStringLiteral("0.5"));
+        QTest::keyClick(friction, Qt::Key_Return);
+        typeOver(*friction, QStringLiteral("slippery"));
+        typeOver(*stress, QStringLiteral("much"));
+        panel->showPage(0); // neither is in sight
+        QCOMPARE(panel->refusals().size(), 2u);
+        auto* undo = actionByKeys(window, QKeySequence::Undo);
+        QVERIFY(undo);
+        QTRY_VERIFY(undo->text().contains(QStringLiteral("refused")));
+        undo->trigger();
+        QCOMPARE(stress->text(), QStringLiteral("2000"));
+        QCOMPARE(friction->text(), QStringLiteral("slippery"));
+        undo->trigger();
+        QCOMPARE(friction->text(), QStringLiteral("0.5"));
+        QVERIFY(panel->refusals().empty());
+        QCOMPARE(window.document().project().material.friction, 0.5);
+        undo->trigger();
+        QCOMPARE(window.document().project().material.friction, 0.3);
+        window.document().startUntitled(
+            newProject(Operation::traverse)); // closes without a question
+    }
+
+    void aRefusedTextAloneCanBeUndone() {
+        Settings settings = Settings::transient();
+        Language language;
+        language.apply(QStringLiteral("en"));
+        MainWindow window(settings, language);
+        window.show();
+        window.document().startUntitled(newProject(Operation::traverse));
+        auto* panel = window.findChild<InputsPanel*>();
+        auto* undo = actionByKeys(window, QKeySequence::Undo);
+        QVERIFY(!undo->isEnabled());
+        auto& table = panel->findChild<StageTable*>()->view();
+        table.setFocus();
+        table.setCurrentIndex(table.model()->index(0, 0));
+        QTest::keyClick(&table, Qt::Key_X);
+        auto* editor = table.findChild<NumberField*>();
+        QVERIFY(editor);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(undo->isEnabled());
+        undo->trigger();
+        QVERIFY(panel->refusals().empty());
+        QCOMPARE(table.model()->index(0, 0).data().toString(), QStringLiteral("0.004"));
+        QTRY_VERIFY(!undo->isEnabled());
+    }
+
+    void notesThatAreTooLongStayInSightMarkedAndTheLastOnesAreKept() {
+        Bench bench;
+        bench.panel.showPage(0);
+        auto* notes = bench.panel.findChild<QPlainTextEdit*>(QStringLiteral("/notes"));
+        QVERIFY(notes);
+        notes->setFocus();
+        QTest::keyClicks(notes, QStringLiteral("short"));
+        const QString tooLong(int(limits::stringBytes) + 1, u'x');
+        notes->insertPlainText(tooLong);
+        QCOMPARE(bench.document.project().notes, std::string("short"));
+        QVERIFY(notes->toPlainText().size() > tooLong.size());
+        QCOMPARE(bench.panel.refusals().size(), 1u);
+        QCOMPARE(bench.panel.refusals().front().path, std::string("/notes"));
+        QCOMPARE(bench.row("/notes")->editor().remark().mark, Mark::error);
+        Project other = bench.document.project();
+        other.material.friction = 0.2;
+        bench.document.edit(other, {});
+        QVERIFY2(notes->toPlainText().size() > tooLong.size(), "an edit elsewhere leaves it");
+        QVERIFY(bench.panel.dropNewestRefusal());
+        QCOMPARE(notes->toPlainText(), QStringLiteral("short"));
+        QVERIFY(bench.panel.refusals().empty());
+        notes->insertPlainText(tooLong);
+        typeOver(*notes, QStringLiteral("again"));
+        QCOMPARE(bench.document.project().notes, std::string("again"));
+        QVERIFY(bench.panel.refusals().empty());
+    }
+
+private:
+    static QAction* actionByKeys(const MainWindow& window, QKeySequence::StandardKey keys) {
+        for (QAction* action : window.findChildren<QAction*>()) {
+            if (action->shortcuts().contains(QKeySequence(keys))) {
+                return action;
+            }
+        }
+        return nullptr;
+    }
+};
+
+int main(int argc, char** argv) {
+    QApplication app(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+    TestInputMarks test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_input_marks.moc"

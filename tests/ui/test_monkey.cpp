@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The monkey at the window: no crash, no failed assertion, no report of a sanitizer, no warning of
+// Qt, and nearly every widget reached. SPARKOUT_LONG makes it 100,000 events; SPARKOUT_SEED and
+// SPARKOUT_EVENTS choose.
+#include "core/project/project_file.h"
+#include "tests/ui/monkey.h"
+#include "ui/session/document.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int usualEvents = 5'000;
+constexpr int longEvents = 100'000;
+constexpr double leastReached = 0.9;
+
+int eventCount() {
+    const int own = qEnvironmentVariableIntValue("SPARKOUT_EVENTS");
+    const bool longRun = qEnvironmentVariableIntValue("SPARKOUT_LONG") != 0;
+    return own > 0 ? own : longRun ? longEvents : usualEvents;
+}
+
+quint32 seed() {
+    const int own = qEnvironmentVariableIntValue("SPARKOUT_SEED");
+    return own > 0 ? quint32(own) : 1u;
+}
+
+} // namespace
+
+class TestMonkey : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aUserWithoutAPlanBreaksNothing() {
+        const QString log = QStringLiteral(SPARKOUT_BUILD_DIR "/monkey.log");
+        qInfo("MONKEY seed %u, %d events, what it does is in %s", seed(), eventCount(),
+              qPrintable(log));
+        QElapsedTimer clock;
+        clock.start();
+        Monkey monkey(seed(), eventCount(), log);
+        const QString trouble = monkey.run();
+        const double reached = 1 - double(monkey.missed().size()) / double(monkey.seen());
+        qInfo("MONKEY %d events in %.1f s, %d dialogs, %d restarts, %.1f %% of %lld widgets "
+              "reached",
+              monkey.done(), double(clock.elapsed()) * 1e-3, monkey.dialogs(), monkey.restarts(),
+              reached * 100, static_cast<long long>(monkey.seen()));
+        QVERIFY2(trouble.isEmpty(), qPrintable(trouble));
+        if (eventCount() >= usualEvents) {
+            QVERIFY2(reached >= leastReached, qPrintable(monkey.missed().join(u'\n')));
+            QVERIFY(monkey.dialogs() > 0);
+        }
+
+        Document& document = monkey.window().document();
+        const Project last = document.project();
+        while (document.canUndo()) {
+            document.undo();
+        }
+        while (document.canRedo()) {
+            document.redo();
+        }
+        QVERIFY(sameProject(document.project(), last));
+    }
+};
+
+SPARKOUT_WINDOW_TEST(TestMonkey)
+#include "test_monkey.moc"

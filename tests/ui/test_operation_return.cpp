@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Switching the operation and back.
+#include "ui/session/document.h"
+#include "ui/session/operation.h"
+
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+
+#include <QDir>
+#include <QTest>
+
+using namespace sparkout;
+
+namespace {
+
+/// What the operation field does.
+void switchTo(Document& document, Operation operation) {
+    document.edit(withOperation(document.project(), operation, document.lastWith(operation)), {});
+}
+
+Operation other(Operation operation) {
+    return operation == Operation::plunge ? Operation::traverse : Operation::plunge;
+}
+
+} // namespace
+
+class TestOperationReturn : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thereAndBackIsTheProjectItWas_data() {
+        QTest::addColumn<QString>("file");
+        for (const char* folder : {"/resources/examples", "/tests/data/projects"}) {
+            const QDir dir(QStringLiteral(SPARKOUT_SOURCE_DIR) + QString::fromLatin1(folder));
+            for (const QString& name : dir.entryList({QStringLiteral("*.sparkout")})) {
+                QTest::newRow(qPrintable(name)) << dir.filePath(name);
+            }
+        }
+    }
+    void thereAndBackIsTheProjectItWas() {
+        QFETCH(QString, file);
+        Document document;
+        QVERIFY(document.open(file).opened());
+        const std::string before = writeProject(document.project());
+        const Operation own = document.project().operation;
+        switchTo(document, other(own));
+        QVERIFY(writeProject(document.project()) != before);
+        switchTo(document, own);
+        QCOMPARE(writeProject(document.project()), before);
+        switchTo(document, other(own)); // and the other way round
+        const std::string there = writeProject(document.project());
+        switchTo(document, own);
+        switchTo(document, other(own));
+        QCOMPARE(writeProject(document.project()), there);
+    }
+
+    void whatWasChangedMeanwhileStaysAndTheRestComesBack() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        const Project before = document.project();
+        switchTo(document, Operation::plunge);
+        Project changed = document.project();
+        changed.wheel.dullness = 0.2;
+        changed.cycle.stages[0].stock_mm = 0.09;
+        changed.cycle.stages[0].radial_feed_mm_min = 1.7;
+        document.edit(changed, {});
+        switchTo(document, Operation::traverse);
+        const Project& now = document.project();
+        QCOMPARE(now.wheel.dullness, 0.2);
+        QCOMPARE(now.cycle.stages[0].stock_mm, 0.09);
+        QCOMPARE(now.cycle.stages[0].radial_feed_mm, before.cycle.stages[0].radial_feed_mm);
+        QCOMPARE(now.cycle.stages[0].axial_feed_mm_min, before.cycle.stages[0].axial_feed_mm_min);
+        QVERIFY(now.machine.compliance_mm_per_n == before.machine.compliance_mm_per_n);
+        switchTo(document, Operation::plunge);
+        QCOMPARE(document.project().cycle.stages[0].radial_feed_mm_min.value(), 1.7);
+    }
+
+    void aComplianceEnteredMeanwhileIsCarriedOver() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        switchTo(document, Operation::plunge);
+        Project stiff = document.project();
+        for (double& value : std::get<std::vector<double>>(stiff.machine.compliance_mm_per_n)) {
+            value = 5e-5;
+        }
+        document.edit(stiff, {});
+        switchTo(document, Operation::traverse);
+        const auto zones = std::get<ZoneCompliance>(document.project().machine.compliance_mm_per_n);
+        QCOMPARE(zones, (ZoneCompliance{5e-5, 5e-5, 5e-5}));
+    }
+
+    void aLongerPartMeanwhileStillLeavesAProjectThatRuns() {
+        Document document;
+        document.startUntitled(newProject(Operation::plunge));
+        switchTo(document, Operation::traverse);
+        Project longer = document.project();
+        longer.part.length_mm = 300;
+        document.edit(longer, {});
+        switchTo(document, Operation::plunge);
+        QVERIFY(!hasErrors(validate(document.project())));
+        Project shorter = document.project();
+        shorter.part.length_mm = 8;
+        document.edit(shorter, {});
+        switchTo(document, Operation::traverse);
+        QVERIFY(!hasErrors(validate(document.project())));
+    }
+
+    void aStageAddedMeanwhileLeavesTheOthersTheirFeeds() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        const auto before = document.project().cycle.stages;
+        switchTo(document, Operation::plunge);
+        Project more = document.project();
+        Stage added = more.cycle.stages[0];
+        added.radial_feed_mm_min = 0.9;
+        more.cycle.stages.insert(more.cycle.stages.begin(), added);
+        document.edit(more, {});
+        switchTo(document, Operation::traverse);
+        const auto& now = document.project().cycle.stages;
+        QCOMPARE(now.size(), 3u);
+        QVERIFY(now[0].radial_feed_mm && now[0].axial_feed_mm_min);
+        for (std::size_t i = 0; i < 2; ++i) {
+            QCOMPARE(now[i + 1].radial_feed_mm, before[i].radial_feed_mm);
+            QCOMPARE(now[i + 1].axial_feed_mm_min, before[i].axial_feed_mm_min);
+        }
+    }
+
+    void nothingIsRememberedOfAnotherDocument() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        switchTo(document, Operation::plunge);
+        document.startUntitled(newProject(Operation::plunge));
+        QVERIFY(!document.lastWith(Operation::traverse));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestOperationReturn)
+#include "test_operation_return.moc"

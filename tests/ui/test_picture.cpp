@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sparkout --picture: the whole program, as the documents and the gallery on the web use it.
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Run {
+    int status = -1;
+    QString said;
+};
+
+Run sparkout(const QStringList& arguments) {
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QStringLiteral(SPARKOUT_PROGRAM), arguments);
+    if (!process.waitForFinished(60'000)) {
+        return {};
+    }
+    return {process.exitCode(), QString::fromUtf8(process.readAll())};
+}
+
+const QString example =
+    QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/wheel-sharp.sparkout");
+
+} // namespace
+
+class TestPicture : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePictureHasTheSizeAndTheThemeAskedFor_data() {
+        QTest::addColumn<QString>("theme");
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << QStringLiteral("light") << false;
+        QTest::newRow("dark") << QStringLiteral("dark") << true;
+        QTest::newRow("contrast") << QStringLiteral("contrast") << true;
+    }
+
+    void thePictureHasTheSizeAndTheThemeAskedFor() {
+        QFETCH(QString, theme);
+        QFETCH(bool, dark);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("window.png"));
+        const Run run = sparkout({QStringLiteral("--picture"), path, QStringLiteral("--theme"),
+                                  theme, QStringLiteral("--view"), QStringLiteral("feeds"),
+                                  QStringLiteral("--lang"), QStringLiteral("ru"),
+                                  QStringLiteral("--size"), QStringLiteral("1200x700"), example});
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        const QImage image(path);
+        QCOMPARE(image.size(), QSize(1200, 700));
+        QCOMPARE(image.pixelColor(600, 40).lightness() < 128, dark); // the tool bar
+    }
+
+    void whatIsUnknownIsRefusedAndWhatThereIsIsNamed() {
+        const Run theme = sparkout({QStringLiteral("--picture"), QStringLiteral("/dev/null"),
+                                    QStringLiteral("--theme"), QStringLiteral("pink"), example});
+        QCOMPARE(theme.status, 2);
+        QVERIFY2(theme.said.contains(QStringLiteral("contrast")), qPrintable(theme.said));
+        const Run view = sparkout({QStringLiteral("--picture"), QStringLiteral("/dev/null"),
+                                   QStringLiteral("--view"), QStringLiteral("none"), example});
+        QCOMPARE(view.status, 2);
+        QVERIFY2(view.said.contains(QStringLiteral("feeds")), qPrintable(view.said));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPicture)
+#include "test_picture.moc"

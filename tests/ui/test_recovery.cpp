@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/file_trouble.h"
+#include "ui/session/autosave.h"
+#include "ui/session/document.h"
+#include "ui/session/operation.h"
+
+#include "core/project/project_file.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace sparkout;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr EditText editText{"Input", "Diameter"};
+
+void setDiameter(Document& document, double diameter_mm) {
+    Project project = document.project();
+    project.part.diameter_mm = diameter_mm;
+    document.edit(project, editText);
+}
+
+/// A document with a recovery file in a folder of its own.
+struct Bench {
+    explicit Bench(Autosave::Times times = {20ms, 300ms}) {
+        document.startUntitled(newProject(Operation::traverse));
+        autosave = std::make_unique<Autosave>(document, store, times);
+    }
+    QTemporaryDir folder;
+    RecoveryStore store{folder.path() + QStringLiteral("/state")};
+    Document document;
+    std::unique_ptr<Autosave> autosave;
+};
+
+RecoveryContent contentOf(const QString& file) {
+    return readRecovery(trouble::bytesOf(file).toStdString());
+}
+
+} // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theRecoveryFileHoldsTheProjectAndAllThatBelongsToIt() {
+        Project project = newProject(Operation::plunge);
+        project.title = "Вал \"30h6\"\n<b>";
+        const RecoveryHeader header{QString::fromStdString(project.title),
+                                    QStringLiteral("/tmp/вал [*].sparkout"),
+                                    QDateTime::currentDateTimeUtc(),
+                                    QByteArray::fromHex("00ff"),
+                                    true,
+                                    true};
+        const RecoveryContent content = readRecovery(recoveryText(header, project));
+        QVERIFY(content.project && sameProject(*content.project, project));
+        QCOMPARE(content.header.title, header.title);
+        QCOMPARE(content.header.path, header.path);
+        QCOMPARE(content.header.when.toMSecsSinceEpoch(), header.when.toMSecsSinceEpoch());
+        QCOMPARE(content.header.diskHash, header.diskHash);
+        QVERIFY(content.header.readOnly);
+        QVERIFY(content.header.modified);
+    }
+
+    // Cut at every byte, every bit of every byte turned: never a crash, never another project.
+    void noDamageOfTheTextGoesUnnoticed() {
+        const Project project = newProject(Operation::plunge);
+        const std::string whole = recoveryText({}, project);
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            QVERIFY(!readRecovery(std::string_view(whole).substr(0, length)).project);
+        }
+        int told = 0;
+        for (std::size_t at = 0; at < whole.size(); ++at) {
+            std::string damaged = whole;
+            damaged[at] = char(damaged[at] ^ (1 << (at % 8)));
+            const RecoveryContent content = readRecovery(damaged);
+            told += !content.project;
+            QVERIFY(!content.project || sameProject(*content.project, project));
+        }
+        QVERIFY2(std::size_t(told) + 400 > whole.size(),
+                 "only the header's plain words may differ");
+    }
+
+    void anEditIsKeptAfterAPauseAndNeverInTheUsersFile() {
+        Bench bench;
+        const QString path = bench.folder.filePath(QStringLiteral("part.sparkout"));
+        QVERIFY(!bench.document.saveAs(path));
+        const QByteArray before = trouble::bytesOf(path);
+        QVERIFY(bench.autosave->file().isEmpty());
+        setDiameter(bench.document, 31);
+        QTRY_VERIFY(!bench.autosave->file().isEmpty());
+        const RecoveryContent content = contentOf(bench.autosave->file());
+        QVERIFY(content.project && sameProject(*content.project, bench.document.project()));
+        QCOMPARE(content.header.path, path);
+        QCOMPARE(content.header.diskHash, contentHash(before.toStdString()));
+        QCOMPARE(trouble::bytesOf(path), before);
+        // Nobody else can read it, and nothing is left beside the user's file.
+        const QFileInfo folder(bench.store.folder());
+        QVERIFY(!(folder.permissions() & (QFile::ReadGroup | QFile::ReadOther)));
+        QCOMPARE(trouble::entries(bench.folder.path()),
+                 (QStringList{QStringLiteral("part.sparkout"), QStringLiteral("state")}));
+    }
+
+    void typingWithoutAPauseIsKeptAllTheSame() {
+        Bench bench({50ms, 250ms});
+        QSignalSpy written(bench.autosave.get(), &Autosave::written);
+        QElapsedTimer clock;
+        clock.start();
+        for (int i = 0; clock.elapsed() < 1000; ++i) {
+            setDiameter(bench.document, 30 + 0.001 * i);
+            QTest::qWait(10);
+        }
+        QVERIFY2(written.count() >= 2 && written.count() <= 5,
+                 qPrintable(QString::number(written.count())));
+    }
+
+    void anUntouchedDocumentLeavesNothing() {
+        Bench bench;
+        QTest::qWait(100);
+        bench.autosave.reset();
+        QVERIFY(!QFileInfo::exists(bench.store.folder()));
+    }
+
+    void theRecoveryFileGoesWithASaveAndOnlyThen() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QString file = bench.autosave->file();
+        QVERIFY(QFileInfo::exists(file));
+        QVERIFY(bench.document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
+        QVERIFY(QFileInfo::exists(file));
+        QVERIFY(!bench.document.saveAs(bench.folder.filePath(QStringLiteral("a.sparkout"))));
+        bench.autosave->saved();
+        QVERIFY(!QFileInfo::exists(file));
+        QVERIFY(trouble::entries(bench.store.folder()).isEmpty());
+        // After a save undo still goes back, and that is unsaved work again.
+        bench.document.undo();
+        bench.autosave->flush();
+        const RecoveryContent content = contentOf(bench.autosave->file());
+        QVERIFY(content.project && content.project->part.diameter_mm == 30);
+        QVERIFY(content.header.modified);
+    }
+
+    void editsThatAreGivenUpStayAmongTheDiscardedOnes() {
+        Bench bench({1h, 1h});
+        setDiameter(bench.document, 31); // a moment ago: not written yet
+        bench.autosave->discard();
+        QVERIFY(bench.autosave->file().isEmpty());
+        QVERIFY(bench.store.left().empty());
+        const auto discarded = bench.store.discarded();
+        QCOMPARE(discarded.size(), std::size_t{1});
+        QVERIFY(discarded[0].state == RecoveryItem::State::discarded);
+        QCOMPARE(contentOf(discarded[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void anotherDocumentNeverOverwritesTheRecoveryFileOfTheLast() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        bench.document.startUntitled(newProject(Operation::plunge));
+        setDiameter(bench.document, 50);
+        bench.autosave->flush();
+        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 50.0);
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+        QCOMPARE(contentOf(bench.store.discarded()[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void aProgramThatEndsWithoutAskingKeepsTheLastKeystroke() {
+        Bench bench({1h, 1h});
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QCOMPARE(contentOf(left[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void editsThatWereUndoneAreNotOffered() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        bench.document.undo();
+        bench.autosave->flush();
+        bench.autosave.reset();
+        QVERIFY(bench.store.left().empty());
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+    }
+
+    void workOfARunningSessionIsNotOfferedToAnother() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QVERIFY(bench.store.left().empty());
+        // What one instance is just offering, another does not offer as well.
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(bench.store.left().empty());
+    }
+
+    // The times of the files are turned around: they must not matter.
+    void whatIsOfferedIsDecidedByContentAndNotByTime() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const QString path = bench.folder.filePath(QStringLiteral("newer.sparkout"));
+        trouble::write(path, "newer than the recovery file");
+        auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QFile file(left[0].file);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::fromSecsSinceEpoch(1000), QFile::FileModificationTime));
+        file.close();
+        left.clear();
+        QCOMPARE(bench.store.left().size(), std::size_t{1});
+    }
+
+    void damagedFilesAreListedAsSuchAndStopNothing() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->discard();
+        const QList<QByteArray> bad{
+            {},
+            "x",
+            "{}",
+            "{}\n",
+            QByteArray(1000, '\0'),
+            good.left(good.size() / 2),
+            good.left(good.size() - 1),
+            QByteArray(good).replace("\"diameter_mm\": 31", "\"diameter_mm\": 32"),
+            QByteArray(good).replace("sparkout-recovery", "sparkout-something"),
+            QByteArray(200'000, '['),
+        };
+        for (qsizetype i = 0; i < bad.size(); ++i) {
+            trouble::write(bench.store.folder() + QStringLiteral("/%1.recovery").arg(i), bad[i]);
+        }
+        QVERIFY(QDir(bench.store.folder()).mkdir(QStringLiteral("folder.recovery")));
+        QVERIFY(QFile::link(QStringLiteral("/dev/zero"),
+                            bench.store.folder() + QStringLiteral("/zero.recovery")));
+        const auto left = bench.store.left();
+        for (const RecoveryItem& item : left) {
+            QVERIFY2(item.state == RecoveryItem::State::damaged, qPrintable(item.file));
+        }
+        QCOMPARE(left.size(), std::size_t(bad.size()) + 1); // and the link, which is not followed
+        for (qsizetype i = 0; i < bad.size(); ++i) {        // looking changes nothing
+            QCOMPARE(trouble::bytesOf(bench.store.folder() + QStringLiteral("/%1.recovery").arg(i)),
+                     bad[i]);
+        }
+    }
+
+    void discardedFilesAreKeptFourteenDays() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->discard();
+        const QDateTime now = QDateTime::currentDateTimeUtc();
+        bench.store.removeOldDiscarded(now.addDays(14));
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+        bench.store.removeOldDiscarded(now.addDays(16));
+        QVERIFY(bench.store.discarded().empty());
+    }
+
+    void recoveredWorkGoesOnInTheSameFile() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        const RecoveryContent content = contentOf(left[0].file);
+
+        Document document;
+        Autosave autosave(document, bench.store, {20ms, 300ms});
+        document.recover(*content.project, content.header.path, content.header.diskHash, true);
+        autosave.adopt(left[0].claim);
+        QVERIFY(document.modified());
+        QVERIFY(document.readOnly());
+        QVERIFY(!document.canUndo());
+        setDiameter(document, 32);
+        QTRY_COMPARE(contentOf(left[0].file).project->part.diameter_mm, 32.0);
+        QCOMPARE(autosave.file(), left[0].file);
+        document.undo();
+        QVERIFY2(document.modified(), "the state that was recovered is saved nowhere");
+        autosave.saved();
+        QVERIFY(!QFileInfo::exists(left[0].file));
+    }
+
+    void aFolderThatTakesNoFilesIsReportedAndLosesNothing() {
+        Bench bench;
+        QVERIFY(QDir(bench.folder.path()).mkdir(QStringLiteral("state")));
+        trouble::setMode(bench.folder.path(), 0755);
+        trouble::setMode(bench.folder.filePath(QStringLiteral("state")), 0555);
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        {
+            const trouble::Unprivileged user;
+            setDiameter(bench.document, 31);
+            bench.autosave->flush();
+        }
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(failed[0][0].value<FileError>().step, FileStep::create);
+        QVERIFY(bench.document.modified());
+        trouble::setMode(bench.folder.filePath(QStringLiteral("state")), 0755);
+        setDiameter(bench.document, 32); // tried again with the next edit
+        bench.autosave->flush();
+        QVERIFY(!bench.autosave->file().isEmpty());
+    }
+
+    void aFullDiskKeepsTheRecoveryFileBefore() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        {
+            const trouble::NoBytes disk;
+            setDiameter(bench.document, 32);
+            bench.autosave->flush();
+        }
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 31.0);
+    }
+
+    void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {
+        Bench bench;
+        QVERIFY(makePrivateFolder(bench.store.folder()));
+        trouble::write(bench.store.folder() + QStringLiteral("/abc.lock"),
+                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        QVERIFY(bench.store.left().empty());
+        QVERIFY(trouble::entries(bench.store.folder()).isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRecovery)
+#include "test_recovery.moc"

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Projects, outcomes and events for the tests of the views.
+#pragma once
+
+#include "ui/session/run_controller.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTranslator>
+#include <QWheelEvent>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace fixtures {
+
+using namespace sparkout;
+
+inline Project traverseProject() {
+    Project p;
+    p.part.tolerance.radial_runout_um = 6;
+    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    p.machine.dwell_entry_s = 0.333;
+    p.machine.dwell_exit_s = 0.333;
+    Stage rough, fine;
+    rough.radial_feed_mm = 0.004;
+    rough.axial_feed_mm_min = 1800;
+    rough.stock_mm = 0.110;
+    fine.radial_feed_mm = 0.001;
+    fine.axial_feed_mm_min = 300;
+    fine.stock_mm = 0.040;
+    p.cycle.stages = {rough, fine};
+    return p;
+}
+
+inline Project plungeProject(int sections) {
+    Project p = traverseProject();
+    p.operation = Operation::plunge;
+    p.sections = sections;
+    p.part.length_mm = 40;
+    p.machine.compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(sections), 2e-5);
+    Stage rough, fine;
+    rough.radial_feed_mm_min = 0.5;
+    rough.stock_mm = 0.110;
+    fine.radial_feed_mm_min = 0.15;
+    fine.stock_mm = 0.040;
+    p.cycle.stages = {rough, fine};
+    return p;
+}
+
+inline OutcomePtr run(const Project& project) {
+    return runProject(project, {});
+}
+
+inline OutcomePtr refused() {
+    auto outcome = std::make_shared<Outcome>();
+    outcome->issues.push_back(
+        {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "5000", "0.5…1000 mm"});
+    return outcome;
+}
+
+/// Marks every text, so that an untranslated one shows.
+class Marking : public QTranslator {
+public:
+    QString translate(const char*, const char* text, const char*, int) const override {
+        return QStringLiteral("«") + QString::fromUtf8(text) + QStringLiteral("»");
+    }
+    [[nodiscard]] bool isEmpty() const override { return false; }
+};
+
+inline void wheel(QWidget* widget, const QPointF& at, int delta,
+                  Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &event);
+}
+
+inline void hover(QWidget* widget, const QPointF& at) {
+    QMouseEvent event(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(widget, &event);
+}
+
+/// Press, two moves and release of the left button.
+inline void drag(QWidget* widget, const QPoint& from, const QPoint& to) {
+    const auto send = [widget](QEvent::Type type, const QPointF& at, Qt::MouseButton button,
+                               Qt::MouseButtons buttons) {
+        QMouseEvent event(type, at, widget->mapToGlobal(at), button, buttons, Qt::NoModifier);
+        QApplication::sendEvent(widget, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    send(QEvent::MouseMove, (QPointF(from) + to) / 2, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+}
+
+} // namespace fixtures

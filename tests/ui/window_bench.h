@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tests of the whole window share.
+#pragma once
+
+#include "ui/main_window.h"
+#include "ui/theme.h"
+
+#include <QStringList>
+
+#include <memory>
+
+namespace sparkout {
+
+/// Paths of all shipped examples, in order.
+[[nodiscard]] QStringList examplePaths();
+[[nodiscard]] QString nameOf(const QString& path); ///< of a file, without its ending
+
+/// A window as a user with a small laptop has it.
+struct Bench {
+    explicit Bench(const QString& language, Theme theme = Theme::light,
+                   RunController::Runner runner = runProject);
+    ~Bench();
+
+    /// Opens a project and waits until the views have drawn its outcome; false when they do not.
+    [[nodiscard]] bool open(const QString& path);
+    [[nodiscard]] QAction* action(const char* name) const; ///< of the menus, by object name
+    void settle() const;                                   ///< queued layouts, replots and repaints
+
+    Settings settings;
+    Language language;
+    std::unique_ptr<MainWindow> window;
+};
+
+/// Collects what Qt warns of while it lives, except what the offscreen platform says about itself.
+class WarningCatcher {
+public:
+    WarningCatcher();
+    ~WarningCatcher();
+    [[nodiscard]] QStringList take(); ///< what was warned of since the last time
+};
+
+/// The main() of a test of the window.
+int runWindowTest(int argc, char** argv, QObject* (*makeTest)());
+
+} // namespace sparkout
+
+#define SPARKOUT_WINDOW_TEST(Class)                                                                \
+    int main(int argc, char** argv) {                                                              \
+        return sparkout::runWindowTest(argc, argv, []() -> QObject* { return new Class; });        \
+    }

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/file_questions.h"
+
+#include "ui/session/document.h"
+#include "ui/session/texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace sparkout {
+
+namespace {
+
+constexpr qsizetype editsShown = 6;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(FileQuestion)
+};
+
+/// A message box of plain text, so that no file name is taken for markup.
+class Question {
+public:
+    Question(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text)
+        : m_box(icon, title, {}, QMessageBox::NoButton, window) {
+        m_box.setTextFormat(Qt::PlainText);
+        m_box.setText(text);
+    }
+
+    /// A long path may be broken after each slash.
+    void breakPath(const QString& path) {
+        QString broken = path;
+        broken.replace(u'/', QStringLiteral("/\u200b"));
+        m_box.setText(m_box.text().replace(path, broken));
+    }
+
+    QAbstractButton* add(const QString& text, QMessageBox::ButtonRole role, const char* name) {
+        QAbstractButton* button = m_box.addButton(text, role);
+        button->setObjectName(QString::fromLatin1(name));
+        return button;
+    }
+    void addDefault(const QString& text, QMessageBox::ButtonRole role, const char* name) {
+        m_box.setDefaultButton(qobject_cast<QPushButton*>(add(text, role, name)));
+    }
+    void addCancel(const QString& text = Words::tr("&Cancel")) {
+        QAbstractButton* button = add(text, QMessageBox::RejectRole, "cancel");
+        m_box.setEscapeButton(button);
+        if (m_box.defaultButton() == nullptr) {
+            m_box.setDefaultButton(qobject_cast<QPushButton*>(button));
+        }
+    }
+
+    /// The name of the button that was chosen.
+    [[nodiscard]] QString ask() {
+        m_box.exec();
+        return m_box.clickedButton() ? m_box.clickedButton()->objectName() : QString();
+    }
+
+private:
+    QMessageBox m_box;
+};
+
+QString unsavedText(const Document& document) {
+    const QString title = QString::fromStdString(document.project().title).simplified();
+    const QString path = document.filePath();
+    QString text = path.isEmpty() ? Words::tr("“%1” has never been saved. Save it?")
+                                        .arg(title.isEmpty() ? Words::tr("Untitled") : title)
+                                  : Words::tr("Save the changes to “%1”?").arg(path);
+    QStringList edits = document.unsavedEdits();
+    if (edits.isEmpty()) {
+        return text;
+    }
+    const qsizetype more = edits.size() - editsShown;
+    edits = edits.mid(0, editsShown);
+    text += QStringLiteral("\n\n") + Words::tr("Not saved:");
+    for (const QString& edit : edits) {
+        text += QStringLiteral("\n• ") + edit;
+    }
+    if (more > 0) {
+        text += QStringLiteral("\n• ") + Words::tr("%n more", nullptr, int(more));
+    }
+    return text;
+}
+
+} // namespace
+
+void showFailure(QWidget* window, const QString& title, const QString& text) {
+    Question question(window, QMessageBox::Critical, title, text);
+    question.addCancel(Words::tr("C&lose"));
+    (void)question.ask();
+}
+
+bool mayReplace(QWidget* window, const QString& path) {
+    Question question(window, QMessageBox::Question, Words::tr("Replace the file?"),
+                      Words::tr("“%1” exists already. Replace it?").arg(path));
+    question.breakPath(path);
+    question.add(Words::tr("&Replace"), QMessageBox::AcceptRole, "replace");
+    question.addCancel();
+    return question.ask() == u"replace";
+}
+
+UnsavedAnswer askUnsaved(QWidget* window, const Document& document) {
+    Question question(window, QMessageBox::Question, Words::tr("Unsaved changes"),
+                      unsavedText(document));
+    if (!document.filePath().isEmpty()) {
+        question.breakPath(document.filePath());
+    }
+    question.addDefault(document.readOnly() ? Words::tr("&Save as…") : Words::tr("&Save"),
+                        QMessageBox::AcceptRole, "save");
+    question.add(Words::tr("&Do not save"), QMessageBox::DestructiveRole, "discard");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"save"      ? UnsavedAnswer::save
+           : answer == u"discard" ? UnsavedAnswer::discard
+                                  : UnsavedAnswer::cancel;
+}
+
+QString holderText(const LockHolder& holder) {
+    const QString since = QLocale().toString(holder.since, QLocale::ShortFormat);
+    if (!holder.readable) {
+        return Words::tr("The lock file beside it cannot be understood; it belongs to the user %1 "
+                         "and is of %2.")
+            .arg(holder.user, since);
+    }
+    return Words::tr("User: %1\nComputer: %2\nProgram: %3, process %4\nSince: %5")
+        .arg(holder.user, holder.host, holder.program, QString::number(holder.process), since);
+}
+
+LockedAnswer askLocked(QWidget* window, const QString& path, const LockHolder& holder) {
+    QString text = holder.readable ? Words::tr("“%1” is open already.").arg(path)
+                                   : Words::tr("“%1” seems to be open already.").arg(path);
+    text += QStringLiteral("\n\n") + holderText(holder) + QStringLiteral("\n\n")
+            + Words::tr("Take it over only if nobody works in it any more.");
+    Question question(window, QMessageBox::Warning, Words::tr("The file is in use"), text);
+    question.breakPath(path);
+    question.addDefault(Words::tr("Open &read-only"), QMessageBox::AcceptRole, "readOnly");
+    question.add(Words::tr("Open a co&py"), QMessageBox::AcceptRole, "copy");
+    question.add(Words::tr("&Take over"), QMessageBox::DestructiveRole, "takeOver");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"readOnly"   ? LockedAnswer::readOnly
+           : answer == u"copy"     ? LockedAnswer::copy
+           : answer == u"takeOver" ? LockedAnswer::takeOver
+                                   : LockedAnswer::cancel;
+}
+
+namespace {
+
+SaveAnswer saveAnswer(const QString& answer) {
+    return answer == u"proceed"     ? SaveAnswer::proceed
+           : answer == u"elsewhere" ? SaveAnswer::elsewhere
+           : answer == u"reload"    ? SaveAnswer::reload
+                                    : SaveAnswer::cancel;
+}
+
+} // namespace
+
+SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing) {
+    Question question(
+        window, QMessageBox::Warning, Words::tr("Changed outside"),
+        missing ? Words::tr("“%1” has been removed or renamed since it was opened.").arg(path)
+                : Words::tr("“%1” was changed by another program since it was opened.\n\nSaving "
+                            "replaces that version; it is kept as the previous one.\nReloading "
+                            "takes that version; your changes stay in Undo.")
+                      .arg(path));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"),
+                 missing ? QMessageBox::AcceptRole : QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    if (!missing) {
+        question.add(Words::tr("&Reload"), QMessageBox::AcceptRole, "reload");
+    }
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+SaveAnswer askSaveLocked(QWidget* window, const QString& path, const LockHolder& holder) {
+    Question question(window, QMessageBox::Warning, Words::tr("The file is in use"),
+                      Words::tr("“%1” is open in another window.").arg(path)
+                          + QStringLiteral("\n\n") + holderText(holder));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+SaveAnswer askHardLinks(QWidget* window, const QString& path, std::uint64_t links) {
+    Question question(window, QMessageBox::Warning, Words::tr("The file has several names"),
+                      Words::tr("“%1” has %n other names (hard links). They will keep the old text "
+                                "and no longer be the same file.",
+                                nullptr, int(links) - 1)
+                          .arg(path));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+FailureAnswer askSaveFailed(QWidget* window, const FileError& error) {
+    Question question(window, QMessageBox::Critical, Words::tr("The project was not saved"),
+                      saveErrorText(error) + QStringLiteral("\n\n")
+                          + Words::tr("The project in the window is unchanged and still counts as "
+                                      "not saved."));
+    question.breakPath(QString::fromStdString(error.path));
+    question.addDefault(Words::tr("&Try again"), QMessageBox::AcceptRole, "again");
+    question.add(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"again"       ? FailureAnswer::again
+           : answer == u"elsewhere" ? FailureAnswer::elsewhere
+                                    : FailureAnswer::cancel;
+}
+
+} // namespace sparkout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/recovery_store.h"
+
+#include <QDialog>
+
+#include <optional>
+#include <vector>
+
+class QPushButton;
+class QTreeWidget;
+
+namespace sparkout {
+
+/// The work that programs which ended without saving left behind. Each item is recovered, put off
+/// or discarded; a damaged one can only be discarded, and its folder is named.
+class RecoveryDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryItem> items,
+                   QWidget* parent = nullptr);
+
+    /// The item to recover, after accept().
+    [[nodiscard]] std::optional<RecoveryItem> chosen() const;
+
+private:
+    void fill();
+    void discard();
+    void followSelection();
+    [[nodiscard]] int current() const; ///< index of the item; -1: none
+
+    const RecoveryStore& m_store;
+    std::vector<RecoveryItem> m_items;
+    QTreeWidget* m_list;
+    QPushButton* m_recover;
+    QPushButton* m_discard;
+};
+
+} // namespace sparkout

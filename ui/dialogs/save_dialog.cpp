@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/save_dialog.h"
+
+#include "core/project/safe_file.h"
+#include "ui/session/background.h"
+#include "ui/session/settings.h"
+#include "ui/session/texts.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+
+#include <optional>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int longestName = 80;
+
+class SaveDialog {
+    Q_DECLARE_TR_FUNCTIONS(SaveDialog)
+public:
+    static QString askPath(QWidget* window, const QString& folder, const SaveRequest& request);
+    static bool offerAnother(QWidget* window, const QString& text);
+    static QString failure() { return tr("The picture or table could not be made."); }
+};
+
+QString SaveDialog::askPath(QWidget* window, const QString& folder, const SaveRequest& request) {
+    QFileDialog dialog(window, request.title, folder, request.filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setDefaultSuffix(request.suffix);
+    dialog.selectFile(request.name + u'.' + request.suffix);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+bool SaveDialog::offerAnother(QWidget* window, const QString& text) {
+    QMessageBox box(QMessageBox::Critical, tr("The file was not saved"), text,
+                    QMessageBox::NoButton, window);
+    box.setTextFormat(Qt::PlainText);
+    const auto* other = box.addButton(tr("Choose &another place…"), QMessageBox::AcceptRole);
+    box.addButton(tr("C&lose"), QMessageBox::RejectRole);
+    box.exec();
+    return box.clickedButton() == other;
+}
+
+/// Nothing, or why the file was not saved.
+QString save(const QString& path, const SaveRequest& request) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const std::function<QByteArray()> make = request.prepare();
+    const std::string target = QFile::encodeName(path).toStdString();
+    bool made = false;
+    std::optional<FileError> error;
+    runAside([&] {
+        const QByteArray bytes = make();
+        made = !bytes.isEmpty();
+        if (made) {
+            error = writeFileSafely(target,
+                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        }
+    });
+    QGuiApplication::restoreOverrideCursor();
+    return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
+}
+
+} // namespace
+
+bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request) {
+    QString folder = settings ? settings->lastFolder() : QDir::homePath();
+    for (;;) {
+        const QString path = SaveDialog::askPath(window, folder, request);
+        if (path.isEmpty()) {
+            return false;
+        }
+        const QString failure = save(path, request);
+        const QDir chosen = QFileInfo(path).absoluteDir();
+        if (failure.isEmpty() && settings) {
+            settings->setLastFolder(chosen.absolutePath());
+        }
+        if (failure.isEmpty()) {
+            return true;
+        }
+        folder = chosen.exists() ? chosen.absolutePath() : folder;
+        if (!SaveDialog::offerAnother(window, failure)) {
+            return false;
+        }
+    }
+}
+
+QString fileNameOf(const QStringList& parts) {
+    static const QRegularExpression unfit(QStringLiteral("[\\\\/:*?\"<>|\\x00-\\x1f]+"));
+    QStringList kept;
+    for (const QString& part : parts) {
+        if (const QString text = part.simplified(); !text.isEmpty()) {
+            kept << text;
+        }
+    }
+    QString name = kept.join(QStringLiteral(" – "));
+    name.replace(unfit, QStringLiteral("_")).truncate(longestName);
+    while (name.startsWith(u'.') || name.startsWith(u' ')) {
+        name.remove(0, 1); // no hidden file
+    }
+    return name.trimmed();
+}
+
+} // namespace sparkout

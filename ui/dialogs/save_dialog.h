@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+#include <functional>
+
+class QWidget;
+
+namespace sparkout {
+
+class Settings;
+
+/// What is to be saved, and how the dialog asks for its place.
+struct SaveRequest {
+    QString title;  ///< of the dialog
+    QString name;   ///< proposed, without folder and suffix
+    QString suffix; ///< "png"
+    QString filter; ///< "Pictures (*.png)"
+    /// Called once a place is chosen. What it returns makes the bytes, in a thread of its own; no
+    /// bytes: they could not be made.
+    std::function<std::function<QByteArray()>()> prepare;
+};
+
+/// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown
+/// with an offer to choose another place. True once the file is saved. Without settings the folder
+/// is the home folder.
+bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request);
+
+/// Words as the name of a file: parts joined, without the characters some system refuses.
+[[nodiscard]] QString fileNameOf(const QStringList& parts);
+
+} // namespace sparkout

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/hint_strip.h"
+
+#include "ui/inputs/form_metrics.h"
+#include "ui/inputs/hint_text.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+
+constexpr const char* fieldProperty = "sparkoutField";
+constexpr int lines = 4;
+
+} // namespace
+
+void setHintField(QWidget& widget, const Field& field) {
+    widget.setProperty(fieldProperty, QVariant::fromValue(static_cast<const void*>(&field)));
+}
+
+const Field* hintField(const QWidget* widget) {
+    for (; widget; widget = widget->parentWidget()) {
+        if (const QVariant found = widget->property(fieldProperty); found.isValid()) {
+            return static_cast<const Field*>(found.value<const void*>());
+        }
+    }
+    return nullptr;
+}
+
+HintStrip::HintStrip(QWidget* parent) : QFrame(parent), m_text(new QLabel(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::margin, metrics::row, metrics::margin, metrics::row);
+    setObjectName(QStringLiteral("hintStrip"));
+    m_text->setTextFormat(Qt::RichText);
+    m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    layout->addWidget(m_text);
+    fitFont();
+    connect(qApp, &QApplication::focusChanged, this,
+            [this](const QWidget*, const QWidget* now) { follow(now); });
+    retranslate();
+}
+
+HintStrip::~HintStrip() {
+    disconnect(qApp, nullptr, this, nullptr);
+}
+
+void HintStrip::fitFont() {
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * noteType);
+    m_text->setFont(small);
+    m_text->setMinimumHeight(lines * QFontMetrics(small).lineSpacing());
+}
+
+void HintStrip::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        fitFont();
+    }
+}
+
+void HintStrip::follow(const QWidget* focused) {
+    const Field* field = hintField(focused);
+    if (field && parentWidget()->isAncestorOf(focused)) {
+        showField(*field);
+    }
+}
+
+void HintStrip::showField(const Field& field) {
+    if (&field != m_field) {
+        m_field = &field;
+        fill();
+    }
+}
+
+void HintStrip::fill() {
+    if (!m_field) {
+        m_text->setText(tr("What the input in focus means, and what it may be, stands here."));
+        return;
+    }
+    const QString limits = limitsMarkup(*m_field);
+    const QString meaning = meaningMarkup(*m_field);
+    m_text->setText(limits.isEmpty() ? meaning : QStringLiteral("%1<br>%2").arg(limits, meaning));
+}
+
+void HintStrip::retranslate() {
+    setAccessibleName(tr("About the input in focus"));
+    fill();
+}
+
+} // namespace sparkout

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace sparkout {
+
+class Document;
+struct Field;
+class ListModel;
+class ValueSlider;
+
+/// The sliders of one row of a table, a line for each of its numbers one plays with.
+class RowSliders : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The sliders come after `before` in the tab order.
+    RowSliders(ListModel& model, Document& document, QWidget& before, QWidget* parent = nullptr);
+
+    void showRow(int row); ///< of the model as it is now; none: −1
+    void retranslate();
+    [[nodiscard]] ValueSlider* slider(const QString& key) const; ///< null when there is none
+
+private:
+    struct Line {
+        const Field* field;
+        int column;
+        QLabel* label;
+        ValueSlider* slider;
+        QLabel* value;
+    };
+
+    [[nodiscard]] std::vector<int> columns() const;
+    void build();
+    void addLine(int column);
+    void showLine(const Line& line);
+    void retranslate(const Line& line);
+
+    ListModel& m_model;
+    Document& m_document;
+    QWidget& m_before;
+    int m_row = -1;
+    QLabel* m_title;
+    QWidget* m_body = nullptr;
+    QGridLayout* m_grid = nullptr;
+    std::vector<Line> m_lines;
+};
+
+} // namespace sparkout

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/slider_scale.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+namespace sparkout {
+
+/// A thin slider for a number, beside its field. It stops at round values; Escape during a drag
+/// goes back to the value before it; the wheel is left to the page unless the slider has the focus.
+class ValueSlider : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ValueSlider(QWidget* parent = nullptr);
+
+    /// What it shows: a scale for the spec and the value, which may lie outside. A drag goes on
+    /// with its scale as long as the value is the one it gave.
+    void display(const SliderSpec& spec, std::optional<double> value, const QString& unit);
+
+    [[nodiscard]] std::optional<double> value() const { return m_value; }
+    [[nodiscard]] const SliderScale& scale() const { return m_scale; }
+    [[nodiscard]] const QString& unit() const { return m_unit; }
+    [[nodiscard]] bool dragging() const { return m_dragged.has_value(); }
+    void setByHand(double value); ///< as if moved there
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] QPoint handle() const; ///< its middle
+
+signals:
+    void valueEdited(double value);
+    void settled(); ///< the edits before and after are separate steps of the history
+
+protected:
+    bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    [[nodiscard]] QRectF groove() const;
+    [[nodiscard]] double shareAt(double x) const;
+    void move(double value);
+    void endDrag();
+
+    SliderSpec m_spec;
+    SliderScale m_scale;
+    std::optional<double> m_value;
+    QString m_unit;
+    std::optional<double> m_dragged; ///< the value before the running drag
+    double m_grip = 0;               ///< where the handle was taken, from its middle
+    int m_wheel = 0;                 ///< turned, but not yet a step
+    QTimer m_pause;                  ///< keys and wheel: ends their step of the history
+};
+
+} // namespace sparkout

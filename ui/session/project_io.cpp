@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/project_io.h"
+
+#include "core/project/project_file.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+
+#include <cerrno>
+
+namespace sparkout {
+
+namespace {
+
+/// A text that could not be opened again must never reach the disk.
+bool readsBack(const std::string& text, const Project& project) {
+    const ReadResult back = readProject(text);
+    const auto& same = back.project ? back.project : back.unfinished;
+    return same && sameProject(*same, project);
+}
+
+FileError verifyError(const QString& path, int systemError, bool replaced) {
+    FileError error;
+    error.path = QFile::encodeName(path).toStdString();
+    error.step = FileStep::verify;
+    error.systemError = systemError;
+    error.replaced = replaced;
+    return error;
+}
+
+} // namespace
+
+std::filesystem::path systemPath(const QString& path) {
+    return {QFile::encodeName(path).toStdString()};
+}
+
+QByteArray contentHash(std::string_view bytes) {
+    return QCryptographicHash::hash(QByteArrayView(bytes.data(), qsizetype(bytes.size())),
+                                    QCryptographicHash::Sha256);
+}
+
+LoadedProject parseProject(std::string_view text) {
+    LoadedProject loaded;
+    ReadResult parsed = readProject(text);
+    loaded.issues = std::move(parsed.issues);
+    loaded.project = std::move(parsed.project ? parsed.project : parsed.unfinished);
+    loaded.hash = contentHash(text);
+    return loaded;
+}
+
+LoadedProject loadProject(const QString& path) {
+    const auto read = readFile(systemPath(path), limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        LoadedProject failed;
+        failed.error = *error;
+        return failed;
+    }
+    return parseProject(std::get<std::string>(read));
+}
+
+SavedProject saveProject(const Project& project, const QString& path, WriteOptions options) {
+    SavedProject saved;
+    const std::string text = writeProject(project);
+    if (!readsBack(text, project)) {
+        saved.error = verifyError(path, 0, false);
+        return saved;
+    }
+    saved.hash = contentHash(text);
+    saved.error = writeFileSafely(systemPath(path), text, options);
+    if (saved.error) {
+        return saved;
+    }
+    // The writer looked at its own file; this is what the next reader gets.
+    const auto read = readFile(systemPath(path), limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        saved.error = verifyError(path, error->systemError, true);
+    } else if (contentHash(std::get<std::string>(read)) != saved.hash) {
+        saved.error = verifyError(path, EILSEQ, true);
+    }
+    return saved;
+}
+
+} // namespace sparkout

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+#include "core/project/safe_file.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+/// Project files in and out, as plain functions of values: they may run in any thread.
+namespace sparkout {
+
+[[nodiscard]] std::filesystem::path systemPath(const QString& path);
+
+/// SHA-256: how the session knows the bytes of a file again, whatever its times say.
+[[nodiscard]] QByteArray contentHash(std::string_view bytes);
+
+/// A project text read: opened, refused with faults, or not read at all. Unfinished work, in which
+/// only a rule between values is broken, is a project with its faults beside it.
+struct LoadedProject {
+    std::optional<Project> project;
+    Issues issues;
+    std::optional<FileError> error;
+    QByteArray hash; ///< of the bytes read
+};
+
+[[nodiscard]] LoadedProject parseProject(std::string_view text);
+[[nodiscard]] LoadedProject loadProject(const QString& path);
+
+struct SavedProject {
+    std::optional<FileError> error;
+    QByteArray hash; ///< of the bytes to be written
+};
+
+/// Serialises, reads the text back and compares before the disk is touched; writes it; reads the
+/// file again and compares the hash. Only then is the project saved.
+[[nodiscard]] SavedProject saveProject(const Project& project, const QString& path,
+                                       WriteOptions options = {});
+
+} // namespace sparkout

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <QByteArray>
+#include <QDateTime>
+#include <QString>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// The recovery file: one line of JSON that says what follows, then the project text. The line
+/// holds the SHA-256 of the text, so a torn or edited file shows.
+namespace sparkout {
+
+/// What a document has beside its project.
+struct RecoveryHeader {
+    QString title;
+    QString path; ///< of the user's file; empty: never saved
+    QDateTime when;
+    QByteArray diskHash; ///< of the user's file as it was last read or written; may be empty
+    bool readOnly = false;
+    bool modified = true; ///< false: the edits had been undone again
+};
+
+struct RecoveryContent {
+    RecoveryHeader header;
+    std::optional<Project> project; ///< absent: the file is damaged
+};
+
+[[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Project& project);
+
+/// What can be read of it: of a damaged file perhaps the header, perhaps nothing.
+[[nodiscard]] RecoveryContent readRecovery(std::string_view text);
+
+} // namespace sparkout

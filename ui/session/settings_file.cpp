@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/settings_file.h"
+
+#include "ui/session/project_io.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::size_t largest = 1u << 20;
+constexpr int later_ms = 500; ///< several settings are often set together
+
+} // namespace
+
+SettingsFile::SettingsFile(const QString& path) : m_path(path) {
+    m_later.setSingleShot(true);
+    m_later.setInterval(later_ms);
+    connect(&m_later, &QTimer::timeout, this, [this] { (void)flush(); });
+    if (!m_path.isEmpty()) {
+        m_values = read();
+    }
+}
+
+SettingsFile::~SettingsFile() {
+    (void)flush();
+}
+
+QVariantMap SettingsFile::read() {
+    const auto bytes = readFile(systemPath(m_path), largest);
+    const auto* text = std::get_if<std::string>(&bytes);
+    const auto* error = std::get_if<FileError>(&bytes);
+    if (error != nullptr) {
+        if (error->step == FileStep::tooLarge) {
+            putAside();
+        }
+        return {}; // absent, or nothing one could read: the defaults hold
+    }
+    QJsonParseError fault;
+    const QJsonDocument document =
+        QJsonDocument::fromJson(QByteArray::fromStdString(*text), &fault);
+    if (fault.error != QJsonParseError::NoError || !document.isObject()) {
+        putAside();
+        return {};
+    }
+    return document.object().toVariantMap();
+}
+
+void SettingsFile::putAside() {
+    const QString aside = m_path + QStringLiteral(".damaged");
+    QFile::remove(aside);
+    if (QFile::rename(m_path, aside)) {
+        m_damaged = aside;
+    }
+}
+
+void SettingsFile::set(const QString& key, const QVariant& value) {
+    if (m_values.value(key) == value) {
+        return;
+    }
+    m_values.insert(key, value);
+    m_changed.insert(key, value);
+    if (!m_path.isEmpty() && QCoreApplication::instance() != nullptr) {
+        m_later.start();
+    }
+}
+
+void SettingsFile::refresh() {
+    if (!m_path.isEmpty()) {
+        m_values = read();
+        m_values.insert(m_changed);
+    }
+}
+
+std::optional<FileError> SettingsFile::flush() {
+    m_later.stop();
+    if (m_path.isEmpty() || m_changed.isEmpty()) {
+        return {};
+    }
+    QDir().mkpath(QFileInfo(m_path).absolutePath()); // its failure is the writer's
+    QVariantMap values = read();
+    values.insert(m_changed);
+    const QByteArray text = QJsonDocument(QJsonObject::fromVariantMap(values)).toJson();
+    auto error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())});
+    if (!error) {
+        m_changed.clear();
+    }
+    return error;
+}
+
+} // namespace sparkout

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <string_view>
+
+namespace sparkout {
+
+/// A source in words, in the present language: "MODEL-5" → "model page, section 5, traverse
+/// cycle". Empty for a key that core/SOURCES.md does not have.
+[[nodiscard]] QString sourceText(std::string_view key);
+
+} // namespace sparkout

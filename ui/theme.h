@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+#include <QPalette>
+#include <QString>
+
+#include <array>
+#include <vector>
+
+/// How the window looks: themes, each one row of a table, and icons that follow them. Everything
+/// painted takes its colours from here, by the palette it is painted on.
+namespace sparkout {
+
+enum class Theme { system, light, dark, contrast };
+
+inline constexpr std::array allThemes{Theme::system, Theme::light, Theme::dark, Theme::contrast};
+
+[[nodiscard]] QString themeCode(Theme theme);       ///< "system", "light", …: for settings
+[[nodiscard]] Theme themeFrom(const QString& code); ///< system when it is none of them
+[[nodiscard]] bool isThemeCode(const QString& code);
+[[nodiscard]] QPalette paletteOf(Theme theme); ///< of the system's, light or dark
+
+/// Gives the whole program a theme; may be called again at any time. The present one is shown by
+/// appliedTheme().
+void applyTheme(Theme theme);
+[[nodiscard]] Theme appliedTheme();
+
+/// What a colour is for, beside the roles of QPalette.
+enum class Tone {
+    error,   ///< a refused value: text and frame
+    warning, ///< an unusual value: text and frame
+    outline, ///< of fields, buttons and boxes
+    // Curves and lights, Okabe and Ito's set: told apart by colour-blind readers too.
+    blue,
+    sky,
+    vermilion,
+    orange,
+    green,
+    purple,
+    yellow,
+    // Icons.
+    ink,      ///< outlines
+    paper,    ///< white surfaces
+    steel,    ///< the workpiece, things of metal
+    abrasive, ///< the wheel
+    grain,    ///< on the wheel, pointers
+    sand,     ///< folders
+    accent,   ///< arrows, curves
+    add,
+    remove,
+    amber,
+    amberInk, ///< the warning sign and what stands on it
+    count_
+};
+
+/// A colour of the theme a palette belongs to, or comes closest to.
+[[nodiscard]] QColor tone(Tone which, const QPalette& palette);
+[[nodiscard]] bool isDark(const QPalette& palette);
+
+/// An icon of resources/icons by its name without ending: drawn at the size and in the colours of
+/// the moment, so a change of theme needs no new icon.
+[[nodiscard]] QIcon themeIcon(QStringView name);
+
+/// A colour the icons are written in, and what it stands for.
+struct IconColour {
+    const char* written; ///< "#rrggbb"
+    Tone tone;
+};
+[[nodiscard]] const std::vector<IconColour>& iconColours();
+
+} // namespace sparkout

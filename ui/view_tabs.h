@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QPointer>
+#include <QTabWidget>
+
+#include <vector>
+
+class QToolButton;
+
+namespace sparkout {
+
+class View;
+
+/// The views as tabs. A tab can be torn off into a window of its own (button, double click on the
+/// tab, its context menu) and comes back to its place when that window is closed. The last tab
+/// stays.
+class ViewTabs : public QTabWidget {
+    Q_OBJECT
+
+public:
+    explicit ViewTabs(QWidget* parent = nullptr);
+    ~ViewTabs() override;
+
+    void addView(View* view);
+    [[nodiscard]] const std::vector<View*>& views() const { return m_views; } ///< in order
+    [[nodiscard]] View* currentView() const; ///< of the active window, else of the current tab
+    [[nodiscard]] bool isDetached(const View* view) const;
+    [[nodiscard]] bool canDetach() const { return count() > 1; }
+    [[nodiscard]] QWidget* windowOf(const View* view) const; ///< its own window, or null
+
+    void showView(View* view); ///< its tab, or its window to the front
+    void detach(View* view);
+    void attach(View* view);
+    void attachAll();
+    void retranslate();
+
+    [[nodiscard]] QByteArray saveState() const; ///< current tab, torn-off views and where they are
+    bool restoreState(const QByteArray& state); ///< false, and nothing done, when it is no state
+
+signals:
+    void detachableChanged();
+
+private:
+    class Window;
+
+    [[nodiscard]] Window* findWindow(const View* view) const;
+    void openMenu(const QPoint& place);
+    void showTexts();
+
+    std::vector<View*> m_views;
+    std::vector<Window*> m_windows;
+    QToolButton* m_tear;
+};
+
+} // namespace sparkout

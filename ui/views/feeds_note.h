@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <QDialog>
+
+class QLabel;
+class QPushButton;
+
+namespace sparkout {
+
+/// What the steps E1…E5 are in each zone, in the colours of the bands, and how the curves are to be
+/// read.
+class FeedsNote : public QDialog {
+    Q_OBJECT
+public:
+    explicit FeedsNote(QWidget* parent = nullptr);
+
+    void setOperation(Operation operation);
+    void retranslate();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    [[nodiscard]] QLabel* cell(int row, int column);
+    void paintSteps();
+
+    Operation m_operation = Operation::traverse;
+    QWidget* m_steps;
+    QLabel* m_text;
+    QPushButton* m_close;
+};
+
+} // namespace sparkout

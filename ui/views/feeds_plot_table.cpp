@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn, as a table.
+#include "ui/views/feeds_plot.h"
+
+#include "ui/views/feed_text.h"
+#include "ui/views/names.h"
+
+namespace sparkout {
+
+namespace {
+
+/// A column of numbers: a quantity, or an edge of its spread.
+struct Figure {
+    Quantity quantity;
+    Edge edge;
+};
+
+bool within(const FeedPoint& point, double from_s, double to_s) {
+    return point.end_s > from_s && point.start_s < to_s;
+}
+
+} // namespace
+
+CsvTable FeedsPlot::table() const {
+    CsvTable table;
+    std::vector<Figure> figures;
+    const bool byRadius = m_detail == Detail::radius;
+    const bool spread = !byRadius && m_choice.shows(spreadKey);
+    table.header = {isTraverse() ? tr("zone") : tr("section"),
+                    tr("stage"),
+                    isTraverse() ? tr("double stroke") : tr("revolution"),
+                    tr("step"),
+                    tr("pass of the step"),
+                    tr("radius no."),
+                    tr("%1: from", "time").arg(timeLabel()),
+                    tr("%1: to", "time").arg(timeLabel())};
+    for (int q = 0; q <= static_cast<int>(Quantity::force); ++q) {
+        const auto quantity = static_cast<Quantity>(q);
+        if (m_columns.empty() || !shows(quantity) || !curve(0, quantity, Edge::mean)) {
+            continue;
+        }
+        const QString name = quantityWithUnit(quantity);
+        figures.push_back({quantity, Edge::mean});
+        table.header << name;
+        if (spread && curve(0, quantity, Edge::low)) {
+            figures.push_back({quantity, Edge::low});
+            figures.push_back({quantity, Edge::high});
+            table.header << tr("%1: smallest").arg(name) << tr("%1: largest").arg(name);
+        }
+    }
+    for (const Column& column : m_columns) {
+        const FeedColumn& zone = series().columns[column.index];
+        for (const FeedPoint& p : column.points) {
+            if (!within(p, m_from_s, m_to_s)) {
+                continue;
+            }
+            const Place& place = p.place;
+            const auto count = [](int number, bool known) {
+                return known ? CsvCell(double(number)) : CsvCell();
+            };
+            std::vector<CsvCell> row{Names::zone(zone.zone, zone.section),
+                                     double(place.stage),
+                                     double(place.cycleCount),
+                                     Names::step(place.step),
+                                     count(place.revolution, place.revolution > 0),
+                                     count(p.radius, p.radius >= 0),
+                                     m_scale.at(p.start_s),
+                                     m_scale.at(p.end_s)};
+            for (const Figure& f : figures) {
+                row.emplace_back(valueOf(p, f.quantity, f.edge));
+            }
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+} // namespace sparkout

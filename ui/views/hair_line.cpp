@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/hair_line.h"
+
+namespace sparkout {
+
+namespace {
+
+QString layerOf(QCustomPlot& plot) {
+    if (!plot.layer(HairLine::layerName())) {
+        plot.addLayer(HairLine::layerName());
+        plot.layer(HairLine::layerName())->setMode(QCPLayer::lmBuffered);
+    }
+    return HairLine::layerName();
+}
+
+} // namespace
+
+HairLine::HairLine(QCustomPlot& plot) : QCPLayerable(&plot, layerOf(plot)) {}
+
+void HairLine::setAt(std::optional<double> x) {
+    if (x != m_x) {
+        m_x = x;
+        layer()->replot();
+    }
+}
+
+void HairLine::applyDefaultAntialiasingHint(QCPPainter* painter) const {
+    painter->setAntialiasing(false);
+}
+
+QRect HairLine::clipRect() const {
+    return mParentPlot->viewport();
+}
+
+void HairLine::draw(QCPPainter* painter) {
+    if (!m_x) {
+        return;
+    }
+    QColor colour = mParentPlot->palette().color(QPalette::Text);
+    colour.setAlpha(160);
+    painter->setPen(QPen(colour, 0));
+    for (const QCPAxisRect* rect : mParentPlot->axisRects()) {
+        const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
+        if (axis && axis->range().contains(*m_x)) {
+            const double x = axis->coordToPixel(*m_x);
+            painter->drawLine(QLineF(x, rect->top(), x, rect->bottom()));
+        }
+    }
+}
+
+} // namespace sparkout

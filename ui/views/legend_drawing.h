@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QFontMetrics>
+#include <QRect>
+#include <QString>
+
+#include <set>
+#include <vector>
+
+class QPainter;
+
+namespace sparkout {
+
+/// One entry of a legend: a line sample or a filled swatch, and its text.
+struct LegendEntry {
+    QColor colour;
+    Qt::PenStyle pen = Qt::SolidLine; ///< NoPen: a swatch
+    QString text;
+    int key = -1;      ///< what a click hides or shows; below 0: nothing
+    bool shown = true; ///< false: hidden by the user, drawn faintly
+};
+using LegendEntries = std::vector<LegendEntry>;
+
+/// Places of the entries in lines of at most `width`, from (0, 0).
+[[nodiscard]] std::vector<QRect> legendRects(const LegendEntries& entries,
+                                             const QFontMetrics& metrics, int width);
+
+/// Height of the lines together.
+[[nodiscard]] int legendHeight(const std::vector<QRect>& rects);
+
+void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& rect,
+                     const QColor& textColour);
+
+/// Which curves the user hid, by the keys of the legend.
+class CurveChoice {
+public:
+    [[nodiscard]] bool shows(int key) const { return !m_hidden.contains(key); }
+    void toggle(int key);
+    /// Shows only this one of the entries; asked again, all.
+    void only(int key, const LegendEntries& entries);
+
+private:
+    std::set<int> m_hidden;
+};
+
+} // namespace sparkout

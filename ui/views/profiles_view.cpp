@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/profiles_view.h"
+
+#include "core/simulation/feed_series.h"
+#include "ui/views/legend_strip.h"
+#include "ui/views/longitudinal_plot.h"
+#include "ui/views/names.h"
+#include "ui/views/plot_tools.h"
+#include "ui/views/profiles_plot.h"
+#include "ui/views/profiles_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+using enum ProfileLine;
+
+const std::vector<ProfileLine> acrossLines{profile, target, leastSquares, field, blank};
+const std::vector<ProfileLine> alongLines{profile, spread, target, field, blank, gauge};
+const std::vector<ProfileLine> allLines{profile, spread, target, leastSquares, field, blank, gauge};
+
+} // namespace
+
+void ProfilesView::setOutcome(OutcomePtr outcome) {
+    m_latest = std::move(outcome);
+    m_stale = true;
+    scheduleUpdate();
+}
+
+void ProfilesView::scheduleUpdate() {
+    if (m_queued || !isVisible()) {
+        return; // a hidden view draws when it is shown
+    }
+    m_queued = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_queued = false;
+            redraw();
+        },
+        Qt::QueuedConnection);
+}
+
+void ProfilesView::redraw() {
+    if (m_stale) {
+        m_stale = false;
+        showOutcome();
+    }
+}
+
+void ProfilesView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    redraw();
+}
+
+void ProfilesView::showOutcome() {
+    QElapsedTimer clock;
+    clock.start();
+    const bool ran = m_latest && m_latest->ran() && !m_latest->result.sections.empty();
+    if (ran) {
+        const auto kind = [](const OutcomePtr& o) {
+            return std::pair(o->result.project.operation, o->result.sections.size());
+        };
+        if (!m_good || kind(m_good) != kind(m_latest)) {
+            m_chosen.reset();
+            m_stroke.reset();
+        }
+        m_good = m_latest;
+        fillStrokes();
+        fillSections();
+        showSeries();
+    }
+    m_across->setDimmed(m_good && !ran);
+    m_along->setDimmed(m_good && !ran);
+    showState();
+    showLegend();
+    m_across->replot();
+    m_along->replot();
+    m_acrossTools->navigation().amendView();
+    m_alongTools->navigation().amendView();
+    m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    emit updated();
+}
+
+// --- what is shown ------------------------------------------------------------------------------
+
+bool ProfilesView::recorded() const {
+    return m_good && !m_good->trajectory.passes.empty();
+}
+
+int ProfilesView::stroke() const {
+    return m_good ? m_stroke.value_or(m_good->result.cycleCount) : 0;
+}
+
+void ProfilesView::showSeries() {
+    if (!m_good) {
+        return;
+    }
+    const ProfileSeries series = makeProfileSeries(m_good->result, m_good->trajectory, m_stroke);
+    const std::vector<int> shown = shownProfiles();
+    m_across->setSeries(series, shown);
+    m_along->setSeries(series, shaftSteps(m_good->result.project), shown);
+    fillMagnifications();
+    showStroke();
+    showDescription();
+}
+
+void ProfilesView::showState() {
+    const bool refused = m_latest && !m_latest->ran();
+    QString text;
+    if (refused) {
+        text = (m_good ? tr("The inputs are refused; the profiles are those of the last accepted "
+                            "ones.")
+                       : tr("The inputs are refused:"))
+               + QLatin1Char('\n') + Names::refusal(m_latest->issues, 2);
+    } else if (!m_good) {
+        text = tr("No result yet.");
+    } else if (m_good->result.status != RunStatus::completed) {
+        text = Names::status(m_good->result.status);
+    }
+    if (m_good && !recorded()) {
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n"))
+                + tr("The cycle is too long to be recorded: only its end is shown.");
+    }
+    m_notice->setText(text);
+    m_notice->setVisible(!text.isEmpty());
+    for (QWidget* w : std::initializer_list<QWidget*>{m_legend, m_values, m_strokeBar}) {
+        w->setVisible(m_good != nullptr);
+    }
+    for (QWidget* tool : std::initializer_list<QWidget*>{m_parts, m_section, m_magnification,
+                                                         m_reference, m_blank, m_fit}) {
+        tool->setEnabled(m_good != nullptr);
+    }
+    m_acrossTools->setEnabled(m_good != nullptr);
+    m_alongTools->setEnabled(m_good != nullptr);
+    showParts();
+}
+
+/// Cross-sections, length, or both; the tools of what is not in sight go with it.
+void ProfilesView::showParts() {
+    const int part = m_parts->currentIndex();
+    m_splitter->setVisible(m_good != nullptr);
+    m_across->setVisible(part != 2);
+    m_along->setVisible(part != 1);
+    m_acrossExport->setVisible(part != 2);
+    m_alongExport->setVisible(part != 1);
+    m_magnification->setVisible(part != 2);
+    m_reference->setVisible(part != 2);
+    m_quantity->setVisible(part != 1);
+    m_toScale->setVisible(part != 1);
+    m_quantity->setEnabled(m_good && !m_toScale->isChecked());
+}
+
+// --- the moment ---------------------------------------------------------------------------------
+
+void ProfilesView::fillStrokes() {
+    const int count = m_good->result.cycleCount;
+    if (m_stroke && *m_stroke >= count) {
+        m_stroke.reset();
+    }
+    const QSignalBlocker sliderBlocker(m_slider);
+    const QSignalBlocker numberBlocker(m_number);
+    m_slider->setRange(0, count);
+    m_slider->setPageStep(std::max(count / 10, 1));
+    m_number->setRange(0, count);
+}
+
+void ProfilesView::showStroke() {
+    const QSignalBlocker sliderBlocker(m_slider);
+    const QSignalBlocker numberBlocker(m_number);
+    const int number = stroke();
+    m_slider->setValue(number);
+    m_number->setValue(number);
+    const bool traverse = !m_good || m_good->result.project.operation == Operation::traverse;
+    m_strokeLabel->setText(traverse ? tr("Double stroke") : tr("Revolution"));
+    m_number->setSuffix(tr(" of %1").arg(m_slider->maximum()));
+    const bool can = recorded();
+    for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {
+        w->setEnabled(can);
+    }
+    m_previous->setEnabled(can && number > 0);
+    m_next->setEnabled(can && number < m_slider->maximum());
+    const QString moment = m_good ? ProfilesText::moment(m_across->series()) : QString();
+    for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {
+        w->setToolTip(moment);
+        w->setAccessibleDescription(moment);
+    }
+}
+
+void ProfilesView::setStroke(int number) {
+    if (!m_good || !recorded()) {
+        return;
+    }
+    const int count = m_good->result.cycleCount;
+    m_stroke = number >= count ? std::nullopt : std::optional<int>(std::max(number, 0));
+    showSeries();
+    replotAll();
+}
+
+void ProfilesView::onStroke(int number) {
+    setStroke(number);
+    emit strokeChosen(stroke());
+}
+
+// --- drawing ------------------------------------------------------------------------------------
+
+void ProfilesView::fit() {
+    m_acrossTools->navigation().fit();
+    m_alongTools->navigation().fit();
+}
+
+void ProfilesView::replotAll() {
+    m_across->replot(QCustomPlot::rpQueuedReplot);
+    m_along->replot(QCustomPlot::rpQueuedReplot);
+    m_acrossTools->navigation().amendView();
+    m_alongTools->navigation().amendView();
+}
+
+// --- texts --------------------------------------------------------------------------------------
+
+std::vector<ProfileLine> ProfilesView::legendLines() const {
+    switch (m_parts->currentIndex()) {
+    case 1: return acrossLines;
+    case 2: return alongLines;
+    default: return allLines;
+    }
+}
+
+LegendEntries ProfilesView::entriesOf(const std::vector<ProfileLine>& lines,
+                                      const QPalette& palette) const {
+    LegendEntries entries;
+    const bool dim = m_good && m_latest && !m_latest->ran();
+    for (const ProfileLine line : lines) {
+        LegendEntry entry;
+        const bool swatch = line == ProfileLine::spread || line == ProfileLine::field;
+        const QPen pen = ProfileLook::pen(line, palette, dim);
+        entry.colour = swatch ? ProfileLook::fill(line, palette, dim) : pen.color();
+        entry.pen = swatch ? Qt::NoPen : pen.style();
+        entry.text = ProfileLook::name(line);
+        entry.key = static_cast<int>(line);
+        entry.shown = !m_hidden.contains(line);
+        entries.push_back(entry);
+    }
+    return entries;
+}
+
+void ProfilesView::showLegend() {
+    m_legend->setEntries(entriesOf(legendLines(), palette()));
+}
+
+void ProfilesView::showDescription() {
+    const QString text = ProfilesText::summary(m_across->series(), m_across->shown());
+    setAccessibleDescription(text);
+    m_across->setAccessibleDescription(text + QStringLiteral(". ") + m_across->caption());
+    m_along->setAccessibleDescription(text);
+}
+
+QString ProfilesView::title() const {
+    return tr("Zone profiles");
+}
+
+void ProfilesView::retranslate() {
+    m_acrossTools->retranslate();
+    m_alongTools->retranslate();
+    m_legend->retranslate();
+    buildLabels();
+    if (m_good) {
+        fillSections();
+    }
+    m_across->retranslate();
+    m_along->retranslate();
+    if (m_good) {
+        fillMagnifications();
+        showStroke();
+        showDescription();
+    }
+    showState();
+    showLegend();
+    m_values->setText(tr("Point at a profile to read its values."));
+    replotAll();
+}
+
+void ProfilesView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (!m_toScale) {
+        return;
+    }
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        showLegend(); // the plots follow by themselves
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/profiles_look.h"
+#include "ui/views/view.h"
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QSplitter;
+class QToolButton;
+
+namespace sparkout {
+
+class LegendStrip;
+class LongitudinalPlot;
+class PlotTools;
+class ProfilesPlot;
+class Settings;
+struct LegendEntry;
+struct ProfileSeries;
+
+/// The view "Zone profiles": cross-sections with magnified deviations above, the part along its
+/// axis below, both after any double stroke or revolution of the cycle.
+class ProfilesView : public View {
+    Q_OBJECT
+public:
+    explicit ProfilesView(QWidget* parent = nullptr, Settings* settings = nullptr);
+
+    [[nodiscard]] ProfilesPlot* across() const { return m_across; }
+    [[nodiscard]] LongitudinalPlot* along() const { return m_along; }
+    [[nodiscard]] LegendStrip* legend() const { return m_legend; }
+    [[nodiscard]] PlotTools* acrossTools() const { return m_acrossTools; }
+    [[nodiscard]] PlotTools* alongTools() const { return m_alongTools; }
+    [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
+    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+
+    [[nodiscard]] QString title() const override;
+    void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
+    void retranslate() override;
+
+    /// Shows the profiles after a number of double strokes or revolutions.
+    void setStroke(int number);
+    [[nodiscard]] int stroke() const;
+
+signals:
+    void strokeChosen(int number); ///< by the user
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void buildPlotTools(Settings* settings);
+    void buildToolBar(QWidget* bar);
+    void buildStrokeBar(QWidget* bar);
+    void nameObjects();
+    void buildLabels();
+    void connectTools();
+    void connectPlots();
+    void scheduleUpdate();
+    void redraw();
+    void showOutcome();
+    void showSeries();
+    void showState();
+    void showStroke();
+    void showLegend();
+    void showParts();
+    void showDescription();
+    void fillStrokes();
+    void fillSections();
+    void fillMagnifications();
+    void fillChoice(QComboBox* box, const std::vector<QString>& texts);
+    void onStroke(int number);
+    void onSection(int index);
+    void choose(int profile);
+    void onMagnification(int index);
+    void toggle(ProfileLine line);
+    void showOnly(ProfileLine line);
+    void showHidden();
+    void fit();
+    void replotAll();
+    [[nodiscard]] std::vector<int> shownProfiles() const;
+    [[nodiscard]] std::vector<ProfileLine> legendLines() const;
+    [[nodiscard]] std::vector<LegendEntry> entriesOf(const std::vector<ProfileLine>& lines,
+                                                     const QPalette& palette) const;
+    [[nodiscard]] QStringList headingOf(const QString& plot) const;
+    [[nodiscard]] bool recorded() const;
+
+    ProfilesPlot* m_across = nullptr;
+    LongitudinalPlot* m_along = nullptr;
+    PlotTools* m_acrossTools = nullptr;
+    PlotTools* m_alongTools = nullptr;
+    QWidget* m_acrossExport = nullptr;
+    QWidget* m_alongExport = nullptr;
+    QSplitter* m_splitter = nullptr;
+    LegendStrip* m_legend = nullptr;
+    QLabel* m_notice = nullptr;
+    QLabel* m_values = nullptr;
+    QComboBox* m_parts = nullptr;
+    QComboBox* m_section = nullptr;
+    QToolButton* m_alone = nullptr;
+    QComboBox* m_magnification = nullptr;
+    QComboBox* m_reference = nullptr;
+    QCheckBox* m_blank = nullptr;
+    QToolButton* m_fit = nullptr;
+    QWidget* m_strokeBar = nullptr;
+    QLabel* m_strokeLabel = nullptr;
+    QToolButton* m_previous = nullptr;
+    QSlider* m_slider = nullptr;
+    QToolButton* m_next = nullptr;
+    QSpinBox* m_number = nullptr;
+    QComboBox* m_quantity = nullptr;
+    QCheckBox* m_toScale = nullptr;
+
+    OutcomePtr m_latest; ///< what was given last, maybe refused
+    OutcomePtr m_good;   ///< what the plots show
+    bool m_stale = false;
+    bool m_queued = false;
+    std::optional<int> m_stroke; ///< none: the end of the cycle
+    std::optional<int> m_chosen; ///< zone or section asked for
+    std::optional<double> m_wantedMagnification;
+    ProfileLines m_hidden{ProfileLine::blank};
+    double m_lastUpdate_ms = 0;
+};
+
+} // namespace sparkout
