@@ -7,6 +7,8 @@
 #include "core/process/pass_kernel.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
+#include "core/quality/accuracy.h"
+#include "core/quality/burn_table.h"
 #include "core/simulation/simulate.h"
 
 #include <benchmark/benchmark.h>
@@ -16,6 +18,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -153,6 +156,46 @@ void validateAlone(benchmark::State& state) {
     }
 }
 
+// --- what becomes of a cycle ---------------------------------------------------------------------
+
+// The most sections and radii a project may have, out of round by a few lobes.
+void accuracyOfPart(benchmark::State& state, std::size_t sections, std::size_t radii) {
+    std::vector<std::vector<double>> values(sections, std::vector<double>(radii));
+    std::vector<SectionShape> shapes;
+    for (std::size_t j = 0; j < sections; ++j) {
+        const auto z = static_cast<double>(j);
+        for (std::size_t k = 0; k < radii; ++k) {
+            const double phi =
+                2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(radii);
+            values[j][k] = 15 + 0.003 * std::cos(2 * phi) + 0.002 * std::cos(phi + 0.01 * z)
+                           + 0.0005 * std::sin(37 * phi * phi + z) + 1e-5 * z;
+        }
+        shapes.push_back({0.5 * z, values[j]});
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(partAccuracy(shapes, 0).totalRunout_mm);
+    }
+}
+
+void burnTable(benchmark::State& state) {
+    const BurnModel model{Project{}};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(BurnTable(model, 700, 0.2).limit(0.1));
+    }
+}
+
+void burnOfAPass(benchmark::State& state) {
+    const BurnTable table(BurnModel{Project{}}, 700, 0.2);
+    std::vector<double> root(36), depth(36);
+    for (std::size_t k = 0; k < root.size(); ++k) {
+        root[k] = 0.07 + 1e-4 * static_cast<double>(k);
+        depth[k] = 0.1 + 1e-3 * static_cast<double>(k);
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(table.worst(root.data(), depth.data(), root.size(), 0.2).usage);
+    }
+}
+
 // --- the summary ---------------------------------------------------------------------------------
 
 /// Keeps the shortest time of each benchmark [ns], and its visits.
@@ -232,8 +275,10 @@ bool summary(const Minima& minima) {
         }
         report(name, time(name), 0, 0);
     }
-    report("read_project", time("read_project"), 0, 0);
-    report("validate", time("validate"), 0, 0);
+    for (const char* name : {"read_project", "validate", "accuracy_3_by_36", "accuracy_200_by_360",
+                             "burn_table", "burn_pass_36_radii"}) {
+        report(name, time(name), 0, 0);
+    }
     return beyond;
 }
 
@@ -255,6 +300,10 @@ void registerAll() {
     benchmark::RegisterBenchmark("simulate_traced", cycle, true);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);
+    benchmark::RegisterBenchmark("accuracy_3_by_36", accuracyOfPart, 3, 36);
+    benchmark::RegisterBenchmark("accuracy_200_by_360", accuracyOfPart, 200, 360);
+    benchmark::RegisterBenchmark("burn_table", burnTable);
+    benchmark::RegisterBenchmark("burn_pass_36_radii", burnOfAPass);
 }
 
 } // namespace
