@@ -32,6 +32,7 @@ const char* statusKey(RunStatus status) {
     case RunStatus::cannotReachSize: return "cannot_reach_size";
     case RunStatus::tooLong: return "too_long";
     case RunStatus::stopped: return "stopped";
+    case RunStatus::notSolved: return "not_solved";
     }
     return "";
 }
@@ -153,6 +154,8 @@ std::string statusSentence(const SimulationResult& result) {
         return "the cycle is longer than " + std::to_string(maxVisits) + " visits of a radius; "
                + reached;
     case RunStatus::stopped: return "stopped; " + reached;
+    case RunStatus::notSolved:
+        return "the balance of the coupled sections was not solved; " + reached;
     }
     return {};
 }

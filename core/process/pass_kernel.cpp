@@ -17,16 +17,21 @@ void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bk
 namespace {
 
 enum class Root { multiplied, divided };
+enum class Last { forgotten, kept };
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form>
+template <Root form, Last last>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
+    double* __restrict lastRoot =
+        last == Last::kept ? lanes.lastRoot.data() + range.first : nullptr;
+    double* __restrict lastPass =
+        last == Last::kept ? lanes.lastPass.data() + range.first : nullptr;
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
@@ -34,6 +39,7 @@ template <Root form>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
+    const double number = range.number;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
@@ -51,15 +57,26 @@ template <Root form>
         rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
+        if constexpr (last == Last::kept) {
+            lastRoot[i] = u > 0 ? u : lastRoot[i];
+            lastPass[i] = u > 0 ? number : lastPass[i];
+        }
     }
     return largest;
 }
 
+template <Last last>
+[[gnu::always_inline]] inline double cutLanesIn(Lanes& lanes, const LaneCoefficients& coefficients,
+                                                const PassFeed& feed, const PassRange& range) {
+    return range.bkr > multipliedFormLimit * range.bks
+               ? cutLanesBy<Root::divided, last>(lanes, coefficients, feed, range)
+               : cutLanesBy<Root::multiplied, last>(lanes, coefficients, feed, range);
+}
+
 [[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
                                               const PassFeed& feed, const PassRange& range) {
-    return range.bkr > multipliedFormLimit * range.bks
-               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
-               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
+    return lanes.lastRoot.empty() ? cutLanesIn<Last::forgotten>(lanes, coefficients, feed, range)
+                                  : cutLanesIn<Last::kept>(lanes, coefficients, feed, range);
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,

@@ -19,6 +19,7 @@ enum class RunStatus {
     cannotReachSize, ///< no progress, and nothing more to come
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< by a stop request
+    notSolved,       ///< the balance of coupled sections did not converge
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
 
+#include "core/process/coupled_sections.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "core/version.h"
@@ -24,6 +25,9 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
     , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
+    if (!isCoupled(project)) { // else the contact is part of the coupled balance
+        m_contact = wheelContact(project);
+    }
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
         const std::size_t k = lane % K;
@@ -70,7 +74,8 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
-    const double root = m_cutPass(m_lanes, width.coefficients, feed, range);
+    const double root = m_contact ? m_contact->cut(m_lanes, width.coefficients, feed, range)
+                                  : m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
     m_largestRoot = std::max(m_largestRoot, root);
     if (!places) {
@@ -216,23 +221,22 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     return section;
 }
 
-void Run::keepLargestPeaks() {
-    for (const StageSums& sums : m_result.sumsByStage) {
-        if (sums.normalForce_n.value > m_result.peakNormalForce_n) {
-            m_result.peakNormalForce_n = sums.normalForce_n.value;
-            m_result.peakNormalForceAt = sums.normalForce_n.at;
-        }
-        if (sums.power_w.value > m_result.peakPower_w) {
-            m_result.peakPower_w = sums.power_w.value;
-            m_result.peakPowerAt = sums.power_w.at;
-        }
+void keepLargestPeaks(SimulationResult& result) {
+    Peak force, power;
+    for (const StageSums& sums : result.sumsByStage) {
+        force = sums.normalForce_n.value > force.value ? sums.normalForce_n : force;
+        power = sums.power_w.value > power.value ? sums.power_w : power;
     }
+    result.peakNormalForce_n = force.value;
+    result.peakNormalForceAt = force.at;
+    result.peakPower_w = power.value;
+    result.peakPowerAt = power.at;
 }
 
 SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint,
                              std::size_t reported, const std::vector<Zone>& zones) {
     closeStage();
-    keepLargestPeaks();
+    keepLargestPeaks(m_result);
     m_result.countsByStage = control.stepsByStage();
     for (const int count : m_result.countsByStage) {
         m_result.cycleCount += count;

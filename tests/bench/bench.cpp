@@ -138,6 +138,37 @@ void cycle(benchmark::State& state, bool traced) {
     state.counters["visits"] = static_cast<double>(visits);
 }
 
+// 20 coupled sections, 36 radii, 300 revolutions: 220 that feed, 80 that spark out.
+const char* const coupledShaft = R"({
+  "format": "sparkout-project", "version": 1, "title": "Coupled sections", "operation": "plunge",
+  "part": { "diameter_mm": 30, "upper_deviation_um": 0, "lower_deviation_um": -16,
+    "length_mm": 40, "stock_mm": 0.2, "initial_runout_mm": 0.02,
+    "shaft": { "segments": [ { "length_mm": 60, "diameter_mm": 22 },
+      { "length_mm": 80, "diameter_mm": 30 }, { "length_mm": 50, "diameter_mm": 18 } ],
+      "ground_from_mm": 70 } },
+  "material": { "flow_stress_mpa": 2000 },
+  "wheel": { "diameter_mm": 600, "width_mm": 40, "dullness": 0.02 },
+  "machine": { "wheel_speed_m_s": 35, "work_speed_rpm": 180,
+    "stiffness_n_um": { "headstock": 40, "tailstock": 20, "wheel_head": 50 } },
+  "gauge": { "control": "position" },
+  "sections": 20, "sections_coupled": true,
+  "cycle": { "stages": [ { "radial_feed_mm_min": 0.18, "stock_mm": 0.2 },
+    { "spark_out": 80 } ] } })";
+
+void coupledCycle(benchmark::State& state) {
+    const ReadResult read = readProject(coupledShaft);
+    if (!read.project) {
+        state.SkipWithError("the project is refused");
+        return;
+    }
+    for (auto _ : state) {
+        const SimulationResult result = simulate(*read.project);
+        if (result.status != RunStatus::completed || result.cycleCount != 300) {
+            state.SkipWithError("not the cycle it should be");
+        }
+    }
+}
+
 void readAndValidate(benchmark::State& state) {
     for (auto _ : state) {
         const ReadResult read = readProject(shaft30h6); // validates too
@@ -275,6 +306,9 @@ bool summary(const Minima& minima) {
         }
         report(name, time(name), 0, 0);
     }
+    // here the ratio is to 100 ms
+    beyond |= report("simulate_coupled_20x300x36", time("simulate_coupled_20x300x36"), 1.0,
+                     time("simulate_coupled_20x300x36") / 100e6);
     for (const char* name : {"read_project", "validate", "accuracy_3_by_36", "accuracy_200_by_360",
                              "burn_table", "burn_pass_36_radii"}) {
         report(name, time(name), 0, 0);
@@ -298,6 +332,7 @@ void registerAll() {
     }
     benchmark::RegisterBenchmark("simulate_plain", cycle, false);
     benchmark::RegisterBenchmark("simulate_traced", cycle, true);
+    benchmark::RegisterBenchmark("simulate_coupled_20x300x36", coupledCycle);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);
     benchmark::RegisterBenchmark("accuracy_3_by_36", accuracyOfPart, 3, 36);
