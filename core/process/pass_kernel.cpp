@@ -30,7 +30,7 @@ template <Root form, Last last>
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
     double* __restrict lastRoot =
         last == Last::kept ? lanes.lastRoot.data() + range.first : nullptr;
-    double* __restrict lastPass =
+    std::uint64_t* __restrict lastPass =
         last == Last::kept ? lanes.lastPass.data() + range.first : nullptr;
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
@@ -39,7 +39,7 @@ template <Root form, Last last>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
-    const double number = range.number;
+    const std::uint64_t number = range.number;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)

@@ -55,6 +55,11 @@ bool feeds(const Stage& stage) {
     return stage.spark_out.mode == SparkOut::Mode::none;
 }
 
+/// A retraction is set as fast as a feed is.
+std::optional<double> magnitude(std::optional<double> feed) {
+    return feed ? std::optional(std::abs(*feed)) : feed;
+}
+
 template <class Value>
 void addStages(Checks& checks, const Project& project, RangeKind kind, const Limits& limits,
                const Value& value) {
@@ -80,7 +85,7 @@ std::vector<RangeCheck> checkMachineRanges(const Project& project) {
     } else {
         addStages(checks, project, RangeKind::plungeFeed, limits.plunge_feed_mm_min,
                   [](const Stage& stage) {
-                      return feeds(stage) ? stage.radial_feed_mm_min : std::nullopt;
+                      return feeds(stage) ? magnitude(stage.radial_feed_mm_min) : std::nullopt;
                   });
     }
     checks.add(RangeKind::workSpeed, limits.work_speed_rpm, 0, project.machine.work_speed_rpm);

@@ -22,6 +22,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_law(forceLaw(project))
     , m_lanes(m_points.size() * static_cast<std::size_t>(m_radii))
     , m_cutPass(widestPassFunction())
+    , m_watch(project, m_blank)
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
     , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
@@ -34,6 +35,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
         m_lanes.depth_mm[lane] = m_blank.depth_mm[k];
         m_lanes.share[lane] = static_cast<double>(k + 1) / m_radii;
     }
+    m_watch.prepare(m_lanes);
     m_openDepth_mm = m_lanes.depth_mm;
     m_lengthBefore.assign(1, 0.0);
     for (const CompliantPoint& point : m_points) {
@@ -70,7 +72,8 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
 void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const PassFeed& feed,
               const Place* places, const PassInfo& info) {
     const auto K = static_cast<std::size_t>(m_radii);
-    const PassRange range{first * K, count * K, width.bks, width.bkr};
+    const PassRange range{first * K, count * K, width.bks, width.bkr,
+                          m_watch.number(places, count)};
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
@@ -82,6 +85,7 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
         return;
     }
     tally(root, first, count, width, places);
+    m_watch.passDone(m_lanes, range, root, feed, places);
     if (m_trajectory) {
         for (std::size_t i = 0; i < count; ++i) {
             record(first + i, width, feed, places[i], info);
@@ -244,6 +248,7 @@ SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint
     for (std::size_t point = 0; point < reported; ++point) {
         m_result.sections.push_back(sectionResult(point, zones[std::min(point, zones.size() - 1)]));
     }
+    m_watch.put(m_result, m_lanes);
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_project.part.surface == Surface::external ? 1 : -1;
     m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);

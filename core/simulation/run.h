@@ -6,6 +6,7 @@
 #include "core/process/pass_kernel.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/simulation/limit_watch.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/trajectory.h"
@@ -88,6 +89,7 @@ private:
     Lanes m_lanes;
     PassFunction m_cutPass;
     std::optional<ContactCompliance> m_contact; ///< in series, where the passes see to it
+    LimitWatch m_watch;
     Trajectory* m_trajectory;
     std::stop_token m_stop;
     SimulationResult m_result;
