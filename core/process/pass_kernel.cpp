@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/pass_kernel.h"
 
+#include <bit>
 #include <cmath>
 
 namespace sparkout {
@@ -17,21 +18,16 @@ void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bk
 namespace {
 
 enum class Root { multiplied, divided };
-enum class Last { forgotten, kept };
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form, Last last>
+template <Root form>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
-    double* __restrict lastRoot =
-        last == Last::kept ? lanes.lastRoot.data() + range.first : nullptr;
-    std::uint64_t* __restrict lastPass =
-        last == Last::kept ? lanes.lastPass.data() + range.first : nullptr;
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
@@ -39,7 +35,6 @@ template <Root form, Last last>
     const double* __restrict inverse2A = coefficients.inverse2A.data() + range.first;
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
-    const std::uint64_t number = range.number;
     const std::size_t count = range.count;
     double largest = 0;
 #pragma omp simd reduction(max : largest)
@@ -57,26 +52,37 @@ template <Root form, Last last>
         rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
-        if constexpr (last == Last::kept) {
-            lastRoot[i] = u > 0 ? u : lastRoot[i];
-            lastPass[i] = u > 0 ? number : lastPass[i];
-        }
     }
     return largest;
 }
 
-template <Last last>
-[[gnu::always_inline]] inline double cutLanesIn(Lanes& lanes, const LaneCoefficients& coefficients,
-                                                const PassFeed& feed, const PassRange& range) {
-    return range.bkr > multipliedFormLimit * range.bks
-               ? cutLanesBy<Root::divided, last>(lanes, coefficients, feed, range)
-               : cutLanesBy<Root::multiplied, last>(lanes, coefficients, feed, range);
+/// Keeps the pass as the last cut of the lanes that it cut.
+[[gnu::always_inline]] inline void keepLastCuts(Lanes& lanes, const PassRange& range) {
+    const double* __restrict root = lanes.root.data() + range.first;
+    double* __restrict lastRoot = lanes.lastRoot.data() + range.first;
+    std::uint64_t* __restrict lastPass = lanes.lastPass.data() + range.first;
+    const std::uint64_t number = range.number;
+    const std::size_t count = range.count;
+    // By masks: a choice would become a masked store, which takes thrice as long.
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t cut = root[i] > 0 ? ~std::uint64_t{0} : 0;
+        const auto u = std::bit_cast<std::uint64_t>(root[i]);
+        const auto before = std::bit_cast<std::uint64_t>(lastRoot[i]);
+        lastRoot[i] = std::bit_cast<double>((u & cut) | (before & ~cut));
+        lastPass[i] = (number & cut) | (lastPass[i] & ~cut);
+    }
 }
 
 [[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
                                               const PassFeed& feed, const PassRange& range) {
-    return lanes.lastRoot.empty() ? cutLanesIn<Last::forgotten>(lanes, coefficients, feed, range)
-                                  : cutLanesIn<Last::kept>(lanes, coefficients, feed, range);
+    const double largest = range.bkr > multipliedFormLimit * range.bks
+                               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
+                               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
+    if (!lanes.lastRoot.empty()) {
+        keepLastCuts(lanes, range);
+    }
+    return largest;
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,

@@ -38,9 +38,14 @@ public:
     };
     /// The worst of `count` lanes after a pass: roots √a of the pass, depths below first touch and
     /// the depth of the target below it (|R_first − R_t|). A worst not above `atLeast` is not
-    /// looked for: usage 0.
+    /// looked for: usage 0. `guess` is a lane to look at first, the last worst one.
+    ///
+    /// 1/√a falls with the stock and is convex, so over the stocks of neighbouring lanes its
+    /// secant is above it: only lanes whose bound by the secant is not below the worst so far are
+    /// looked up.
     [[nodiscard]] Worst worst(const double* root, const double* depth_mm, std::size_t count,
-                              double totalInfeed_mm, double atLeast = 0) const;
+                              double totalInfeed_mm, double atLeast = 0,
+                              std::size_t guess = 0) const;
     /// No lane of a pass can be worse: its largest √a at the least stock that t_П leaves, t_П that
     /// of the pass's last radius.
     [[nodiscard]] double bound(double largestRoot, double fed_mm, double totalInfeed_mm) const {

@@ -74,18 +74,24 @@ Place LimitWatch::unpack(std::uint64_t number, const SimulationResult& result,
 }
 
 void LimitWatch::lookThrough(const Lanes& lanes, const PassRange& range, const Place* places) {
+    const std::size_t guess = m_lane >= range.first ? m_lane - range.first : 0;
     const BurnTable::Worst worst =
         m_burn->worst(lanes.root.data() + range.first, lanes.depth_mm.data() + range.first,
-                      range.count, m_total, m_usage);
+                      range.count, m_total, m_usage, guess);
     if (!(worst.usage > m_usage)) {
         return;
     }
     const std::size_t lane = range.first + worst.lane;
     m_usage = worst.usage;
+    m_lane = lane;
+    std::size_t zone = 0, radius = worst.lane;
+    for (; radius >= m_radii; radius -= m_radii) { // few zones: a division takes longer
+        ++zone;
+    }
     m_worst = {.depth_mm = lanes.root[lane] * lanes.root[lane],
                .stock_mm = std::max(0.0, m_total - lanes.depth_mm[lane]),
-               .radius = static_cast<int>(lane % m_radii),
-               .at = places[worst.lane / m_radii]};
+               .radius = static_cast<int>(radius),
+               .at = places[zone]};
 }
 
 void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {

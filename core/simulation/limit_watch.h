@@ -34,6 +34,11 @@ public:
             lookThrough(lanes, range, places);
         }
     }
+    /// Forgets the worst so far; the lanes' last cuts are the lanes'.
+    void restart() {
+        m_usage = 0;
+        m_worst = {};
+    }
     /// Puts what was kept into the result, whose sections and counts are there.
     void put(SimulationResult& result, const Lanes& lanes) const;
 
@@ -47,7 +52,8 @@ private:
     double m_total; ///< |R_first − R_t| [mm]
     bool m_keepsLast;
     std::optional<BurnTable> m_burn;
-    double m_usage = 0; ///< √a over its limit, of the worst visit
+    double m_usage = 0;     ///< √a over its limit, of the worst visit
+    std::size_t m_lane = 0; ///< of that visit
     BurnVisit m_worst;
 };
 

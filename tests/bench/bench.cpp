@@ -9,6 +9,8 @@
 #include "core/project/validate.h"
 #include "core/quality/accuracy.h"
 #include "core/quality/burn_table.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
 
 #include <benchmark/benchmark.h>
@@ -122,6 +124,59 @@ const char* const shaft30h6 = R"({
     { "radial_feed_mm": 0.004, "axial_feed_mm_min": 1800, "stock_mm": 0.110 },
     { "radial_feed_mm": 0.001, "axial_feed_mm_min": 300, "stock_mm": 0.040 } ] } })";
 
+/// A project that asks for everything: burn, roughness, both drives, the wheel's strengths, form.
+Project demanding() {
+    Project p = readProject(shaft30h6).project.value();
+    p.material.burn_rise_k = 700;
+    p.part.tolerance = {4, 6, 5, 8, 1.6};
+    p.machine.wheel_drive_kw = 7.5;
+    p.machine.work_drive_kw = 0.5;
+    p.wheel.grain_surface_energy_j_m2 = 1800;
+    p.wheel.grain_modulus_gpa = 390;
+    p.wheel.bond_surface_energy_j_m2 = 400;
+    p.wheel.bond_modulus_gpa = 65;
+    return p;
+}
+
+// The passes of a plunge cycle, again and again: 30 revolutions at 5 µm, each nearer to burning
+// than any before, 50 at 1 µm and 20 of spark-out.
+void passWithEveryConstraint(benchmark::State& state) {
+    const Project project = demanding();
+    Blank blank;
+    for (int k = 0; k < 36; ++k) { // an ellipse, 20 µm out of round
+        blank.depth_mm.push_back(0.01 * (1 - std::cos(std::numbers::pi * k / 9)));
+    }
+    blank.totalInfeed_mm = 0.2;
+    LimitWatch watch(project, blank);
+    int revolution = 0;
+    Lanes lanes(36);
+    LaneCoefficients coefficients(36);
+    for (std::size_t lane = 0; lane < 36; ++lane) {
+        lanes.share[lane] = static_cast<double>(lane + 1) / 36;
+        coefficients.set(lane, 2e-5, 1228, 2851);
+    }
+    watch.prepare(lanes);
+    lanes.depth_mm = blank.depth_mm;
+    const PassFunction cut = widestPassFunction();
+    const Place place{.stage = 1, .cycleCount = 1, .revolution = 1};
+    PassFeed feed{0, 0, 0.005, 0.005};
+    for (auto _ : state) {
+        const PassRange range{0, 36, 1228, 2851, watch.number(&place, 1)};
+        const double root = cut(lanes, coefficients, feed, range);
+        watch.passDone(lanes, range, root, feed, &place);
+        benchmark::DoNotOptimize(root);
+        benchmark::ClobberMemory();
+        feed.base += feed.rate;
+        feed.rate = feed.cap = ++revolution < 30 ? 0.005 : revolution < 80 ? 0.001 : 0;
+        if (revolution == 100) { // the next cycle
+            revolution = 0;
+            feed = {0, 0, 0.005, 0.005};
+            lanes.depth_mm = blank.depth_mm;
+            watch.restart();
+        }
+    }
+}
+
 void cycle(benchmark::State& state, bool traced) {
     const ReadResult read = readProject(shaft30h6);
     if (!read.project) {
@@ -166,6 +221,15 @@ void coupledCycle(benchmark::State& state) {
         if (result.status != RunStatus::completed || result.cycleCount != 300) {
             state.SkipWithError("not the cycle it should be");
         }
+    }
+}
+
+/// The same cycle with everything asked, and its verdict.
+void demandingCycle(benchmark::State& state, bool verdict) {
+    const Project project = demanding();
+    for (auto _ : state) {
+        const SimulationResult result = simulate(project);
+        benchmark::DoNotOptimize(verdict ? evaluateConstraints(result).size() : 0);
     }
 }
 
@@ -309,8 +373,12 @@ bool summary(const Minima& minima) {
     // here the ratio is to 100 ms
     beyond |= report("simulate_coupled_20x300x36", time("simulate_coupled_20x300x36"), 1.0,
                      time("simulate_coupled_20x300x36") / 100e6);
-    for (const char* name : {"read_project", "validate", "accuracy_3_by_36", "accuracy_200_by_360",
-                             "burn_table", "burn_pass_36_radii"}) {
+    const double floor = time(floorName(widestUnit(), 36));
+    const double demanding = time("pass_36_radii_every_constraint");
+    beyond |= report("pass_36_radii_every_constraint", demanding, 2.5, demanding / floor);
+    for (const char* name :
+         {"simulate_every_constraint", "simulate_and_verdict", "read_project", "validate",
+          "accuracy_3_by_36", "accuracy_200_by_360", "burn_table", "burn_pass_36_radii"}) {
         report(name, time(name), 0, 0);
     }
     return beyond;
@@ -332,6 +400,9 @@ void registerAll() {
     }
     benchmark::RegisterBenchmark("simulate_plain", cycle, false);
     benchmark::RegisterBenchmark("simulate_traced", cycle, true);
+    benchmark::RegisterBenchmark("pass_36_radii_every_constraint", passWithEveryConstraint);
+    benchmark::RegisterBenchmark("simulate_every_constraint", demandingCycle, false);
+    benchmark::RegisterBenchmark("simulate_and_verdict", demandingCycle, true);
     benchmark::RegisterBenchmark("simulate_coupled_20x300x36", coupledCycle);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);
