@@ -169,7 +169,10 @@ BurnTable::Worst BurnTable::worst(const double* root, const double* depth_mm, st
                     : boundsBaseline(root + first, depth, bounds, lanes, totalInfeed_mm, secant);
         for (std::size_t i = 0; largest > found.usage && i < lanes; i += groupLanes) {
             const double* group = bounds.data() + i;
-            for (std::size_t j = 0; largestOf(group) > found.usage && j < groupLanes; ++j) {
+            if (largestOf(group) <= found.usage) {
+                continue;
+            }
+            for (std::size_t j = 0; j < groupLanes; ++j) {
                 if (group[j] > found.usage) {
                     look(first + i + j);
                 }
