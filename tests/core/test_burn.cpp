@@ -355,6 +355,33 @@ private slots:
                  std::size_t(3));
     }
 
+    // Lanes that differ by a thousandth, over narrow and wide ranges of stock, some beyond size.
+    void worstOfNearlyEqualLanesIsFound() {
+        QVERIFY(holds("worst lane", [] {
+            const BurnModel model(anyCutting());
+            const double U = between(200, 1500), deepest = decades(-3, -0.1);
+            const BurnTable table(model, U, deepest);
+            const auto count = static_cast<std::size_t>(between(1, 200));
+            const double from = between(-0.1, 1) * deepest, width = decades(-4, 0) * deepest;
+            const double spread = decades(-6, -1);
+            std::vector<double> root, depth;
+            double most = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double stock = from + between(0, width);
+                depth.push_back(deepest - stock);
+                root.push_back(table.limit(stock) * (0.8 + between(0, spread)));
+                most = std::max(most, table.usage(root.back(), deepest - depth.back()));
+            }
+            const auto guess = static_cast<std::size_t>(between(0, 250));
+            const auto worst = table.worst(root.data(), depth.data(), count, deepest, 0.7, guess);
+            RC_ASSERT(close(worst.usage, most, 1e-13));
+            RC_ASSERT(
+                close(table.usage(root[worst.lane], deepest - depth[worst.lane]), most, 1e-13));
+            RC_ASSERT(table.worst(root.data(), depth.data(), count, deepest, 1.0, guess).usage
+                      == 0);
+        }));
+    }
+
     // The bound of a pass spares its lanes only where none of them can be the worst.
     void boundOfAPassIsNotBelowItsWorstLane() {
         const Project p = hotSteel();

@@ -115,6 +115,9 @@ void everyProject() {
     QTest::newRow("coupled") << asking(coupled(plungeOfThree()));
     QTest::newRow("coupled, contact") << asking(withContact(coupled(plungeOfThree())));
     QTest::newRow("bore") << asking(bore());
+    Project slow = plungeOfThree(); // hardly nearer to burning from one revolution to the next
+    slow.cycle.stages = {plungeStage(0.05, 0.2)};
+    QTest::newRow("slow") << asking(slow);
     QTest::newRow("retraction") << asking(retracting);
 }
 
@@ -221,20 +224,6 @@ private slots:
             QVERIFY(found != all.end() && samePlace(found->at.value(), at));
             QCOMPARE(found->value, RoughnessModel(project).roughness(deepest) * 1000);
         }
-    }
-
-    void radiusOutOfContactKeepsItsOlderCut() {
-        Project p = asking(plungeOfThree());
-        p.part.initial_runout_mm = 0.05;
-        p.cycle.stages = {plungeStage(1.2, 0.15), plungeStage(-0.9, 0.02), plungeStage(0.1, 0.03)};
-        const Traced run(p);
-        QCOMPARE(run.result.status, RunStatus::completed);
-        bool skipped = false; // a stage in which a radius was passed over
-        for (const Pass& pass : run.trajectory.passes) {
-            skipped = skipped || (pass.place.stage == 2 && run.visit(pass, 0).actual_mm == 0);
-        }
-        QVERIFY(skipped);
-        QVERIFY(run.result.sections[0].lastCut->depth_mm > 0);
     }
 
     void powerIsTheLargestOfAllPasses_data() { everyProject(); }
