@@ -31,7 +31,7 @@ constexpr const char* helpText =
 
 simulate   runs the cycle of a project file
   --json     prints one JSON object
-  --check    exit status 4 when a requirement of the drawing fails
+  --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
 validate   checks a project file: one line a fault
 examples   writes the example projects into a folder, which is made if need be

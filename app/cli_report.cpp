@@ -4,8 +4,11 @@
 #include "app/cli_shop.h"
 #include "core/project/strict_json.h"
 #include "core/project/validate.h"
+#include "core/quality/cycle_constraints.h"
+#include "core/quality/roughness.h"
 #include "core/units.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
@@ -32,6 +35,7 @@ const char* statusKey(RunStatus status) {
     case RunStatus::cannotReachSize: return "cannot_reach_size";
     case RunStatus::tooLong: return "too_long";
     case RunStatus::stopped: return "stopped";
+    case RunStatus::notSolved: return "not_solved";
     }
     return "";
 }
@@ -44,30 +48,160 @@ std::string sectionName(Zone zone, int section) {
     return zone == Zone::section ? "section " + std::to_string(section) : zoneKey(zone);
 }
 
-ordered_json zoneJson(const SimulationResult& result, const SectionResult& section) {
+const char* formKey(LongitudinalForm form) {
+    constexpr std::array keys{"straight", "taper", "barrel", "saddle"};
+    return keys[static_cast<std::size_t>(form)];
+}
+
+ordered_json zoneJson(const SimulationResult& result, const SectionResult& section,
+                      const SectionAccuracy& accuracy) {
     const double nominal = result.project.part.diameter_mm / 2;
     ordered_json radii = ordered_json::array();
     for (const double radius : section.radii_mm) {
         radii.push_back((radius - nominal) * units::umPerMm);
     }
+    ordered_json roughness; // null where none is required
+    if (section.lastCut) {
+        roughness =
+            RoughnessModel(result.project).roughness(section.lastCut->depth_mm) * units::umPerMm;
+    }
     return {{"diameter_deviation_um",
              {section.diameterDeviationMin_mm * units::umPerMm,
               section.diameterDeviationMax_mm * units::umPerMm}},
             {"radial_runout_um", section.radialRunout_mm * units::umPerMm},
+            {"roundness_um", accuracy.minimumZone.deviation() * units::umPerMm},
+            {"roundness_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
+            {"roughness_ra_um", std::move(roughness)},
             {"peak_normal_force_n", section.peakNormalForce_n},
             {"position_mm", section.position_mm},
             {"compliance_mm_per_n", section.compliance_mm_per_n},
             {"radii_um", std::move(radii)}};
 }
 
+std::string whereText(const ConstraintResult& constraint) {
+    if (constraint.at) {
+        return placeText(*constraint.at);
+    }
+    switch (scopeOf(constraint.kind)) {
+    case ConstraintScope::section: return sectionName(constraint.zone, constraint.section);
+    case ConstraintScope::part: return "part";
+    case ConstraintScope::pass:
+    case ConstraintScope::setting: break;
+    }
+    return constraint.stage > 0 ? "stage " + std::to_string(constraint.stage) : "cycle";
+}
+
 ordered_json constraintJson(const ConstraintResult& constraint) {
     return {{"name", constraintName(constraint.kind)},
+            {"unit", constraintUnit(constraint.kind)},
             {"limit", constraint.limit},
             {"value", constraint.value},
             {"margin", constraint.margin},
             {"relative_margin", constraint.relativeMargin},
-            {"where", sectionName(constraint.zone, constraint.section)},
+            {"where", whereText(constraint)},
             {"ok", constraint.holds}};
+}
+
+ordered_json partJson(const PartAccuracy& accuracy) {
+    return {{"cylindricity_um", accuracy.minimumZone.deviation() * units::umPerMm},
+            {"cylindricity_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
+            {"total_runout_um", accuracy.totalRunout_mm * units::umPerMm},
+            {"taper_um", accuracy.profile.taper_mm * units::umPerMm},
+            {"crown_um", accuracy.profile.crown_mm * units::umPerMm},
+            {"form", formKey(accuracy.profile.form)}};
+}
+
+ordered_json burnJson(const BurnState& burn) {
+    return {{"depth_of_cut_um", burn.visit.depth_mm * units::umPerMm},
+            {"limit_depth_um", burn.limitDepth_mm * units::umPerMm},
+            {"stock_left_um", burn.visit.stock_mm * units::umPerMm},
+            {"damaged_depth_um", burn.damagedDepth_mm * units::umPerMm},
+            {"rise_at_stock_left_k", burn.rise_k}};
+}
+
+ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
+    ordered_json list = ordered_json::array();
+    for (const ConstraintResult& constraint : worstByKind(constraints)) {
+        list.push_back(constraintJson(constraint));
+    }
+    return list;
+}
+
+ordered_json uncheckedJson(const Project& project) {
+    ordered_json unchecked = ordered_json::array();
+    for (const Field* field : uncheckedRequirements(project)) {
+        unchecked.push_back(field->key);
+    }
+    return unchecked;
+}
+
+/// The zones as an object, or the sections as a list.
+ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
+    ordered_json all = isTraverse(result) ? ordered_json::object() : ordered_json::array();
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const SectionResult& section = result.sections[i];
+        ordered_json one = zoneJson(result, section, accuracy.sections[i]);
+        isTraverse(result) ? void(all[zoneKey(section.zone)] = std::move(one))
+                           : all.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::string padded(std::string name) {
+    constexpr std::size_t column = 21;
+    name.resize(std::max(column, name.size() + 1), ' ');
+    return name;
+}
+
+std::string um(double value_mm) {
+    return fixed(value_mm * units::umPerMm, 3);
+}
+
+std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
+    std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
+                       "minimum zone, least squares\n";
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const SectionResult& section = result.sections[i];
+        text += padded("  " + sectionName(section.zone, static_cast<int>(i)))
+                + um(section.diameterDeviationMin_mm) + ", " + um(section.diameterDeviationMax_mm)
+                + "; " + um(section.radialRunout_mm) + "; "
+                + um(accuracy.sections[i].minimumZone.deviation()) + ", "
+                + um(accuracy.sections[i].leastSquares.deviation()) + '\n';
+    }
+    return text + "cylindricity, µm     " + um(accuracy.minimumZone.deviation())
+           + " by minimum zone, " + um(accuracy.leastSquares.deviation())
+           + " by least squares\ntotal runout, µm     " + um(accuracy.totalRunout_mm)
+           + "\nform                 " + formKey(accuracy.profile.form) + "; taper "
+           + um(accuracy.profile.taper_mm) + " µm, crown " + um(accuracy.profile.crown_mm)
+           + " µm\n";
+}
+
+std::string constraintLine(const ConstraintResult& constraint) {
+    const std::string unit = constraintUnit(constraint.kind);
+    const int decimals = unit.empty() ? 0 : unit == "mm" ? 5 : 3;
+    return padded(std::string("  ") + constraintName(constraint.kind))
+           + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals) + ", "
+           + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
+           + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint) + '\n';
+}
+
+std::string requirementsText(const SimulationResult& result,
+                             const std::vector<ConstraintResult>& constraints) {
+    std::string text = "requirements         value, limit, margin at its worst place\n";
+    for (const ConstraintResult& constraint : worstByKind(constraints)) {
+        text += constraintLine(constraint);
+    }
+    if (const auto burn = burnStateOf(result)) {
+        text += "nearest to burning   " + um(burn->visit.depth_mm) + " µm cut with "
+                + um(burn->visit.stock_mm) + " µm of stock left: damaged "
+                + um(burn->damagedDepth_mm) + " µm deep, " + fixed(burn->rise_k, 0)
+                + " K hotter at the stock's end\n";
+    }
+    std::string unchecked;
+    for (const Field* field : uncheckedRequirements(result.project)) {
+        unchecked += (unchecked.empty() ? "" : ", ") + std::string(field->key);
+    }
+    return text + (unchecked.empty() ? "" : "given, not checked   " + unchecked + '\n');
 }
 
 } // namespace
@@ -115,29 +249,19 @@ std::string resultJson(const SimulationResult& result,
     root["cycle_time_min_by_stage"] = std::move(stageTimes);
     root["gauge"] = {{"reading_mm", result.gaugeReading_mm},
                      {"remaining_stock_mm", result.remainingStock_mm}};
-    ordered_json zones = ordered_json::object();
-    ordered_json sections = ordered_json::array();
-    for (const SectionResult& section : result.sections) {
-        ordered_json zone = zoneJson(result, section);
-        isTraverse(result) ? void(zones[zoneKey(section.zone)] = std::move(zone))
-                           : sections.push_back(std::move(zone));
-    }
-    isTraverse(result) ? root["zones"] = std::move(zones) : root["sections"] = std::move(sections);
+    const PartAccuracy accuracy = accuracyOf(result);
+    root[isTraverse(result) ? "zones" : "sections"] = sectionsJson(result, accuracy);
+    root["part"] = partJson(accuracy);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},
                     {"power_where", placeText(result.peakPowerAt)}};
     root["shop"] = shopJson(shopNumbers(result));
-    ordered_json list = ordered_json::array();
-    for (const ConstraintResult& constraint : worstByKind(constraints)) {
-        list.push_back(constraintJson(constraint));
+    if (const auto burn = burnStateOf(result)) {
+        root["burn"] = burnJson(*burn);
     }
-    root["constraints"] = std::move(list);
-    ordered_json unchecked = ordered_json::array();
-    for (const Field* field : uncheckedRequirements(result.project)) {
-        unchecked.push_back(field->key);
-    }
-    root["not_checked"] = std::move(unchecked);
+    root["constraints"] = constraintsJson(constraints);
+    root["not_checked"] = uncheckedJson(result.project);
     return printJson(root);
 }
 
@@ -153,6 +277,8 @@ std::string statusSentence(const SimulationResult& result) {
         return "the cycle is longer than " + std::to_string(maxVisits) + " visits of a radius; "
                + reached;
     case RunStatus::stopped: return "stopped; " + reached;
+    case RunStatus::notSolved:
+        return "the balance of the coupled sections was not solved; " + reached;
     }
     return {};
 }
@@ -171,30 +297,7 @@ std::string resultText(const SimulationResult& result,
             + placeText(result.peakNormalForceAt) + '\n';
     text += "peak power           " + fixed(result.peakPower_w, 1) + " W at "
             + placeText(result.peakPowerAt) + '\n';
-    text += "deviations, µm       min, max of the diameter; radial runout\n";
-    for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const SectionResult& section = result.sections[i];
-        std::string name = "  " + sectionName(section.zone, static_cast<int>(i));
-        name.resize(21, ' ');
-        text += name + fixed(section.diameterDeviationMin_mm * units::umPerMm, 3) + ", "
-                + fixed(section.diameterDeviationMax_mm * units::umPerMm, 3) + "; "
-                + fixed(section.radialRunout_mm * units::umPerMm, 3) + '\n';
-    }
-    text += "requirements, µm     value, limit, margin at its worst place\n";
-    for (const ConstraintResult& constraint : worstByKind(constraints)) {
-        std::string name = std::string("  ") + constraintName(constraint.kind);
-        name.resize(21, ' ');
-        text += name + fixed(constraint.value, 3) + ", " + fixed(constraint.limit, 3) + ", "
-                + fixed(constraint.margin, 3) + "  " + (constraint.holds ? "holds" : "FAILS")
-                + " in " + sectionName(constraint.zone, constraint.section) + '\n';
-    }
-    std::string unchecked;
-    for (const Field* field : uncheckedRequirements(result.project)) {
-        unchecked += (unchecked.empty() ? "" : ", ") + std::string(field->key);
-    }
-    if (!unchecked.empty()) {
-        text += "given, not checked   " + unchecked + '\n';
-    }
+    text += accuracyText(result, accuracyOf(result)) + requirementsText(result, constraints);
     return text + shopText(shopNumbers(result));
 }
 

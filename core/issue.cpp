@@ -63,6 +63,9 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::complianceMissing:
         return SPARKOUT_NOOP("Issue", "no compliance is given and none can be computed; needed: "
                                       "{limit}");
+    case IssueCode::influenceUnknown:
+        return SPARKOUT_NOOP("Issue", "how a force in one section deflects the others does not "
+                                      "follow from compliances as given; needed: {limit}");
     case IssueCode::sparkOutNotLast:
         return SPARKOUT_NOOP("Issue", "only the last stage may be a spark-out; this is stage "
                                       "{value} of {limit}");
@@ -86,13 +89,13 @@ const char* issueTemplate(IssueCode code) {
     case IssueCode::targetOutsideField:
         return SPARKOUT_NOOP("Issue",
                              "the target {value} lies outside the tolerance field {limit}");
-    case IssueCode::notComputed:
-        return SPARKOUT_NOOP("Issue", "{value} is kept in the file, but the cycle is computed "
-                                      "without it");
     case IssueCode::sparkOutLeaves:
         return SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
                                       "nothing, and the deflection did not give back its stock of "
                                       "{limit}");
+    case IssueCode::sourceMissing:
+        return SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
+                                      "estimate; needed: its line in {limit}");
     }
     return "";
 }

@@ -33,6 +33,7 @@ enum class IssueCode {
     wheelTooNarrow,
     wheelTooLarge,
     complianceMissing,
+    influenceUnknown,
     sparkOutNotLast,
     feedUnused,
     feedMissing,
@@ -42,8 +43,8 @@ enum class IssueCode {
     internalTraverse,
     shaftTooShort,
     targetOutsideField,
-    notComputed,
     sparkOutLeaves,
+    sourceMissing, ///< in catalogues
 };
 
 /// One fault of an input: where, what stands there, what may stand there.

@@ -154,4 +154,21 @@ CompliantPoint freeGaugePoint(const Project& project, const std::vector<Complian
     return {x, sections.back().gamma_mm_n};
 }
 
+std::vector<double> influenceRows(const Project& project, const std::vector<double>& at,
+                                  const std::vector<double>& from) {
+    assert(isComputed(project));
+    if (project.part.surface == Surface::internal) {
+        return std::vector<double>(at.size() * from.size(), quillGamma(project));
+    }
+    const Compliance system = shaftCompliance(project);
+    const double ground = project.part.shaft.ground_from_mm;
+    std::vector<double> rows;
+    for (const double x : at) {
+        for (const double s : from) {
+            rows.push_back(system.between(ground + x, ground + s));
+        }
+    }
+    return rows;
+}
+
 } // namespace sparkout

@@ -36,4 +36,11 @@ struct CompliantPoint {
 [[nodiscard]] CompliantPoint freeGaugePoint(const Project& project,
                                             const std::vector<CompliantPoint>& sections);
 
+/// G(x,s) [mm/N] for each x of `at` (rows) and s of `from` (columns), row by row; positions along
+/// the ground length [mm]. Computed from stiffness and shaft: only when no γ is given. In a bore
+/// every place moves as the quill does.
+[[nodiscard]] std::vector<double> influenceRows(const Project& project,
+                                                const std::vector<double>& at,
+                                                const std::vector<double>& from);
+
 } // namespace sparkout

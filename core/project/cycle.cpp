@@ -46,11 +46,13 @@ const StructInfo& tableOf<Stage>() {
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
-            .symbol = "S_p", .unit = "mm/min", .hard = {0, 100}, .soft = {0.01, 5},
+            .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
             .relevant = plungeFeeds, .slider = true, .positive = true, .page = Page::cycle,
             .hint =
-                SPARKOUT_NOOP("Input", "Programmed plunge feed; S_p/n per revolution of the part."),
+                SPARKOUT_NOOP("Input", "Programmed plunge feed; S_p/n per revolution of the part. "
+                                       "Beyond the sources: a stage between others may retract "
+                                       "(negative feed) until its stock is off or nothing is cut."),
             .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},

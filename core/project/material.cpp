@@ -54,7 +54,7 @@ const StructInfo& tableOf<Material>() {
         SPARKOUT_FIELD(Material, burn_rise_k,
                        .label = SPARKOUT_NOOP("Input", "Burn temperature rise"), .symbol = "U",
                        .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"), .unchecked = true,
+                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"),
                        .hint = SPARKOUT_NOOP(
                            "Input", "Temperature rise above which the metal's structure changes."),
                        .source = "MODEL-8"),

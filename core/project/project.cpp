@@ -74,9 +74,9 @@ const StructInfo& tableOf<Project>() {
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Project, sections_coupled, .label = SPARKOUT_NOOP("Input", "Sections coupled"),
-            .relevant = conditions::plunge,
-            .hint =
-                SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others too."),
+            .relevant = conditions::plunge, .page = Page::cycle,
+            .hint = SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others "
+                                           "too; needs the compliance from stiffness and shaft."),
             .source = "MODEL-6"),
         SPARKOUT_FIELD(Project, batch, .label = SPARKOUT_NOOP("Input", "Batch"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no batch described")),

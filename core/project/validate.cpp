@@ -24,9 +24,9 @@ public:
         checkBlank();
         project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
         checkCompliance();
+        checkWheelContact();
         checkStages();
         checkOptimisation();
-        checkNotComputed();
     }
 
 private:
@@ -188,7 +188,13 @@ private:
         const auto* sections = std::get_if<std::vector<double>>(&given);
         if (std::holds_alternative<std::monostate>(given)) {
             checkStiffness();
-        } else if (project().operation == Operation::traverse) {
+            return;
+        }
+        if (project().sections_coupled && project().operation == Operation::plunge) {
+            add(IssueCode::influenceUnknown, "/sections_coupled", "true",
+                "compliance_mm_per_n = null, stiffness_n_um, part.shaft");
+        }
+        if (project().operation == Operation::traverse) {
             if (sections) {
                 add(IssueCode::wrongType, path, "[…]", "{ rz1, nz, rz2 }");
             }
@@ -236,6 +242,34 @@ private:
         }
     }
 
+    /// Forces that rise, and a stiffness that is one.
+    void checkWheelContact() {
+        const auto& contact = project().machine.wheel_contact;
+        if (!contact || !contact->n_um_at_n) {
+            return;
+        }
+        const auto& rows = *contact->n_um_at_n;
+        const std::string path = "/machine/wheel_contact/n_um_at_n";
+        if (rows.empty()) {
+            add(IssueCode::wrongCount, path, "0", "≥ 1");
+        }
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const std::string row = path + "/" + std::to_string(i);
+            if (rows[i].size() != 2) {
+                continue; // the ranges' fault
+            }
+            constexpr double softest = 1e-3;
+            if (rows[i][1] < softest) {
+                add(IssueCode::outOfRange, row + "/1", numberText(rows[i][1]) + " N/µm",
+                    "≥ 0.001 N/µm");
+            }
+            if (i > 0 && !rows[i - 1].empty() && !(rows[i][0] > rows[i - 1][0])) {
+                add(IssueCode::outOfRange, row + "/0", numberText(rows[i][0]) + " N",
+                    "> " + numberText(rows[i - 1][0]) + " N");
+            }
+        }
+    }
+
     void checkStages() {
         const auto& stages = project().cycle.stages;
         double sum = 0;
@@ -255,6 +289,13 @@ private:
         }
     }
 
+    /// The wheel head may be drawn back between stages that feed, where the gauge ends stages.
+    bool mayRetract(std::size_t index) const {
+        return project().operation == Operation::plunge && index > 0
+               && index + 1 < project().cycle.stages.size()
+               && project().gauge.control == Control::gauge;
+    }
+
     void checkStage(const Stage& stage, std::size_t index) {
         const bool traverse = project().operation == Operation::traverse;
         const std::size_t count = project().cycle.stages.size();
@@ -272,7 +313,7 @@ private:
         }
         if (!sparks && !feed) {
             add(IssueCode::missingKey, feedPath, {}, "> 0" + unit);
-        } else if (!sparks && *feed < 1e-6) {
+        } else if (!sparks && *feed < 1e-6 && !(*feed < 0 && mayRetract(index))) {
             add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit, "≥ 0.000001" + unit);
         }
         if (traverse && !stage.axial_feed_mm_min) {
@@ -290,15 +331,6 @@ private:
                 add(IssueCode::wrongType, "/optimisation/stages/" + std::to_string(i),
                     numberText(stages[i]), SPARKOUT_NOOP("Limit", "whole number"));
             }
-        }
-    }
-
-    void checkNotComputed() {
-        if (project().sections_coupled && project().operation == Operation::plunge) {
-            warn(IssueCode::notComputed, "/sections_coupled", "true", {});
-        }
-        if (project().machine.wheel_contact) {
-            warn(IssueCode::notComputed, "/machine/wheel_contact", "wheel_contact", {});
         }
     }
 

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/constraints.h"
 
-#include "core/units.h"
+#include "core/quality/cycle_constraints.h"
+#include "core/quality/drawing_constraints.h"
 
 #include <algorithm>
+#include <array>
 
 namespace sparkout {
 
 namespace {
-
-/// Which way a limit holds.
-enum class Side { atLeast, atMost };
-
-ConstraintResult compare(ConstraintKind kind, const SectionResult& section, std::size_t index,
-                         Side side, double limit_um, double value_um, double width_um) {
-    ConstraintResult result{kind};
-    result.zone = section.zone;
-    result.section = static_cast<int>(index);
-    result.limit = limit_um;
-    result.value = value_um;
-    result.margin = side == Side::atLeast ? value_um - limit_um : limit_um - value_um;
-    result.relativeMargin = result.margin / width_um;
-    result.holds = result.margin >= -diameterSlack_mm * units::umPerMm;
-    return result;
-}
 
 bool isGiven(const Field& field, const void* owner) {
     return field.kind == Kind::optionalNumber
@@ -52,35 +38,61 @@ std::vector<const Field*> uncheckedRequirements(const Project& project) {
     return found;
 }
 
+namespace {
+
+struct KindInfo {
+    const char* name;
+    const char* unit;
+    ConstraintScope scope;
+};
+
+constexpr std::array<KindInfo, constraintKinds> kinds{{
+    {"diameter_min", "µm", ConstraintScope::section},
+    {"diameter_max", "µm", ConstraintScope::section},
+    {"radial_runout", "µm", ConstraintScope::section},
+    {"roundness", "µm", ConstraintScope::section},
+    {"cylindricity", "µm", ConstraintScope::part},
+    {"total_runout", "µm", ConstraintScope::part},
+    {"roughness", "µm", ConstraintScope::section},
+    {"burn", "µm", ConstraintScope::pass},
+    {"self_sharpening", "MPa", ConstraintScope::pass},
+    {"wheel_power", "kW", ConstraintScope::pass},
+    {"work_power", "kW", ConstraintScope::pass},
+    {"range_radial_feed", "mm", ConstraintScope::setting},
+    {"range_axial_feed", "mm/min", ConstraintScope::setting},
+    {"range_plunge_feed", "mm/min", ConstraintScope::setting},
+    {"range_work_speed", "rev/min", ConstraintScope::setting},
+    {"gauge_commands", "", ConstraintScope::setting},
+}};
+
+const KindInfo& infoOf(ConstraintKind kind) {
+    return kinds[static_cast<std::size_t>(kind)];
+}
+
+} // namespace
+
 const char* constraintName(ConstraintKind kind) {
-    switch (kind) {
-    case ConstraintKind::diameterMin: return "diameter_min";
-    case ConstraintKind::diameterMax: return "diameter_max";
-    case ConstraintKind::radialRunout: return "radial_runout";
-    }
-    return "";
+    return infoOf(kind).name;
+}
+
+const char* constraintUnit(ConstraintKind kind) {
+    return infoOf(kind).unit;
+}
+
+ConstraintScope scopeOf(ConstraintKind kind) {
+    return infoOf(kind).scope;
 }
 
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result) {
-    const Part& part = result.project.part;
-    const double low = part.lower_deviation_um;
-    const double high = part.upper_deviation_um;
-    std::vector<ConstraintResult> constraints;
-    for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const SectionResult& section = result.sections[i];
-        constraints.push_back(compare(ConstraintKind::diameterMin, section, i, Side::atLeast, low,
-                                      section.diameterDeviationMin_mm * units::umPerMm,
-                                      high - low));
-        constraints.push_back(compare(ConstraintKind::diameterMax, section, i, Side::atMost, high,
-                                      section.diameterDeviationMax_mm * units::umPerMm,
-                                      high - low));
-        if (const auto& limit = part.tolerance.radial_runout_um) {
-            constraints.push_back(compare(ConstraintKind::radialRunout, section, i, Side::atMost,
-                                          *limit, section.radialRunout_mm * units::umPerMm,
-                                          *limit));
-        }
-    }
-    return constraints;
+    return evaluateConstraints(result, requiredAccuracy(result));
+}
+
+std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
+                                                  const PartAccuracy& accuracy) {
+    std::vector<ConstraintResult> found = drawingConstraints(result, accuracy);
+    const std::vector<ConstraintResult> cycle = cycleConstraints(result);
+    found.insert(found.end(), cycle.begin(), cycle.end());
+    return found;
 }
 
 std::vector<ConstraintResult> worstByKind(const std::vector<ConstraintResult>& constraints) {

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ enum class RunStatus {
     cannotReachSize, ///< no progress, and nothing more to come
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< by a stop request
+    notSolved,       ///< the balance of coupled sections did not converge
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).
@@ -54,6 +56,22 @@ struct StageSums {
     Peak power_w;               ///< largest P_z·V_k
 };
 
+/// The cut that left a zone's or section's surface at its roughest: of the last cuts (a > 0) of its
+/// radii the deepest.
+struct LastCut {
+    double depth_mm = 0; ///< a
+    int radius = 0;      ///< k
+    Place at;
+};
+
+/// The visit nearest to burning: the largest a over the depth that is just allowed.
+struct BurnVisit {
+    double depth_mm = 0; ///< a
+    double stock_mm = 0; ///< max(0, R_k after the pass − R_t): what the damaged layer may reach
+    int radius = 0;      ///< k
+    Place at;
+};
+
 /// One zone or section at the end of the cycle.
 struct SectionResult {
     Zone zone = Zone::section;
@@ -64,6 +82,7 @@ struct SectionResult {
     double diameterDeviationMax_mm = 0; ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;         ///< R_max − R_min plus the machine's geometric runout
     double peakNormalForce_n = 0;       ///< largest P_y any of its radii saw
+    std::optional<LastCut> lastCut;     ///< where a roughness is required
 };
 
 /// What came out of one cycle. A value; it says which inputs it belongs to.
@@ -83,6 +102,7 @@ struct SimulationResult {
     Place peakNormalForceAt;
     double peakPower_w = 0; ///< P_z·V_k
     Place peakPowerAt;
+    std::optional<BurnVisit> burn; ///< where a rise that burns is given
     long long visits = 0;
 };
 

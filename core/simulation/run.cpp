@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
 
+#include "core/process/coupled_sections.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "core/version.h"
@@ -21,15 +22,20 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_law(forceLaw(project))
     , m_lanes(m_points.size() * static_cast<std::size_t>(m_radii))
     , m_cutPass(widestPassFunction())
+    , m_watch(project, m_blank)
     , m_trajectory(trajectory)
     , m_stop(std::move(stop))
     , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
+    if (!isCoupled(project)) { // else the contact is part of the coupled balance
+        m_contact = wheelContact(project);
+    }
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
         const std::size_t k = lane % K;
         m_lanes.depth_mm[lane] = m_blank.depth_mm[k];
         m_lanes.share[lane] = static_cast<double>(k + 1) / m_radii;
     }
+    m_watch.prepare(m_lanes);
     m_openDepth_mm = m_lanes.depth_mm;
     m_lengthBefore.assign(1, 0.0);
     for (const CompliantPoint& point : m_points) {
@@ -66,17 +72,20 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
 void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const PassFeed& feed,
               const Place* places, const PassInfo& info) {
     const auto K = static_cast<std::size_t>(m_radii);
-    const PassRange range{first * K, count * K, width.bks, width.bkr};
+    const PassRange range{first * K, count * K, width.bks, width.bkr,
+                          m_watch.number(places, count)};
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
-    const double root = m_cutPass(m_lanes, width.coefficients, feed, range);
+    const double root = m_contact ? m_contact->cut(m_lanes, width.coefficients, feed, range)
+                                  : m_cutPass(m_lanes, width.coefficients, feed, range);
     m_result.visits += static_cast<long long>(range.count);
     m_largestRoot = std::max(m_largestRoot, root);
     if (!places) {
         return;
     }
     tally(root, first, count, width, places);
+    m_watch.passDone(m_lanes, range, root, feed, places);
     if (m_trajectory) {
         for (std::size_t i = 0; i < count; ++i) {
             record(first + i, width, feed, places[i], info);
@@ -216,23 +225,22 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     return section;
 }
 
-void Run::keepLargestPeaks() {
-    for (const StageSums& sums : m_result.sumsByStage) {
-        if (sums.normalForce_n.value > m_result.peakNormalForce_n) {
-            m_result.peakNormalForce_n = sums.normalForce_n.value;
-            m_result.peakNormalForceAt = sums.normalForce_n.at;
-        }
-        if (sums.power_w.value > m_result.peakPower_w) {
-            m_result.peakPower_w = sums.power_w.value;
-            m_result.peakPowerAt = sums.power_w.at;
-        }
+void keepLargestPeaks(SimulationResult& result) {
+    Peak force, power;
+    for (const StageSums& sums : result.sumsByStage) {
+        force = sums.normalForce_n.value > force.value ? sums.normalForce_n : force;
+        power = sums.power_w.value > power.value ? sums.power_w : power;
     }
+    result.peakNormalForce_n = force.value;
+    result.peakNormalForceAt = force.at;
+    result.peakPower_w = power.value;
+    result.peakPowerAt = power.at;
 }
 
 SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint,
                              std::size_t reported, const std::vector<Zone>& zones) {
     closeStage();
-    keepLargestPeaks();
+    keepLargestPeaks(m_result);
     m_result.countsByStage = control.stepsByStage();
     for (const int count : m_result.countsByStage) {
         m_result.cycleCount += count;
@@ -240,6 +248,7 @@ SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint
     for (std::size_t point = 0; point < reported; ++point) {
         m_result.sections.push_back(sectionResult(point, zones[std::min(point, zones.size() - 1)]));
     }
+    m_watch.put(m_result, m_lanes);
     m_result.remainingStock_mm = remaining(gaugePoint);
     const double side = m_project.part.surface == Surface::external ? 1 : -1;
     m_result.gaugeReading_mm = 2 * (m_blank.targetRadius_mm + side * m_result.remainingStock_mm);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/process/contact_compliance.h"
 #include "core/process/force.h"
 #include "core/process/pass_kernel.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/simulation/limit_watch.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/trajectory.h"
 
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -69,7 +72,6 @@ public:
 private:
     void openStage(std::size_t stage);
     void closeStage();
-    void keepLargestPeaks();
     void tally(double root, std::size_t first, std::size_t count, const CutWidth& width,
                const Place* places);
     void keepPeaks(StageSums& sums, double root, std::size_t first, const CutWidth& width,
@@ -86,6 +88,8 @@ private:
     ForceLaw m_law;
     Lanes m_lanes;
     PassFunction m_cutPass;
+    std::optional<ContactCompliance> m_contact; ///< in series, where the passes see to it
+    LimitWatch m_watch;
     Trajectory* m_trajectory;
     std::stop_token m_stop;
     SimulationResult m_result;
@@ -95,6 +99,9 @@ private:
     double m_largestRoot = 0;
     double m_wheelSpeed_m_s;
 };
+
+/// Peak force and power of the cycle from those of its stages.
+void keepLargestPeaks(SimulationResult& result);
 
 /// Deepest removal that still counts as none [mm].
 inline constexpr double noProgress_mm = 1e-9;

@@ -15,4 +15,9 @@ namespace sparkout {
 [[nodiscard]] SimulationResult simulate(const Project& project, Trajectory* trajectory = nullptr,
                                         const std::stop_token& stop = {});
 
+/// The cycle of a traverse project as if the gauge stood in the middle of another zone: for asking
+/// where to put it. Its place is no input; simulate() has it in НЗ.
+[[nodiscard]] SimulationResult simulateTraverseGaugedIn(Zone zone, const Project& project,
+                                                        const std::stop_token& stop = {});
+
 } // namespace sparkout

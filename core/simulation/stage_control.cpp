@@ -44,6 +44,10 @@ bool StageControl::waitsForSize() const {
     return m_sparkOut[m_stage].mode == SparkOut::Mode::untilSize;
 }
 
+bool StageControl::retracts() const {
+    return m_sparkOut[m_stage].mode == SparkOut::Mode::none && m_feeds[m_stage] < 0;
+}
+
 bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
     const SparkOut& sparkOut = m_sparkOut[m_stage];
     if (sparkOut.mode == SparkOut::Mode::count) {

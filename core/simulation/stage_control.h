@@ -22,6 +22,12 @@ public:
     [[nodiscard]] double nextInfeed(double fed_mm) const;
     /// Whether the running stage waits for size without feeding, so that it may wait for ever.
     [[nodiscard]] bool waitsForSize() const;
+    /// Whether the running stage draws the wheel head back (negative feed): what it removes comes
+    /// from the stored deflection. It ends as any other, or when nothing is cut any more; an option
+    /// beyond the sources [MODEL-7].
+    [[nodiscard]] bool retracts() const;
+    /// Ends the running stage: a retraction that has lost contact.
+    void endStage() { ++m_stage; }
     /// One step is done; ends the stages that are through. Several may end at one reading.
     void stepDone(double remainingStock_mm, double fed_mm);
 

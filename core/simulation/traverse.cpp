@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
+#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -30,8 +31,10 @@ std::vector<double> infeeds(const Project& project) {
 /// One cycle of double strokes, step by step in the order of the table in MODEL-5.
 class TraverseCycle {
 public:
-    TraverseCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
+    TraverseCycle(const Project& project, Zone gaugeZone, Trajectory* trajectory,
+                  const std::stop_token& stop)
         : m_project(project)
+        , m_gaugeZone(static_cast<std::size_t>(gaugeZone))
         , m_run(project, compliantPoints(project), trajectory, stop)
         , m_control(project, infeeds(project), m_run.blank().totalInfeed_mm)
         , m_plunge1(m_run.makeCut(zoneLengths(project).rz1))
@@ -54,19 +57,18 @@ public:
             if (m_run.mustEnd()) {
                 break; // in the middle of a double stroke, which then does not count
             }
-            m_control.stepDone(m_run.remaining(gaugeZone), m_run.fed_mm);
+            m_control.stepDone(m_run.remaining(m_gaugeZone), m_run.fed_mm);
             const double root = m_run.takeLargestRoot();
             if (waits && !m_control.finished() && root * root <= noProgress_mm) {
                 m_run.setStatus(RunStatus::cannotReachSize);
                 break;
             }
         }
-        return m_run.finish(m_control, gaugeZone, zoneCount, {Zone::rz1, Zone::nz, Zone::rz2});
+        return m_run.finish(m_control, m_gaugeZone, zoneCount, {Zone::rz1, Zone::nz, Zone::rz2});
     }
 
 private:
     static constexpr std::size_t zoneCount = 3;
-    static constexpr std::size_t gaugeZone = 1; ///< the middle of НЗ
 
     double rpm() const { return m_project.machine.work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
@@ -132,6 +134,7 @@ private:
     }
 
     const Project& m_project;
+    std::size_t m_gaugeZone; ///< the gauge stands in its middle
     Run m_run;
     StageControl m_control;
     CutWidth m_plunge1, m_plunge2, m_stroke;
@@ -146,7 +149,12 @@ private:
 
 SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
                                   const std::stop_token& stop) {
-    return TraverseCycle(project, trajectory, stop).run();
+    return TraverseCycle(project, Zone::nz, trajectory, stop).run();
+}
+
+SimulationResult simulateTraverseGaugedIn(Zone zone, const Project& project,
+                                          const std::stop_token& stop) {
+    return TraverseCycle(project, zone, nullptr, stop).run();
 }
 
 } // namespace sparkout

@@ -7,6 +7,10 @@
 #include "core/process/pass_kernel.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
+#include "core/quality/accuracy.h"
+#include "core/quality/burn_table.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
 
 #include <benchmark/benchmark.h>
@@ -16,6 +20,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -119,6 +124,62 @@ const char* const shaft30h6 = R"({
     { "radial_feed_mm": 0.004, "axial_feed_mm_min": 1800, "stock_mm": 0.110 },
     { "radial_feed_mm": 0.001, "axial_feed_mm_min": 300, "stock_mm": 0.040 } ] } })";
 
+/// A project that asks for everything: burn, roughness, both drives, the wheel's strengths, form.
+Project demanding() {
+    Project p = readProject(shaft30h6).project.value();
+    p.material.burn_rise_k = 700;
+    p.part.tolerance = {4, 6, 5, 8, 1.6};
+    p.machine.wheel_drive_kw = 7.5;
+    p.machine.work_drive_kw = 0.5;
+    p.wheel.grain_surface_energy_j_m2 = 1800;
+    p.wheel.grain_modulus_gpa = 390;
+    p.wheel.bond_surface_energy_j_m2 = 400;
+    p.wheel.bond_modulus_gpa = 65;
+    return p;
+}
+
+// The passes of a plunge cycle, again and again: 30 revolutions at 5 µm, each nearer to burning
+// than any before, 50 at 1 µm and 20 of spark-out.
+// With `sparking` the passes of a spark-out alone, which come no nearer.
+void passWithEveryConstraint(benchmark::State& state, bool sparking) {
+    const Project project = demanding();
+    Blank blank;
+    for (int k = 0; k < 36; ++k) { // an ellipse, 20 µm out of round
+        blank.depth_mm.push_back(0.01 * (1 - std::cos(std::numbers::pi * k / 9)));
+    }
+    blank.totalInfeed_mm = 0.2;
+    LimitWatch watch(project, blank);
+    int revolution = 0;
+    Lanes lanes(36);
+    LaneCoefficients coefficients(36);
+    for (std::size_t lane = 0; lane < 36; ++lane) {
+        lanes.share[lane] = static_cast<double>(lane + 1) / 36;
+        coefficients.set(lane, 2e-5, 1228, 2851);
+    }
+    watch.prepare(lanes);
+    lanes.depth_mm = blank.depth_mm;
+    const PassFunction cut = widestPassFunction();
+    const Place place{.stage = 1, .cycleCount = 1, .revolution = 1};
+    PassFeed feed{0, 0, 0.005, 0.005};
+    for (auto _ : state) {
+        const PassRange range{0, 36, 1228, 2851, watch.number(&place, 1)};
+        const double root = cut(lanes, coefficients, feed, range);
+        watch.passDone(lanes, range, root, feed, &place);
+        benchmark::DoNotOptimize(root);
+        benchmark::ClobberMemory();
+        feed.base += feed.rate;
+        feed.rate = feed.cap = ++revolution < 30 ? 0.005 : revolution < 80 ? 0.001 : 0;
+        if (revolution == 100 && sparking) {
+            revolution = 80;
+        } else if (revolution == 100) { // the next cycle
+            revolution = 0;
+            feed = {0, 0, 0.005, 0.005};
+            lanes.depth_mm = blank.depth_mm;
+            watch.restart();
+        }
+    }
+}
+
 void cycle(benchmark::State& state, bool traced) {
     const ReadResult read = readProject(shaft30h6);
     if (!read.project) {
@@ -133,6 +194,46 @@ void cycle(benchmark::State& state, bool traced) {
         benchmark::DoNotOptimize(visits);
     }
     state.counters["visits"] = static_cast<double>(visits);
+}
+
+// 20 coupled sections, 36 radii, 300 revolutions: 220 that feed, 80 that spark out.
+const char* const coupledShaft = R"({
+  "format": "sparkout-project", "version": 1, "title": "Coupled sections", "operation": "plunge",
+  "part": { "diameter_mm": 30, "upper_deviation_um": 0, "lower_deviation_um": -16,
+    "length_mm": 40, "stock_mm": 0.2, "initial_runout_mm": 0.02,
+    "shaft": { "segments": [ { "length_mm": 60, "diameter_mm": 22 },
+      { "length_mm": 80, "diameter_mm": 30 }, { "length_mm": 50, "diameter_mm": 18 } ],
+      "ground_from_mm": 70 } },
+  "material": { "flow_stress_mpa": 2000 },
+  "wheel": { "diameter_mm": 600, "width_mm": 40, "dullness": 0.02 },
+  "machine": { "wheel_speed_m_s": 35, "work_speed_rpm": 180,
+    "stiffness_n_um": { "headstock": 40, "tailstock": 20, "wheel_head": 50 } },
+  "gauge": { "control": "position" },
+  "sections": 20, "sections_coupled": true,
+  "cycle": { "stages": [ { "radial_feed_mm_min": 0.18, "stock_mm": 0.2 },
+    { "spark_out": 80 } ] } })";
+
+void coupledCycle(benchmark::State& state) {
+    const ReadResult read = readProject(coupledShaft);
+    if (!read.project) {
+        state.SkipWithError("the project is refused");
+        return;
+    }
+    for (auto _ : state) {
+        const SimulationResult result = simulate(*read.project);
+        if (result.status != RunStatus::completed || result.cycleCount != 300) {
+            state.SkipWithError("not the cycle it should be");
+        }
+    }
+}
+
+/// The same cycle with everything asked, and its verdict.
+void demandingCycle(benchmark::State& state, bool verdict) {
+    const Project project = demanding();
+    for (auto _ : state) {
+        const SimulationResult result = simulate(project);
+        benchmark::DoNotOptimize(verdict ? evaluateConstraints(result).size() : 0);
+    }
 }
 
 void readAndValidate(benchmark::State& state) {
@@ -150,6 +251,46 @@ void validateAlone(benchmark::State& state) {
     }
     for (auto _ : state) {
         benchmark::DoNotOptimize(validate(*read.project).size());
+    }
+}
+
+// --- what becomes of a cycle ---------------------------------------------------------------------
+
+// The most sections and radii a project may have, out of round by a few lobes.
+void accuracyOfPart(benchmark::State& state, std::size_t sections, std::size_t radii) {
+    std::vector<std::vector<double>> values(sections, std::vector<double>(radii));
+    std::vector<SectionShape> shapes;
+    for (std::size_t j = 0; j < sections; ++j) {
+        const auto z = static_cast<double>(j);
+        for (std::size_t k = 0; k < radii; ++k) {
+            const double phi =
+                2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(radii);
+            values[j][k] = 15 + 0.003 * std::cos(2 * phi) + 0.002 * std::cos(phi + 0.01 * z)
+                           + 0.0005 * std::sin(37 * phi * phi + z) + 1e-5 * z;
+        }
+        shapes.push_back({0.5 * z, values[j]});
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(partAccuracy(shapes, 0).totalRunout_mm);
+    }
+}
+
+void burnTable(benchmark::State& state) {
+    const BurnModel model{Project{}};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(BurnTable(model, 700, 0.2).limit(0.1));
+    }
+}
+
+void burnOfAPass(benchmark::State& state) {
+    const BurnTable table(BurnModel{Project{}}, 700, 0.2);
+    std::vector<double> root(36), depth(36);
+    for (std::size_t k = 0; k < root.size(); ++k) {
+        root[k] = 0.07 + 1e-4 * static_cast<double>(k);
+        depth[k] = 0.1 + 1e-3 * static_cast<double>(k);
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(table.worst(root.data(), depth.data(), root.size(), 0.2).usage);
     }
 }
 
@@ -232,8 +373,19 @@ bool summary(const Minima& minima) {
         }
         report(name, time(name), 0, 0);
     }
-    report("read_project", time("read_project"), 0, 0);
-    report("validate", time("validate"), 0, 0);
+    // here the ratio is to 100 ms
+    beyond |= report("simulate_coupled_20x300x36", time("simulate_coupled_20x300x36"), 1.0,
+                     time("simulate_coupled_20x300x36") / 100e6);
+    const double floor = time(floorName(widestUnit(), 36));
+    const double demanding = time("pass_36_radii_every_constraint");
+    beyond |= report("pass_36_radii_every_constraint", demanding, 2.5, demanding / floor);
+    const double quiet = time("pass_36_radii_no_new_worst");
+    beyond |= report("pass_36_radii_no_new_worst", quiet, 2.5, quiet / floor);
+    for (const char* name :
+         {"simulate_every_constraint", "simulate_and_verdict", "read_project", "validate",
+          "accuracy_3_by_36", "accuracy_200_by_360", "burn_table", "burn_pass_36_radii"}) {
+        report(name, time(name), 0, 0);
+    }
     return beyond;
 }
 
@@ -253,8 +405,17 @@ void registerAll() {
     }
     benchmark::RegisterBenchmark("simulate_plain", cycle, false);
     benchmark::RegisterBenchmark("simulate_traced", cycle, true);
+    benchmark::RegisterBenchmark("pass_36_radii_every_constraint", passWithEveryConstraint, false);
+    benchmark::RegisterBenchmark("pass_36_radii_no_new_worst", passWithEveryConstraint, true);
+    benchmark::RegisterBenchmark("simulate_every_constraint", demandingCycle, false);
+    benchmark::RegisterBenchmark("simulate_and_verdict", demandingCycle, true);
+    benchmark::RegisterBenchmark("simulate_coupled_20x300x36", coupledCycle);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);
+    benchmark::RegisterBenchmark("accuracy_3_by_36", accuracyOfPart, 3, 36);
+    benchmark::RegisterBenchmark("accuracy_200_by_360", accuracyOfPart, 200, 360);
+    benchmark::RegisterBenchmark("burn_table", burnTable);
+    benchmark::RegisterBenchmark("burn_pass_36_radii", burnOfAPass);
 }
 
 } // namespace

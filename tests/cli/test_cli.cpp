@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <random>
@@ -183,6 +184,54 @@ private slots:
         QCOMPARE(run({"simulate", save("loose.sparkout", loose.dump()), "--check"}).status, 0);
     }
 
+    void checkExits4ForEachRequirement_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<double>("holds");
+        QTest::addColumn<double>("fails");
+        const auto row = [](const char* name, const char* path, double holds, double fails) {
+            QTest::newRow(name) << name << path << holds << fails;
+        };
+        row("roundness", "/part/tolerance/roundness_um", 50, 1e-9);
+        row("cylindricity", "/part/tolerance/cylindricity_um", 50, 1e-9);
+        row("total_runout", "/part/tolerance/total_runout_um", 50, 1e-9);
+        row("roughness", "/part/tolerance/roughness_ra_um", 50, 1e-6);
+        row("burn", "/material/burn_rise_k", 3000, 50);
+        row("wheel_power", "/machine/wheel_drive_kw", 100, 0.001);
+        row("work_power", "/machine/work_drive_kw", 100, 0.00001);
+        row("gauge_commands", "/gauge/commands", 5, 1);
+    }
+    void checkExits4ForEachRequirement() {
+        QFETCH(QString, name);
+        QFETCH(QString, path);
+        QFETCH(double, holds);
+        QFETCH(double, fails);
+        for (const double limit : {holds, fails}) {
+            json file = samples::sample("complete");
+            file["part"]["lower_deviation_um"] = -200;
+            file["part"]["upper_deviation_um"] = 200;
+            file["part"]["tolerance"] = json::object();
+            file["material"]["burn_rise_k"] = nullptr;
+            file["machine"]["wheel_drive_kw"] = nullptr;
+            file[json::json_pointer(path.toStdString())] = limit;
+            if (limit == std::floor(limit)) {
+                file[json::json_pointer(path.toStdString())] = static_cast<int>(limit);
+            }
+            const QString saved = save("one.sparkout", file.dump());
+            const Outcome outcome = run({"simulate", saved, "--check", "--json"});
+            QCOMPARE(outcome.status, limit == holds ? 0 : 4);
+            bool listed = false;
+            const json answer = json::parse(outcome.out);
+            for (const json& constraint : answer.at("constraints")) {
+                const bool found = constraint.at("name") == name.toStdString();
+                listed = listed || found;
+                QVERIFY(constraint.at("ok") == (!found || limit == holds));
+            }
+            QVERIFY(listed);
+            QVERIFY(answer.at("not_checked").empty());
+        }
+    }
+
     void unreadableFilesExit1_data() {
         QTest::addColumn<QString>("file");
         QTest::newRow("missing") << m_folder.filePath("no such file");
@@ -275,6 +324,7 @@ private slots:
                          result.sections[i], result.project.part.diameter_mm);
         }
         QCOMPARE(answer.at(traverse ? "zones" : "sections").size(), result.sections.size());
+        checkForm(answer, result);
         checkConstraints(answer.at("constraints"), worstByKind(evaluateConstraints(result)));
         checkShop(answer.at("shop"), shopNumbers(result));
     }
@@ -285,8 +335,11 @@ private slots:
         const Outcome outcome = run({"simulate", save("title.sparkout", file.dump())});
         QCOMPARE(outcome.status, 0);
         QVERIFY(outcome.out.starts_with("a\\u001B[2Jb\n"));
-        for (const char* word : {"status", "machining time", "double strokes", "diameter_min",
-                                 "diameter_max", "radial_runout", "rz1", "nz", "rz2"}) {
+        for (const char* word :
+             {"status", "machining time", "double strokes", "diameter_min", "diameter_max",
+              "radial_runout", "rz1", "nz", "rz2", "cylindricity, µm", "total runout, µm", "taper",
+              "roundness", "roughness", "burn", "nearest to burning", "wheel_power", "kW  holds",
+              "gauge_commands"}) {
             QVERIFY2(outcome.out.find(word) != std::string::npos, word);
         }
     }
@@ -584,6 +637,26 @@ private:
         for (std::size_t k = 0; k < section.radii_mm.size(); ++k) {
             QCOMPARE(answer.at("radii_um")[k].get<double>(),
                      (section.radii_mm[k] - diameter / 2) * 1000);
+        }
+    }
+
+    static void checkForm(const json& answer, const SimulationResult& result) {
+        const PartAccuracy accuracy = accuracyOf(result);
+        const json& part = answer.at("part");
+        QCOMPARE(part.at("cylindricity_um").get<double>(), accuracy.minimumZone.deviation() * 1000);
+        QCOMPARE(part.at("total_runout_um").get<double>(), accuracy.totalRunout_mm * 1000);
+        QCOMPARE(part.at("taper_um").get<double>(), accuracy.profile.taper_mm * 1000);
+        QCOMPARE(part.at("crown_um").get<double>(), accuracy.profile.crown_mm * 1000);
+        for (std::size_t i = 0; i < result.sections.size(); ++i) {
+            const bool traverse = result.project.operation == Operation::traverse;
+            const json& section = traverse
+                                      ? answer.at("zones").at(zoneName(result.sections[i].zone))
+                                      : answer.at("sections").at(i);
+            QCOMPARE(section.at("roundness_um").get<double>(),
+                     accuracy.sections[i].minimumZone.deviation() * 1000);
+            QCOMPARE(section.at("roundness_least_squares_um").get<double>(),
+                     accuracy.sections[i].leastSquares.deviation() * 1000);
+            QCOMPARE(section.at("roughness_ra_um").is_null(), !result.sections[i].lastCut);
         }
     }
 

@@ -39,6 +39,7 @@ std::string statusWord(RunStatus status) {
     case RunStatus::cannotReachSize: return "cannot_reach_size";
     case RunStatus::tooLong: return "too_long";
     case RunStatus::stopped: return "stopped";
+    case RunStatus::notSolved: return "not_solved";
     }
     return {};
 }

@@ -720,7 +720,7 @@ private slots:
     }
 
     void everyCodeHasASentenceAndIsProduced() {
-        for (int i = 0; i <= static_cast<int>(IssueCode::notComputed); ++i) {
+        for (int i = 0; i <= static_cast<int>(IssueCode::targetOutsideField); ++i) {
             QVERIFY2(*issueTemplate(static_cast<IssueCode>(i)), std::to_string(i).c_str());
             QVERIFY2(m_produced.count(static_cast<IssueCode>(i)), std::to_string(i).c_str());
         }
@@ -979,8 +979,14 @@ private:
             {{"/gauge/position_mm", 40.5}});
         row("gauge section in traverse", IssueCode::notUsedHere, "/gauge/section", traverse,
             {{"/gauge/section", 0}}, warning);
-        row("coupled sections", IssueCode::notComputed, "/sections_coupled", plunge,
-            {{"/sections_coupled", true}}, warning);
+        row("coupled sections of given compliance", IssueCode::influenceUnknown,
+            "/sections_coupled", plunge, {{"/sections_coupled", true}});
+        const std::string rows = "/machine/wheel_contact/n_um_at_n";
+        row("no contact rows", IssueCode::wrongCount, rows, plunge, {{rows, json::array()}});
+        row("contact forces that fall", IssueCode::outOfRange, rows + "/1/0", plunge,
+            {{rows, {{10, 5}, {10, 20}}}});
+        row("contact without stiffness", IssueCode::outOfRange, rows + "/0/1", plunge,
+            {{rows, json::array({json{10, 0}})}});
         row("numbers of a pair", IssueCode::wrongCount, "/batch/factors/dullness/uniform", plunge,
             {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
         row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,

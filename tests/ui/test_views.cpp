@@ -153,7 +153,7 @@ void TestViews::copyGivesTabSeparatedText() {
     const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
     QCOMPARE(lines.size(), 1 + static_cast<qsizetype>(m_traverse->constraints.size()));
     for (const QString& line : lines) {
-        QCOMPARE(line.count(u'\t'), 5);
+        QCOMPARE(line.count(u'\t'), 6);
     }
     QVERIFY(lines[1].startsWith(QStringLiteral("RZ1\tSmallest diameter\t")));
 }

@@ -19,7 +19,8 @@ struct Outcome {
     Issues issues; ///< errors and warnings of the inputs
     SimulationResult result;
     Trajectory trajectory;
-    FeedSeries feeds; ///< the trajectory summed up for the view "Feeds by stage"
+    FeedSeries feeds;      ///< the trajectory summed up for the view "Feeds by stage"
+    PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
     ShopNumbers shop;
 

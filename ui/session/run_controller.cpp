@@ -25,7 +25,8 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
     if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {
         return nullptr;
     }
-    outcome->constraints = evaluateConstraints(outcome->result);
+    outcome->accuracy = accuracyOf(outcome->result);
+    outcome->constraints = evaluateConstraints(outcome->result, outcome->accuracy);
     outcome->shop = shopNumbers(outcome->result);
     const Issues remarks = remarksOn(outcome->result);
     outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());

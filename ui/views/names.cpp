@@ -92,6 +92,7 @@ QString Names::status(RunStatus status) {
     case RunStatus::cannotReachSize: return tr("Cannot reach size");
     case RunStatus::tooLong: return tr("Too long: the run was ended");
     case RunStatus::stopped: return tr("Stopped");
+    case RunStatus::notSolved: return tr("The balance of the coupled sections was not solved");
     }
     return {};
 }
@@ -101,8 +102,42 @@ QString Names::constraint(ConstraintKind kind) {
     case ConstraintKind::diameterMin: return tr("Smallest diameter");
     case ConstraintKind::diameterMax: return tr("Largest diameter");
     case ConstraintKind::radialRunout: return tr("Radial runout");
+    case ConstraintKind::roundness: return tr("Roundness");
+    case ConstraintKind::cylindricity: return tr("Cylindricity");
+    case ConstraintKind::totalRunout: return tr("Total runout");
+    case ConstraintKind::roughness: return tr("Roughness Ra");
+    case ConstraintKind::burn: return tr("Depth of cut without burn");
+    case ConstraintKind::selfSharpening: return tr("Contact pressure on the wheel");
+    case ConstraintKind::wheelPower: return tr("Wheel drive power");
+    case ConstraintKind::workPower: return tr("Work drive power");
+    case ConstraintKind::rangeRadialFeed: return tr("Radial feed in range");
+    case ConstraintKind::rangeAxialFeed: return tr("Axial feed in range");
+    case ConstraintKind::rangePlungeFeed: return tr("Plunge feed in range");
+    case ConstraintKind::rangeWorkSpeed: return tr("Work speed in range");
+    case ConstraintKind::gaugeCommands: return tr("Gauge commands");
     }
     return {};
+}
+
+QString Names::where(const ConstraintResult& constraint) {
+    if (constraint.at || constraint.section >= 0) {
+        return zone(constraint.zone, constraint.at ? constraint.at->section : constraint.section);
+    }
+    if (scopeOf(constraint.kind) == ConstraintScope::part) {
+        return tr("whole part");
+    }
+    return constraint.stage > 0 ? tr("stage %1").arg(constraint.stage) : tr("cycle");
+}
+
+QString Names::amount(ConstraintKind kind, double value, bool withSign) {
+    const QString unit = QString::fromUtf8(constraintUnit(kind));
+    if (unit == QStringLiteral("µm")) {
+        return withSign ? signedMicrometres(value) : micrometres(value);
+    }
+    if (unit.isEmpty()) {
+        return numbers().toString(value, 'f', 0);
+    }
+    return (withSign && value > 0 ? QStringLiteral("+") : QString()) + significant(value);
 }
 
 QString Names::issue(const Issue& issue) {

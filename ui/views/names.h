@@ -22,7 +22,11 @@ public:
     static QString place(const Place& place, Operation operation);
     static QString status(RunStatus status);
     static QString constraint(ConstraintKind kind); ///< "Largest diameter"
-    static QString issue(const Issue& issue);       ///< the sentence after its place in words
+    /// What it is held against: "RZ1", "whole part", "stage 2", "cycle".
+    static QString where(const ConstraintResult& constraint);
+    /// A value, limit or margin in the unit of its kind, which constraintUnit() names.
+    static QString amount(ConstraintKind kind, double value, bool withSign);
+    static QString issue(const Issue& issue); ///< the sentence after its place in words
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
 

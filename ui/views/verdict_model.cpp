@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_model.h"
 
+#include "ui/session/texts.h"
 #include "ui/views/names.h"
 
 #include <QCoreApplication>
@@ -9,6 +10,8 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 namespace sparkout {
 
@@ -16,7 +19,9 @@ Light lightOf(const ConstraintResult& constraint) {
     if (!constraint.holds) {
         return Light::fails;
     }
-    return constraint.relativeMargin < closeMargin ? Light::close : Light::holds;
+    const bool close = constraint.relativeMargin < closeMargin
+                       && scopeOf(constraint.kind) != ConstraintScope::setting;
+    return close ? Light::close : Light::holds;
 }
 
 QString lightName(Light light) {
@@ -27,6 +32,24 @@ QString lightName(Light light) {
     }
     return {};
 }
+
+namespace {
+
+/// With its unit where the group's rows differ in it, and the stage of a setting.
+QString requirementName(const ConstraintResult& c) {
+    QStringList parts{Names::constraint(c.kind)};
+    if (c.section < 0 && scopeOf(c.kind) != ConstraintScope::part) {
+        if (c.stage > 0) {
+            parts << Names::where(c);
+        }
+        if (*constraintUnit(c.kind)) {
+            parts << unitText(constraintUnit(c.kind));
+        }
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace
 
 VerdictModel::VerdictModel(QObject* parent) : QAbstractTableModel(parent) {}
 
@@ -39,15 +62,37 @@ void VerdictModel::setOutcome(OutcomePtr outcome) {
         for (const ConstraintResult& c : m_outcome->constraints) {
             sorted.push_back(&c);
         }
-        std::ranges::stable_sort(sorted, {}, [](const ConstraintResult* c) { return c->section; });
+        std::ranges::stable_sort(sorted, {}, [](const ConstraintResult* c) {
+            const int group = groupOf(*c);
+            return std::pair(group < 0, std::abs(group)); // the zones first
+        });
         for (const ConstraintResult* c : sorted) {
-            if (m_rows.empty() || m_rows.back().section != c->section) {
-                m_rows.push_back({nullptr, c->zone, c->section});
+            const int group = groupOf(*c);
+            if (m_rows.empty() || m_rows.back().group != group) {
+                m_rows.push_back({nullptr, c->zone, group});
             }
-            m_rows.push_back({c, c->zone, c->section});
+            m_rows.push_back({c, c->zone, group});
         }
     }
     endResetModel();
+}
+
+int VerdictModel::groupOf(const ConstraintResult& constraint) {
+    return constraint.section >= 0 ? constraint.section
+                                   : -1 - static_cast<int>(scopeOf(constraint.kind));
+}
+
+QString VerdictModel::groupName(const Row& row) {
+    if (row.group >= 0) {
+        return tr("%1, µm").arg(Names::zoneFull(row.zone, row.group));
+    }
+    switch (static_cast<ConstraintScope>(-1 - row.group)) {
+    case ConstraintScope::part: return tr("Whole part, µm");
+    case ConstraintScope::pass: return tr("Every pass");
+    case ConstraintScope::setting: return tr("Settings of the machine");
+    case ConstraintScope::section: break;
+    }
+    return {};
 }
 
 void VerdictModel::setGreyed(bool grey) {
@@ -85,15 +130,14 @@ int VerdictModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString VerdictModel::text(const ConstraintResult& c, int column) const {
-    const bool deviation = c.kind != ConstraintKind::radialRunout;
-    const auto number = [deviation](double v) {
-        return deviation ? Names::signedMicrometres(v) : Names::micrometres(v);
-    };
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    const auto number = [&](double v) { return Names::amount(c.kind, v, deviation); };
     switch (column) {
-    case requirement: return Names::constraint(c.kind);
+    case requirement: return requirementName(c);
     case value: return number(c.value);
     case limit: return number(c.limit);
-    case margin: return Names::signedMicrometres(c.margin);
+    case margin: return Names::amount(c.kind, c.margin, true);
     default: return {};
     }
 }
@@ -118,7 +162,7 @@ QVariant VerdictModel::data(const QModelIndex& index, int role) const {
 
 QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
     if (first && (role == Qt::DisplayRole || role == Qt::AccessibleTextRole)) {
-        return tr("%1, µm").arg(Names::zoneFull(row.zone, row.section));
+        return groupName(row);
     }
     if (role == Qt::FontRole) {
         QFont font;
@@ -141,7 +185,7 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1, %2: %3")
-            .arg(Names::zone(row.zone, row.section), Names::constraint(row.constraint->kind),
+            .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
                  first ? lightName(light) : shown);
     default: return {};
     }
@@ -176,17 +220,18 @@ QString VerdictModel::asTsv() const {
     QStringList head{tr("Zone or section")};
     for (int c = 0; c < columnCount_; ++c) {
         const QString name = headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
-        head << (c == requirement ? name : tr("%1, µm").arg(name));
+        head << name;
     }
-    lines << (head << tr("Verdict")).join(QLatin1Char('\t'));
+    lines << (head << tr("Unit") << tr("Verdict")).join(QLatin1Char('\t'));
     for (const Row& row : m_rows) {
         if (!row.constraint) {
             continue;
         }
-        QStringList cells{Names::zone(row.zone, row.section)};
+        QStringList cells{Names::where(*row.constraint)};
         for (int c = 0; c < columnCount_; ++c) {
             cells << text(*row.constraint, c);
         }
+        cells << unitText(constraintUnit(row.constraint->kind));
         lines << (cells << lightName(lightOf(*row.constraint))).join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -11,7 +11,8 @@
 
 namespace sparkout {
 
-/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit.
+/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit. A
+/// setting of the machine holds up to the end of its range.
 enum class Light { holds, close, fails };
 
 inline constexpr double closeMargin = 0.1;
@@ -19,7 +20,8 @@ inline constexpr double closeMargin = 0.1;
 [[nodiscard]] Light lightOf(const ConstraintResult& constraint);
 [[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
 
-/// The requirements of the drawing, zone by zone: a row a requirement under a row a zone.
+/// The requirements, zone by zone, then those of the part, of the passes and of the settings: a row
+/// a requirement under a row that names the group.
 class VerdictModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -48,10 +50,12 @@ public:
 
 private:
     struct Row {
-        const ConstraintResult* constraint; ///< null: the row names the zone of the next one
+        const ConstraintResult* constraint; ///< null: the row names the group of the next one
         Zone zone;
-        int section;
+        int group; ///< index of the zone or section; below 0 −1 − scope
     };
+    [[nodiscard]] static int groupOf(const ConstraintResult& constraint);
+    [[nodiscard]] static QString groupName(const Row& row);
     [[nodiscard]] QVariant zoneData(const Row& row, bool first, int role) const;
     [[nodiscard]] QVariant requirementData(const Row& row, int column, int role) const;
     [[nodiscard]] QString text(const ConstraintResult& c, int column) const;

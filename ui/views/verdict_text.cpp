@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sparkout::verdict {
 
@@ -22,8 +23,8 @@ public:
 };
 
 QString VerdictText::broken(const ConstraintResult& c) {
-    const QString zone = Names::zone(c.zone, c.section);
-    const QString by = Names::micrometres(std::abs(c.margin));
+    const QString zone = Names::where(c);
+    const QString by = Names::amount(c.kind, std::abs(c.margin), false);
     switch (c.kind) {
     case ConstraintKind::diameterMin:
         return tr("diameter in %1 is %2 µm below the lower limit").arg(zone, by);
@@ -31,13 +32,22 @@ QString VerdictText::broken(const ConstraintResult& c) {
         return tr("diameter in %1 is %2 µm above the upper limit").arg(zone, by);
     case ConstraintKind::radialRunout:
         return tr("radial runout in %1 is %2 µm above its limit").arg(zone, by);
+    default: break;
     }
-    return {};
+    if (c.kind == ConstraintKind::gaugeCommands) {
+        return tr("the stages need %1 more gauge commands than there are").arg(by);
+    }
+    if (scopeOf(c.kind) == ConstraintScope::setting) {
+        return tr("%1 (%2): %3 %4 outside")
+            .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
+    }
+    return tr("%1 (%2): %3 %4 above its limit")
+        .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
 }
 
 const ConstraintResult* worst(const std::vector<ConstraintResult>& constraints) {
     const auto it = std::ranges::min_element(constraints, {}, [](const ConstraintResult& c) {
-        return std::pair(c.holds, c.relativeMargin);
+        return std::tuple(c.holds, lightOf(c) != Light::close, c.relativeMargin);
     });
     return it == constraints.end() ? nullptr : &*it;
 }
@@ -101,7 +111,7 @@ QString overall(const Outcome& outcome) {
     }
     if (overallLight(outcome) == Light::close) {
         return VerdictText::tr("Holds the drawing, but close to the limit: %1 in %2")
-            .arg(Names::constraint(c->kind), Names::zone(c->zone, c->section));
+            .arg(Names::constraint(c->kind), Names::where(*c));
     }
     return VerdictText::tr("Holds the drawing");
 }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/contact_compliance.h"
+
+#include "core/units.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace sparkout {
+
+ContactCompliance::ContactCompliance(const std::vector<std::vector<double>>& n_um_at_n) {
+    assert(!n_um_at_n.empty());
+    m_rows.push_back({.stiffness = n_um_at_n.front()[1] * units::umPerMm});
+    for (const std::vector<double>& given : n_um_at_n) {
+        Row row{.force = given[0], .stiffness = given[1] * units::umPerMm};
+        Row& last = m_rows.back();
+        if (row.force > last.force) {
+            last.rise = (row.stiffness - last.stiffness) / (row.force - last.force);
+            row.deflection = deflection(row.force);
+            m_rows.push_back(row);
+        }
+    }
+    m_rows.back().rise = 0;
+}
+
+const ContactCompliance::Row& ContactCompliance::rowBefore(double force_n) const {
+    const auto next = std::upper_bound(m_rows.begin() + 1, m_rows.end(), force_n,
+                                       [](double F, const Row& row) { return F < row.force; });
+    return *(next - 1);
+}
+
+double ContactCompliance::deflection(double force_n) const {
+    const Row& row = rowBefore(force_n);
+    const double straight = (force_n - row.force) / row.stiffness;
+    const double x = row.rise * straight;
+    return row.deflection + (x == 0 ? straight : straight * (std::log1p(x) / x));
+}
+
+double ContactCompliance::compliance(double force_n) const {
+    const Row& row = rowBefore(force_n);
+    return 1 / (row.stiffness + row.rise * (force_n - row.force));
+}
+
+double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients,
+                              const PassFeed& feed, const PassRange& range) const {
+    double largest = 0;
+    for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
+        const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
+        const Balance balance{.A = coefficients.A4[lane] / 4,
+                              .C = coefficients.C[lane],
+                              .bks = range.bks,
+                              .bkr = range.bkr};
+        const double u = root(balance, h, lanes.root[lane]);
+        const double a = u * u;
+        lanes.depth_mm[lane] += a;
+        lanes.root[lane] = u;
+        lanes.rootSum[lane] += u;
+        if (u > 0 && !lanes.lastRoot.empty()) {
+            lanes.lastRoot[lane] = u;
+            lanes.lastPass[lane] = range.number;
+        }
+        lanes.peakForce_n[lane] = std::max(lanes.peakForce_n[lane], range.bks * a + range.bkr * u);
+        largest = std::max(largest, u);
+    }
+    return largest;
+}
+
+double ContactCompliance::root(const Balance& balance, double h, double from) const {
+    const auto& [A, C, bks, bkr] = balance;
+    if (h <= 0) {
+        return 0;
+    }
+    double low = 0;
+    double high = 2 * h / (C + std::sqrt(C * C + 4 * A * h)); // without the contact
+    double u = from > 0 && from < high ? from : high;
+    const double enough = 2 * std::numeric_limits<double>::epsilon() * h;
+    constexpr int mostSteps = 200; // bisection alone needs less
+    for (int step = 0; step < mostSteps; ++step) {
+        const double force = (bks * u + bkr) * u;
+        const double rest = (A * u + C) * u + deflection(force) - h;
+        if (std::abs(rest) <= enough) {
+            break;
+        }
+        (rest > 0 ? high : low) = u;
+        const double slope = 2 * A * u + C + compliance(force) * (2 * bks * u + bkr);
+        double next = u - rest / slope;
+        if (!(next > low && next < high)) {
+            next = low + (high - low) / 2;
+        }
+        if (next == low || next == high || next == u) {
+            break; // neighbouring numbers
+        }
+        u = next;
+    }
+    return u;
+}
+
+std::optional<ContactCompliance> wheelContact(const Project& project) {
+    const auto& contact = project.machine.wheel_contact;
+    if (!contact || !contact->n_um_at_n) {
+        return std::nullopt;
+    }
+    return ContactCompliance(*contact->n_um_at_n);
+}
+
+} // namespace sparkout

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/process/coupled_sections.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using MapConst = Eigen::Map<const ArrayXd>;
+
+Eigen::Map<const VectorXd> mapped(const std::vector<double>& values) {
+    return {values.data(), static_cast<Index>(values.size())};
+}
+
+} // namespace
+
+class CoupledSections::Solver {
+public:
+    Solver(const std::vector<double>& influence, const std::vector<double>& widths,
+           const ForceLaw& law, std::optional<ContactCompliance> contact)
+        : force(VectorXd::Zero(mapped(widths).size()))
+        , m_count(force.size())
+        , m_law(law)
+        , m_contact(std::move(contact))
+        , m_width(mapped(widths))
+        , m_wholeWidth(m_width.sum())
+        , m_influence(mapped(influence).reshaped(m_count, m_count))
+        , m_now(m_count)
+        , m_next(m_count)
+        , m_step(m_count)
+        , m_reduced(m_count)
+        , m_gap(m_count)
+        , m_matrix(m_count, m_count)
+        , m_free(static_cast<std::size_t>(m_count)) {}
+
+    Outcome solve(const double* lag_mm, double* root);
+    VectorXd force; ///< of the last solution
+
+private:
+    /// A point of the iteration and what belongs to it.
+    struct Point {
+        explicit Point(Index count) : f(count), u(count), w(count), r(count) {}
+        VectorXd f;          ///< slice forces [N]
+        ArrayXd u;           ///< √a [√mm]
+        ArrayXd w;           ///< a + δ_c [mm]
+        ArrayXd r;           ///< w + G·f − h [mm]
+        double residual = 0; ///< largest |min(w + G_jj·f, r)| [mm]
+    };
+
+    void start(const MapConst& h, const double* root);
+    void evaluate(Point& point, const MapConst& h) const;
+    [[nodiscard]] double contactForce(Index j, double f) const;
+    [[nodiscard]] double slope(Index j, double u, double f) const;
+    [[nodiscard]] double ownDepth(const Point& point, Index j) const;
+    void newtonStep();
+    int interiorSteps(const MapConst& h);
+    double interiorStep(double mu);
+
+    Index m_count;
+    ForceLaw m_law;
+    std::optional<ContactCompliance> m_contact;
+    ArrayXd m_width;
+    double m_wholeWidth;
+    MatrixXd m_influence;
+    Point m_now, m_next;
+    VectorXd m_step, m_reduced;
+    ArrayXd m_gap; ///< z, which becomes r where it is positive [mm]
+    MatrixXd m_matrix;
+    std::vector<Index> m_free;
+};
+
+CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, double* root) {
+    const MapConst h(lag_mm, m_count);
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    const double enough =
+        tolerance_mm + 4 * epsilon * static_cast<double>(m_count) * std::max(0.0, h.maxCoeff());
+    Outcome outcome;
+    if (!h.allFinite()) { // comparisons below would pass over what is no number
+        outcome.residual_mm = std::numeric_limits<double>::infinity();
+        return outcome;
+    }
+    start(h, root);
+    evaluate(m_now, h);
+    while (!(m_now.residual <= enough) && outcome.iterations < maxIterations) {
+        ++outcome.iterations;
+        newtonStep();
+        evaluate(m_next, h);
+        if (!(m_next.residual <= m_now.residual / 2)) {
+            outcome.iterations += interiorSteps(h);
+            if (!(m_next.residual < m_now.residual)) {
+                break;
+            }
+        }
+        std::swap(m_now, m_next);
+    }
+    Eigen::Map<ArrayXd>(root, m_count) = m_now.u;
+    force = m_now.f;
+    outcome.residual_mm = m_now.residual;
+    outcome.converged = m_now.residual <= enough;
+    return outcome;
+}
+
+// Cold: each section's own balance with its neighbours at its pressure, a + γ·p(a) = h,
+// γ_j = Σ_l G_jl·Δx_l; the contact is left to the steps.
+void CoupledSections::Solver::start(const MapConst& h, const double* root) {
+    m_now.u = MapConst(root, m_count).max(0);
+    if ((m_now.u == 0).all()) {
+        for (Index j = 0; j < m_count; ++j) {
+            const double gamma = (m_influence.col(j).array() * m_width).sum();
+            const double C = gamma * m_law.kr;
+            const double q = std::sqrt(C * C + 4 * (1 + gamma * m_law.ks) * std::max(0.0, h[j]));
+            m_now.u[j] = h[j] > 0 ? 2 * h[j] / (C + q) : 0;
+        }
+    }
+    m_now.f = m_width * m_now.u * (m_law.ks * m_now.u + m_law.kr);
+}
+
+// u is the root of k_s·u² + k_r·u = p.
+void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
+    const double ks = m_law.ks;
+    const double kr = m_law.kr;
+    if (kr > 0) {
+        point.u = point.f.array() / m_width;
+        point.u = 2 * point.u / (kr + (kr * kr + 4 * ks * point.u).sqrt());
+    } else { // the quotient would be 0/0 at no pressure
+        point.u = (point.f.array() / m_width / ks).sqrt();
+    }
+    point.w = point.u.square();
+    for (Index j = 0; m_contact && j < m_count; ++j) {
+        point.w[j] += m_contact->deflection(contactForce(j, point.f[j]));
+    }
+    point.r.matrix().noalias() = m_influence * point.f;
+    point.r += point.w - h;
+    point.residual =
+        (point.w + m_influence.diagonal().array() * point.f.array()).min(point.r).abs().maxCoeff();
+}
+
+// P_j, the force of the whole width at the section's pressure.
+double CoupledSections::Solver::contactForce(Index j, double f) const {
+    return f * m_wholeWidth / m_width[j];
+}
+
+// dw/df at u = √a. A section about to touch has none, which a singular G would not survive.
+double CoupledSections::Solver::slope(Index j, double u, double f) const {
+    double dw = m_law.kr > 0 ? 2 * u / (2 * m_law.ks * u + m_law.kr) : 1 / m_law.ks;
+    if (m_contact) {
+        dw += m_wholeWidth * m_contact->compliance(contactForce(j, f));
+    }
+    return std::max(dw / m_width[j], 1e-9 * m_influence(j, j));
+}
+
+// w + G_jj·f: what a section gives when it lets go.
+double CoupledSections::Solver::ownDepth(const Point& point, Index j) const {
+    return point.w[j] + m_influence(j, j) * point.f[j];
+}
+
+// Newton's step on min(w + G_jj·f, r) = 0: where the first is the smaller, the section lets go.
+void CoupledSections::Solver::newtonStep() {
+    m_free.clear();
+    for (Index j = 0; j < m_count; ++j) {
+        const bool inContact = ownDepth(m_now, j) >= m_now.r[j];
+        m_reduced[j] = -m_now.r[j];
+        m_step[j] = inContact ? 0 : -m_now.f[j];
+        if (inContact) {
+            m_free.push_back(j);
+        }
+    }
+    const auto count = static_cast<Index>(m_free.size());
+    auto M = m_matrix.topLeftCorner(count, count);
+    if (count == m_count) {
+        M = m_influence;
+    } else {
+        m_reduced.noalias() -= m_influence * m_step;
+    }
+    for (Index i = 0; i < count; ++i) {
+        const Index j = m_free[static_cast<std::size_t>(i)];
+        m_reduced[i] = m_reduced[j]; // j ≥ i
+        for (Index k = i; k < count && count < m_count; ++k) {
+            M(k, i) = m_influence(m_free[static_cast<std::size_t>(k)], j);
+        }
+        M(i, i) += slope(j, m_now.u[j], m_now.f[j]);
+    }
+    auto x = m_reduced.head(count);
+    Eigen::LLT<Eigen::Ref<MatrixXd>>(M).solveInPlace(x);
+    for (Index i = 0; i < count; ++i) {
+        m_step[m_free[static_cast<std::size_t>(i)]] = x[i];
+    }
+    m_next.f = (m_now.f + m_step).cwiseMax(0);
+}
+
+// Where f·z = μ for all sections, z → r ≥ 0: a path into the solution as μ → 0. Steps are damped
+// so that f and z stay positive; D is taken at the depth a section is yet to reach, for at u = 0 it
+// is none. Ends in m_next, which the next Newton steps make exact. Returns the steps taken.
+int CoupledSections::Solver::interiorSteps(const MapConst& h) {
+    constexpr int mostSteps = 60;
+    constexpr double nearEnough_mm = 1e-11;
+    m_next.f = m_now.f.cwiseMax(std::max(1e-2 * m_now.f.mean(), 1e-12));
+    evaluate(m_next, h);
+    m_gap = m_next.r.max(m_now.residual / 10);
+    double centring = 0.2;
+    int steps = 0;
+    for (; steps < mostSteps; ++steps) {
+        const double mu = (m_next.f.array() * m_gap).mean();
+        double worst = (m_next.r - m_gap).abs().maxCoeff();
+        for (Index j = 0; j < m_count; ++j) {
+            worst = std::max(worst, std::min(ownDepth(m_next, j), m_gap[j]));
+        }
+        if (worst < nearEnough_mm) {
+            break;
+        }
+        const double share = interiorStep(centring * mu);
+        evaluate(m_next, h);
+        centring = share > 0.9 ? 0.02 : share > 0.5 ? 0.2 : 0.5;
+    }
+    for (Index j = 0; j < m_count; ++j) {
+        if (ownDepth(m_next, j) < m_gap[j]) {
+            m_next.f[j] = 0;
+        }
+    }
+    evaluate(m_next, h);
+    return steps;
+}
+
+// One step towards f·z = μ; returns the share of it that keeps both positive.
+double CoupledSections::Solver::interiorStep(double mu) {
+    m_matrix = m_influence;
+    for (Index j = 0; j < m_count; ++j) {
+        const double lack = std::max(0.0, m_gap[j] - m_next.r[j]);
+        const double u = std::sqrt(m_next.u[j] * m_next.u[j] + lack / 4);
+        m_matrix(j, j) += slope(j, u, m_next.f[j]) + m_gap[j] / m_next.f[j];
+        m_step[j] = -m_next.r[j] + mu / m_next.f[j];
+    }
+    Eigen::LLT<Eigen::Ref<MatrixXd>>(m_matrix).solveInPlace(m_step);
+    double share = 1;
+    for (Index j = 0; j < m_count; ++j) {
+        const double f = m_next.f[j];
+        m_reduced[j] = mu / f - m_gap[j] - m_gap[j] / f * m_step[j];
+        share = std::min({share, m_step[j] < 0 ? -0.95 * f / m_step[j] : 1,
+                          m_reduced[j] < 0 ? -0.95 * m_gap[j] / m_reduced[j] : 1});
+    }
+    m_next.f += share * m_step;
+    m_gap += share * m_reduced.array();
+    return share;
+}
+
+CoupledSections::CoupledSections(const std::vector<double>& influence_mm_n,
+                                 const std::vector<double>& widths_mm, const ForceLaw& law,
+                                 std::optional<ContactCompliance> contact)
+    : m_solver(std::make_unique<Solver>(influence_mm_n, widths_mm, law, std::move(contact))) {
+    assert(influence_mm_n.size() == widths_mm.size() * widths_mm.size());
+    assert(law.ks > 0 && law.kr >= 0);
+}
+
+CoupledSections::~CoupledSections() = default;
+CoupledSections::CoupledSections(CoupledSections&&) noexcept = default;
+CoupledSections& CoupledSections::operator=(CoupledSections&&) noexcept = default;
+
+CoupledSections::Outcome CoupledSections::solve(const double* lag_mm, double* root) {
+    return m_solver->solve(lag_mm, root);
+}
+
+std::size_t CoupledSections::size() const {
+    return static_cast<std::size_t>(m_solver->force.size());
+}
+
+const double* CoupledSections::sliceForces_n() const {
+    return m_solver->force.data();
+}
+
+} // namespace sparkout

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace sparkout {
+
+/// The points of a part's surface as seen from a trial axis, section by section: distance d and its
+/// gradient −(nx, ny) for a shift, −ζ·(nx, ny) for a lean, ζ that of the section.
+struct AxisSight {
+    AxisSight(std::size_t sectionCount, std::size_t radiiPerSection)
+        : sections(sectionCount)
+        , K(radiiPerSection)
+        , d(sections * K)
+        , nx(sections * K)
+        , ny(sections * K)
+        , zeta(sections) {}
+
+    [[nodiscard]] double zetaOf(std::size_t point) const { return zeta[point / K]; }
+
+    std::size_t sections, K;
+    std::vector<double> d, nx, ny; ///< point j·K + k
+    std::vector<double> zeta;      ///< section j
+};
+
+/// d ≈ r + nx·(x + ζ·u) + ny·(y + ζ·v), no point off by more than level.
+struct AxisFit {
+    double r = 0, x = 0, y = 0, u = 0, v = 0;
+    double level = 0; ///< ≥ 0
+};
+
+/// Best uniform approximation of the distances by {1, nx, ny, nx·ζ, ny·ζ}: the linear programme
+/// min level with |d_i − fit_i| ≤ level, by the simplex method on its dual,
+///
+///     max Σ y_i·s_i·d_i,   Σ y_i·s_i·g_i = 0,  Σ y_i = 1,  y ≥ 0,   g = (1, nx, ny, nx·ζ, ny·ζ)
+///
+/// A basis is six points with signs s; any six points of full rank have signs that make it
+/// feasible. The point that stands out furthest comes in; where weights are zero and the level
+/// stalls, Bland's rule takes over, so the method ends. Only points that once stood out in their
+/// section are looked at, until none of all stands out.
+class ChebyshevFit {
+public:
+    struct Point {
+        std::size_t index = 0; ///< into the sight
+        double sign = 1;       ///< +1 touches from outside
+    };
+    static constexpr std::size_t size = 6;
+
+    /// Starts with three points each of two sections.
+    ChebyshevFit(const AxisSight& sight, std::size_t firstSection, std::size_t lastSection);
+
+    /// Of several best fits one with little shift and lean.
+    AxisFit run(const AxisSight& sight, double tolerance);
+
+    /// The points that carry the level, weights above zero.
+    [[nodiscard]] std::vector<Point> contacts() const;
+
+private:
+    struct Entering {
+        Point point;
+        double excess = 0;
+    };
+    [[nodiscard]] AxisFit solve(const AxisSight& sight);
+    [[nodiscard]] AxisFit nearest(const AxisSight& sight, const AxisFit& fit,
+                                  double tolerance) const;
+    void makeFeasible(const AxisSight& sight);
+    [[nodiscard]] Entering choose(const AxisSight& sight, const AxisFit& fit, double tolerance,
+                                  bool bland) const;
+    bool pivot(const AxisSight& sight, const Point& entering, bool bland);
+    void takeResiduals(const AxisSight& sight, const AxisFit& fit, std::size_t section);
+    AxisFit runOnCandidates(const AxisSight& sight, double tolerance);
+    bool addCandidates(const AxisSight& sight, const AxisFit& fit, double tolerance);
+
+    std::array<Point, size> m_basis;
+    std::array<double, size> m_weights{};
+    std::vector<std::size_t> m_candidates;
+    std::vector<double> m_residuals; ///< of one section
+};
+
+} // namespace sparkout

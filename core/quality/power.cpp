@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/power.h"
+
+#include "core/text.h"
+
+#include <cmath>
+
+namespace sparkout {
+
+PowerModel::PowerModel(const Project& project) : m_cutting(cuttingOf(project)) {}
+
+PowerModel::Drive PowerModel::wheelDrive() const {
+    return {m_cutting.Vk_mm_s, "V_k", "{N_k} = {P_z}·{V_k}", "N_k", "{F} = {N_k}/({b}·{V_k})"};
+}
+
+PowerModel::Drive PowerModel::workDrive() const {
+    return {m_cutting.Vd_mm_s, "V_d", "{N_d} = {P_z}·{V_d}", "N_d", "{F} = {N_d}/({b}·{V_d})"};
+}
+
+double PowerModel::tangential(double b, double a, FormulaSheet* sheet) const {
+    const ForceLaw& law = m_cutting.law;
+    const double Pz = law.tangential(b, std::sqrt(a));
+    state(sheet, "{P_z} = {b}·({k_t}·{a} + {μ}·{k_r}·√({a}))", {"P_z", Pz, "N"},
+          {{"b", b, "mm"},
+           {"k_t", law.kt, "MPa"},
+           {"a", a, "mm"},
+           {"μ", law.mu, ""},
+           {"k_r", law.kr, "N/mm^1.5"}});
+    return Pz;
+}
+
+double PowerModel::power(const Drive& drive, double b, double a, FormulaSheet* sheet) const {
+    const double Pz = tangential(b, a, sheet);
+    const double N = Pz * drive.speed;
+    state(sheet, drive.powerText, {drive.powerSymbol, N, "mW"},
+          {{"P_z", Pz, "N"}, {drive.speedSymbol, drive.speed, "mm/s"}});
+    return N;
+}
+
+// k_t·u² + μ·k_r·u = F with u = √a, by the form of the root that does not cancel.
+double PowerModel::limitDepth(const Drive& drive, double b, double power,
+                              FormulaSheet* sheet) const {
+    const double kt = m_cutting.law.kt, mu = m_cutting.law.mu, kr = m_cutting.law.kr;
+    const double F = power / (b * drive.speed);
+    const double m = mu * kr;
+    const double u = 2 * F / (m + std::sqrt(m * m + 4 * kt * F));
+    state(sheet, drive.forceText, {"F", F, "N/mm"},
+          {{drive.powerSymbol, power, "mW"},
+           {"b", b, "mm"},
+           {drive.speedSymbol, drive.speed, "mm/s"}});
+    state(sheet, "{a} = (2·{F}/({μ}·{k_r} + √(({μ}·{k_r})² + 4·{k_t}·{F})))²", {"a", u * u, "mm"},
+          {{"F", F, "N/mm"}, {"μ", mu, ""}, {"k_r", kr, "N/mm^1.5"}, {"k_t", kt, "MPa"}});
+    return u * u;
+}
+
+double PowerModel::wheelPower(double b, double a, FormulaSheet* sheet) const {
+    return power(wheelDrive(), b, a, sheet);
+}
+
+double PowerModel::workPower(double b, double a, FormulaSheet* sheet) const {
+    return power(workDrive(), b, a, sheet);
+}
+
+double PowerModel::wheelLimitDepth(double b, double power, FormulaSheet* sheet) const {
+    return limitDepth(wheelDrive(), b, power, sheet);
+}
+
+double PowerModel::workLimitDepth(double b, double power, FormulaSheet* sheet) const {
+    return limitDepth(workDrive(), b, power, sheet);
+}
+
+double PowerModel::specificEnergy(double a, FormulaSheet* sheet) const {
+    const double N = power(wheelDrive(), 1, a, sheet);
+    const double e = N / (a * m_cutting.Vd_mm_s);
+    state(sheet, "{e} = {N_k}/({b}·{a}·{V_d})", {"e", e, "mJ/mm³"},
+          {{"N_k", N, "mW"}, {"b", 1, "mm"}, {"a", a, "mm"}, {"V_d", m_cutting.Vd_mm_s, "mm/s"}});
+    return e;
+}
+
+FormulaSheet wheelPowerSheet(const Project& project, double b, double a) {
+    FormulaSheet sheet =
+        beginTangential(project, SPARKOUT_NOOP("Formula", "Power of the wheel drive"));
+    PowerModel(project).wheelPower(b, a, &sheet);
+    return sheet;
+}
+
+FormulaSheet workPowerSheet(const Project& project, double b, double a) {
+    FormulaSheet sheet =
+        beginTangential(project, SPARKOUT_NOOP("Formula", "Power of the work drive"));
+    PowerModel(project).workPower(b, a, &sheet);
+    return sheet;
+}
+
+FormulaSheet wheelPowerLimitSheet(const Project& project, double b, double power) {
+    FormulaSheet sheet =
+        beginTangential(project, SPARKOUT_NOOP("Formula", "Limiting depth of cut, wheel drive"));
+    PowerModel(project).wheelLimitDepth(b, power, &sheet);
+    return sheet;
+}
+
+FormulaSheet workPowerLimitSheet(const Project& project, double b, double power) {
+    FormulaSheet sheet =
+        beginTangential(project, SPARKOUT_NOOP("Formula", "Limiting depth of cut, work drive"));
+    PowerModel(project).workLimitDepth(b, power, &sheet);
+    return sheet;
+}
+
+FormulaSheet specificEnergySheet(const Project& project, double a) {
+    FormulaSheet sheet = beginTangential(project, SPARKOUT_NOOP("Formula", "Specific energy"));
+    PowerModel(project).specificEnergy(a, &sheet);
+    return sheet;
+}
+
+} // namespace sparkout

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/ranges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+using Limits = std::optional<std::vector<double>>;
+
+/// Share of a step by which a setting may miss it.
+constexpr double stepSlack = 1e-6;
+
+double nearestSetting(double value, double low, double high, double step) {
+    const double inside = std::clamp(value, low, high);
+    if (step <= 0) {
+        return inside;
+    }
+    const double steps = std::round((inside - low) / step);
+    const double last = std::floor((high - low) / step + stepSlack);
+    return low + std::min(steps, last) * step;
+}
+
+class Checks {
+public:
+    void add(RangeKind kind, const Limits& limits, int stage, std::optional<double> value) {
+        if (!limits || limits->size() != 3 || !value) {
+            return;
+        }
+        RangeCheck check{kind};
+        check.stage = stage;
+        check.value = *value;
+        check.low = (*limits)[0];
+        check.high = (*limits)[1];
+        check.step = (*limits)[2];
+        check.margin = std::min(check.value - check.low, check.high - check.value);
+        const double width = check.high - check.low;
+        check.relativeMargin =
+            check.margin / (width > 0 ? width : std::max(std::abs(check.high), 1.0));
+        check.holds = check.margin >= 0;
+        check.nearest = nearestSetting(check.value, check.low, check.high, check.step);
+        const double slack = stepSlack * (check.step > 0 ? check.step : width);
+        check.onStep = std::abs(check.value - check.nearest) <= slack;
+        m_found.push_back(check);
+    }
+    std::vector<RangeCheck> take() { return std::move(m_found); }
+
+private:
+    std::vector<RangeCheck> m_found;
+};
+
+bool feeds(const Stage& stage) {
+    return stage.spark_out.mode == SparkOut::Mode::none;
+}
+
+/// A retraction is set as fast as a feed is.
+std::optional<double> magnitude(std::optional<double> feed) {
+    return feed ? std::optional(std::abs(*feed)) : feed;
+}
+
+template <class Value>
+void addStages(Checks& checks, const Project& project, RangeKind kind, const Limits& limits,
+               const Value& value) {
+    int number = 0;
+    for (const Stage& stage : project.cycle.stages) {
+        checks.add(kind, limits, ++number, value(stage));
+    }
+}
+
+} // namespace
+
+std::vector<RangeCheck> checkMachineRanges(const Project& project) {
+    const MachineLimits& limits = project.machine.limits;
+    Checks checks;
+    if (project.operation == Operation::traverse) {
+        addStages(
+            checks, project, RangeKind::radialFeed, limits.radial_feed_mm,
+            [](const Stage& stage) { return feeds(stage) ? stage.radial_feed_mm : std::nullopt; });
+        addStages(checks, project, RangeKind::axialFeed, limits.axial_feed_mm_min,
+                  [](const Stage& stage) { return stage.axial_feed_mm_min; });
+        checks.add(RangeKind::plungeFeed, limits.plunge_feed_mm_min, 0,
+                   project.machine.plunge_feed_mm_min);
+    } else {
+        addStages(checks, project, RangeKind::plungeFeed, limits.plunge_feed_mm_min,
+                  [](const Stage& stage) {
+                      return feeds(stage) ? magnitude(stage.radial_feed_mm_min) : std::nullopt;
+                  });
+    }
+    checks.add(RangeKind::workSpeed, limits.work_speed_rpm, 0, project.machine.work_speed_rpm);
+    return checks.take();
+}
+
+std::optional<GaugeCommands> checkGaugeCommands(const Project& project) {
+    if (project.gauge.control != Control::gauge) {
+        return {};
+    }
+    return GaugeCommands{static_cast<int>(project.cycle.stages.size()), project.gauge.commands};
+}
+
+} // namespace sparkout

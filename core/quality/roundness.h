@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace sparkout {
+
+/// cos φ_k and sin φ_k at φ_k = 2πk/K, the directions of a section's radii. Made once for all
+/// sections of a part; K ≥ 4.
+class Directions {
+public:
+    explicit Directions(std::size_t K);
+    [[nodiscard]] std::size_t size() const { return m_cos.size(); }
+    [[nodiscard]] const std::vector<double>& cosines() const { return m_cos; }
+    [[nodiscard]] const std::vector<double>& sines() const { return m_sin; }
+
+private:
+    std::vector<double> m_cos, m_sin;
+};
+
+/// Two circles about one centre that hold a section's points between them [ISO12181]. x points at
+/// radius 0, y a quarter turn on; both are counted from the centre axis of the machine.
+struct RoundnessZone {
+    double x_mm = 0, y_mm = 0; ///< centre
+    double inner_mm = 0;       ///< radius of the inner circle
+    double outer_mm = 0;       ///< radius of the outer circle
+    double reference_mm = 0;   ///< least squares: the fitted radius; minimum zone: the middle
+    /// Minimum zone: radii that touch outer and inner circle in turn, by rising k.
+    std::array<std::size_t, 4> contacts{};
+
+    /// The roundness deviation.
+    [[nodiscard]] double deviation() const { return outer_mm - inner_mm; }
+};
+
+/// Which circles a zone is made of. About a centre at the distance e from the axis the radius of a
+/// limaçon, R + x·cos φ + y·sin φ, differs from a circle's by at most e²/(2(R − e)); hence so much
+/// at most between the roundness values of the two: 0.01 µm for e = 17 µm, R = 15 mm.
+enum class ZoneModel { circles, limacons };
+
+/// Least-squares circle: the centre and radius with the smallest Σ(distance − radius)². Gauss's
+/// conditions are met for the true distances; a few steps, each smaller by max(e, form)/R.
+[[nodiscard]] RoundnessZone leastSquaresCircle(std::span<const double> radii_mm,
+                                               const Directions& directions);
+
+/// Minimum zone: the centre with the smallest outer − inner; external and internal surfaces alike.
+///
+/// Limaçons: the best uniform approximation of R_k by r + x·cos φ_k + y·sin φ_k, a Haar system, so
+/// it is unique, marked by four points that touch in turn, and the exchange (Remez) ends in it.
+/// Circles: the distances are taken anew about the centre found until four true distances touch in
+/// turn and no other point stands out. No centre of the neighbourhood is better; any other at all
+/// by at most w²/(2(R − w)·cos²(π/K)), w the zone found: 0.004 µm for w = 10 µm, R = 15 mm, and as
+/// w² below. (For a centre v: Σλ·d over the outer points less Σμ·d over the inner, weights that
+/// balance the directions, is no greater than the zone about v and no smaller than w − v²/(2(R −
+/// v)); and v ≤ w/cos(π/K) when the zone about v is not wider than w.)
+[[nodiscard]] RoundnessZone minimumZoneCircles(std::span<const double> radii_mm,
+                                               const Directions& directions,
+                                               ZoneModel model = ZoneModel::circles);
+
+[[nodiscard]] RoundnessZone minimumZoneCircles(std::span<const double> radii_mm,
+                                               const Directions& directions,
+                                               const RoundnessZone& leastSquares);
+
+} // namespace sparkout
