@@ -471,6 +471,81 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>Formula</name>
+        <message>
+            <source>Power of the wheel drive</source>
+            <translation>Мощность привода круга</translation>
+        </message>
+        <message>
+            <source>Power of the work drive</source>
+            <translation>Мощность привода заготовки</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, wheel drive</source>
+            <translation>Предельная фактическая подача по мощности привода круга</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, work drive</source>
+            <translation>Предельная фактическая подача по мощности привода заготовки</translation>
+        </message>
+        <message>
+            <source>Specific energy</source>
+            <translation>Удельная энергия шлифования</translation>
+        </message>
+        <message>
+            <source>Normal force</source>
+            <translation>Радиальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>Tangential force</source>
+            <translation>Тангенциальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>Temperature rise</source>
+            <translation>Приращение температуры</translation>
+        </message>
+        <message>
+            <source>Depth of the damaged layer</source>
+            <translation>Глубина дефектного слоя</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, burn</source>
+            <translation>Предельная фактическая подача по бесприжоговости</translation>
+        </message>
+        <message>
+            <source>Elastic balance</source>
+            <translation>Упругий баланс</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <translation>Шероховатость</translation>
+        </message>
+        <message>
+            <source>Limiting feed, roughness</source>
+            <translation>Предельная скорость подачи по шероховатости</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, self-sharpening</source>
+            <translation>Предельная фактическая подача по осыпаемости круга</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>Total radial runout</source>
+            <translation>Полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>Roundness deviation</source>
+            <translation>Отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Cylindricity deviation</source>
+            <translation>Отклонение от цилиндричности</translation>
+        </message>
+    </context>
+    <context>
         <name>Hint</name>
         <message>
             <source>Allowed: %1</source>
@@ -670,10 +745,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Sections coupled</source>
             <translation>Сечения связаны</translation>
-        </message>
-        <message>
-            <source>Whether a force in one section deflects the others too.</source>
-            <translation>Отжимает ли сила в одном сечении и остальные.</translation>
         </message>
         <message>
             <source>Batch</source>
@@ -914,10 +985,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Radial feed</source>
             <translation>Радиальная подача</translation>
-        </message>
-        <message>
-            <source>Programmed plunge feed; S_p/n per revolution of the part.</source>
-            <translation>Программная врезная подача; S_p/n на оборот детали.</translation>
         </message>
         <message>
             <source>Radial stock of the stage. It ends when what remains to size is the later stages' stock.</source>
@@ -1595,6 +1662,106 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Stiffness</source>
             <translation>Жёсткость</translation>
         </message>
+        <message>
+            <source>What the entry is looked up by.</source>
+            <translation>По чему запись находят.</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Примечание</translation>
+        </message>
+        <message>
+            <source>What it is used for, or under which conditions it holds.</source>
+            <translation>Для чего применяется или при каких условиях верно.</translation>
+        </message>
+        <message>
+            <source>Note in Russian</source>
+            <translation>Примечание по-русски</translation>
+        </message>
+        <message>
+            <source>The same for the Russian window.</source>
+            <translation>То же для русского окна.</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>Where each number comes from.</source>
+            <translation>Откуда взято каждое число.</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Key of the number.</source>
+            <translation>Ключ числа.</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Источник</translation>
+        </message>
+        <message>
+            <source>Key of the source; empty: an estimate, to be calibrated.</source>
+            <translation>Ключ источника; пусто: оценка, подлежит калибровке.</translation>
+        </message>
+        <message>
+            <source>Plausible range</source>
+            <translation>Правдоподобный диапазон</translation>
+        </message>
+        <message>
+            <source>Lowest and highest value to expect.</source>
+            <translation>Наименьшее и наибольшее ожидаемое значение.</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>Температура</translation>
+        </message>
+        <message>
+            <source>At which the entry's conductivity and diffusivity are taken.</source>
+            <translation>При которой взяты теплопроводность и температуропроводность записи.</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Плотность</translation>
+        </message>
+        <message>
+            <source>At room temperature.</source>
+            <translation>При комнатной температуре.</translation>
+        </message>
+        <message>
+            <source>Conductivity over temperature</source>
+            <translation>Теплопроводность от температуры</translation>
+        </message>
+        <message>
+            <source>Rows of temperature and conductivity.</source>
+            <translation>Строки: температура и теплопроводность.</translation>
+        </message>
+        <message>
+            <source>Heat capacity over temperature</source>
+            <translation>Теплоёмкость от температуры</translation>
+        </message>
+        <message>
+            <source>Rows of temperature and heat capacity.</source>
+            <translation>Строки: температура и теплоёмкость.</translation>
+        </message>
+        <message>
+            <source>Key of the source.</source>
+            <translation>Ключ источника.</translation>
+        </message>
+        <message>
+            <source>Heat data over temperature</source>
+            <translation>Теплофизические данные от температуры</translation>
+        </message>
+        <message>
+            <source>Whether a force in one section deflects the others too; needs the compliance from stiffness and shaft.</source>
+            <translation>Отжимает ли сила в одном сечении и остальные; нужна податливость, рассчитанная по жёсткости узлов и валу.</translation>
+        </message>
+        <message>
+            <source>Programmed plunge feed; S_p/n per revolution of the part. Beyond the sources: a stage between others may retract (negative feed) until its stock is off or nothing is cut.</source>
+            <translation>Программная врезная подача; S_p/n за оборот заготовки. Сверх источников: ступень между другими может отводить бабку (отрицательная подача), пока не снят её припуск или пока не прекратится съём.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -1727,12 +1894,16 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>целевой размер {value} лежит вне поля допуска {limit}</translation>
         </message>
         <message>
-            <source>{value} is kept in the file, but the cycle is computed without it</source>
-            <translation>{value} хранится в файле, но цикл рассчитан без этого</translation>
-        </message>
-        <message>
             <source>the part stays {value} above size: a spark-out feeds nothing, and the deflection did not give back its stock of {limit}</source>
             <translation>до размера остаётся {value}: при выхаживании подачи нет, и отжатие не вернуло припуск ступени {limit}</translation>
+        </message>
+        <message>
+            <source>how a force in one section deflects the others does not follow from compliances as given; needed: {limit}</source>
+            <translation>по заданным податливостям не видно, как сила в одном сечении отжимает другие; нужно: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} says neither where it comes from nor that it is an estimate; needed: its line in {limit}</source>
+            <translation>для {value} не указан ни источник, ни что это оценка; нужна строка в {limit}</translation>
         </message>
     </context>
     <context>
@@ -1894,6 +2065,70 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>and %1 more</source>
             <translation>и ещё %1</translation>
+        </message>
+        <message>
+            <source>The balance of the coupled sections was not solved</source>
+            <translation>Равновесие связанных сечений не решено</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Шероховатость Ra</translation>
+        </message>
+        <message>
+            <source>Depth of cut without burn</source>
+            <translation>Глубина резания без прижога</translation>
+        </message>
+        <message>
+            <source>Contact pressure on the wheel</source>
+            <translation>Давление на круг в контакте</translation>
+        </message>
+        <message>
+            <source>Wheel drive power</source>
+            <translation>Мощность привода круга</translation>
+        </message>
+        <message>
+            <source>Work drive power</source>
+            <translation>Мощность привода изделия</translation>
+        </message>
+        <message>
+            <source>Radial feed in range</source>
+            <translation>Радиальная подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Axial feed in range</source>
+            <translation>Осевая подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Plunge feed in range</source>
+            <translation>Врезная подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Work speed in range</source>
+            <translation>Частота вращения заготовки в диапазоне</translation>
+        </message>
+        <message>
+            <source>Gauge commands</source>
+            <translation>Команды прибора</translation>
+        </message>
+        <message>
+            <source>whole part</source>
+            <translation>вся деталь</translation>
+        </message>
+        <message>
+            <source>cycle</source>
+            <translation>цикл</translation>
         </message>
     </context>
     <context>
@@ -2445,6 +2680,26 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Material</source>
             <translation>Материал</translation>
         </message>
+        <message>
+            <source>Source of a value</source>
+            <translation>Источник величины</translation>
+        </message>
+        <message>
+            <source>Heat data</source>
+            <translation>Теплофизические данные</translation>
+        </message>
+        <message>
+            <source>Material of the catalogue</source>
+            <translation>Материал каталога</translation>
+        </message>
+        <message>
+            <source>Wheel of the catalogue</source>
+            <translation>Круг каталога</translation>
+        </message>
+        <message>
+            <source>Machine of the catalogue</source>
+            <translation>Станок каталога</translation>
+        </message>
     </context>
     <context>
         <name>Unit</name>
@@ -2578,6 +2833,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Given, but not checked: %1</source>
             <translation>Заданы, но не проверяются: %1</translation>
+        </message>
+        <message>
+            <source>the stages need %1 more gauge commands than there are</source>
+            <translation>ступеням не хватает команд прибора: %1</translation>
+        </message>
+        <message>
+            <source>%1 (%2): %3 %4 outside</source>
+            <translation>%1 (%2): вне диапазона на %3 %4</translation>
+        </message>
+        <message>
+            <source>%1 (%2): %3 %4 above its limit</source>
+            <translation>%1 (%2): выше предела на %3 %4</translation>
         </message>
     </context>
     <context>
@@ -4370,6 +4637,22 @@ target, µm</source>
         <message>
             <source>Requirement</source>
             <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Whole part, µm</source>
+            <translation>Вся деталь, мкм</translation>
+        </message>
+        <message>
+            <source>Every pass</source>
+            <translation>По всем проходам</translation>
+        </message>
+        <message>
+            <source>Settings of the machine</source>
+            <translation>Настройки станка</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
         </message>
     </context>
     <context>

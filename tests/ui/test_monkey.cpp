@@ -54,6 +54,9 @@ private slots:
         }
 
         Document& document = monkey.window().document();
+        while (document.canRedo()) { // its last keys may have been Undo
+            document.redo();
+        }
         const Project last = document.project();
         while (document.canUndo()) {
             document.undo();

@@ -202,7 +202,7 @@ void ListTable::addRow() {
     auto list = items();
     const int at = currentRow();
     const Numbers added = at < 0 ? numbersOf(m_list.nested->defaults) : list[std::size_t(at)];
-    list.insert(list.begin() + at + 1, added); // a copy of the row it follows
+    list.insert(list.begin() + (at + 1), added); // a copy of the row it follows
     store(list, at + 1);
 }
 
