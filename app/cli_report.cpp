@@ -127,14 +127,6 @@ ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
     return list;
 }
 
-ordered_json uncheckedJson(const Project& project) {
-    ordered_json unchecked = ordered_json::array();
-    for (const Field* field : uncheckedRequirements(project)) {
-        unchecked.push_back(field->key);
-    }
-    return unchecked;
-}
-
 /// The zones as an object, or the sections as a list.
 ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
     ordered_json all = isTraverse(result) ? ordered_json::object() : ordered_json::array();
@@ -197,11 +189,7 @@ std::string requirementsText(const SimulationResult& result,
                 + um(burn->damagedDepth_mm) + " µm deep, " + fixed(burn->rise_k, 0)
                 + " K hotter at the stock's end\n";
     }
-    std::string unchecked;
-    for (const Field* field : uncheckedRequirements(result.project)) {
-        unchecked += (unchecked.empty() ? "" : ", ") + std::string(field->key);
-    }
-    return text + (unchecked.empty() ? "" : "given, not checked   " + unchecked + '\n');
+    return text;
 }
 
 } // namespace
@@ -261,7 +249,6 @@ std::string resultJson(const SimulationResult& result,
         root["burn"] = burnJson(*burn);
     }
     root["constraints"] = constraintsJson(constraints);
-    root["not_checked"] = uncheckedJson(result.project);
     return printJson(root);
 }
 

@@ -116,7 +116,6 @@ struct Row {
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
     bool slider = false;          ///< one of the numbers one plays with
     bool positive = false;        ///< a rule refuses zero where the member is read
-    bool unchecked = false;       ///< a requirement that is kept, but not evaluated
     Page page = Page::none;       ///< the form page that shows it
     const char* hint = "";
     const char* formula = ""; ///< where the member enters the model, in the model page's letters

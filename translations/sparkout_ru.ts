@@ -37,7 +37,7 @@
         </message>
         <message>
             <source>by wheel head position</source>
-            <translation>по положению бабки</translation>
+            <translation>по перемещению шлифовальной бабки</translation>
         </message>
         <message>
             <source>smallest diameter</source>
@@ -208,10 +208,6 @@
             <translation>подача: программная %1, фактическая %2 мкм</translation>
         </message>
         <message>
-            <source>accumulated: %1, %2 µm</source>
-            <translation>накопленные: %1, %2 мкм</translation>
-        </message>
-        <message>
             <source>radius before %1, after %2 µm</source>
             <translation>радиус до %1, после %2 мкм</translation>
         </message>
@@ -234,6 +230,10 @@
         <message>
             <source>%1, µm</source>
             <translation>%1, мкм</translation>
+        </message>
+        <message>
+            <source>accumulated: programmed %1, actual %2 µm</source>
+            <translation>накопленные: программная %1, фактическая %2 мкм</translation>
         </message>
     </context>
     <context>
@@ -1064,7 +1064,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Команды прибора</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>How many stages the gauge can switch.</source>
@@ -1412,7 +1412,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Radii per section</source>
-            <translation>Радиусов в сечении</translation>
+            <translation>Число радиусов в сечении</translation>
         </message>
         <message>
             <source>Radii followed in each cross-section at equal angles, an even number.</source>
@@ -1608,7 +1608,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Friction</source>
-            <translation>Трение</translation>
+            <translation>Коэффициент трения</translation>
         </message>
         <message>
             <source>Coefficient of friction of wear flats on metal.</source>
@@ -2036,7 +2036,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Completed</source>
-            <translation>Завершён</translation>
+            <translation>Цикл закончен</translation>
         </message>
         <message>
             <source>Cannot reach size</source>
@@ -2120,7 +2120,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Gauge commands</source>
-            <translation>Команды прибора</translation>
+            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>whole part</source>
@@ -2471,7 +2471,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Energy, J/mm³</source>
-            <translation>Энергия, Дж/мм³</translation>
+            <translation>Уд. энергия, Дж/мм³</translation>
         </message>
         <message>
             <source>Power, kW</source>
@@ -2488,7 +2488,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Wheel : work</source>
-            <translation>Круг : деталь</translation>
+            <translation>Частоты круг : деталь</translation>
         </message>
         <message>
             <source>Q′w mean, mm³/(mm·s)</source>
@@ -2592,6 +2592,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>J. A. Badger, 2010, waviness of ground parts</source>
             <translation>Дж. А. Баджер, 2010, волнистость шлифованных деталей</translation>
+        </message>
+        <message>
+            <source>ISO 286-1:2010, tolerance classes</source>
+            <translation>ISO 286-1:2010, квалитеты и поля допусков</translation>
         </message>
     </context>
     <context>
@@ -2829,10 +2833,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Holds the drawing</source>
             <translation>Требования чертежа выполнены</translation>
-        </message>
-        <message>
-            <source>Given, but not checked: %1</source>
-            <translation>Заданы, но не проверяются: %1</translation>
         </message>
         <message>
             <source>the stages need %1 more gauge commands than there are</source>
@@ -3861,6 +3861,10 @@ target, µm</source>
             <source>%1[*] (read-only) — Sparkout</source>
             <translation>%1[*] (только чтение) — Sparkout</translation>
         </message>
+        <message>
+            <source>The forces of the coupled sections were not found.</source>
+            <translation>Силы в связанных сечениях не найдены.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MessagesPanel</name>
@@ -3960,10 +3964,6 @@ target, µm</source>
             <translation>Сохранить рисунок</translation>
         </message>
         <message>
-            <source>Saved.</source>
-            <translation>Сохранено.</translation>
-        </message>
-        <message>
             <source>Save the data</source>
             <translation>Сохранить данные</translation>
         </message>
@@ -4038,6 +4038,14 @@ target, µm</source>
         <message>
             <source>Forward again</source>
             <translation>Снова вперёд</translation>
+        </message>
+        <message>
+            <source>The picture is saved.</source>
+            <translation>Рисунок сохранён.</translation>
+        </message>
+        <message>
+            <source>The data are saved.</source>
+            <translation>Данные сохранены.</translation>
         </message>
     </context>
     <context>
@@ -4692,10 +4700,6 @@ target, µm</source>
         <message>
             <source>Requirements of the drawing</source>
             <translation>Требования чертежа</translation>
-        </message>
-        <message>
-            <source>Requirements that are not checked</source>
-            <translation>Требования, которые не проверяются</translation>
         </message>
         <message numerus="yes">
             <source>%n fields hold a refused text; the verdict is of the values before it.</source>

@@ -77,6 +77,7 @@ private:
     bool offerRecovery(bool alsoDiscarded);
     bool recover(const RecoveryItem& item);
     void connectNotices();
+    void tellSameAsDisk();
     void tellOpened(const Issues& issues);
     void tellReadOnly();
     void tellChangedOnDisk(const DiskState& state);

@@ -101,6 +101,7 @@ void FileCommands::reload() {
     if (loaded.project) {
         m_document.reload(std::move(*loaded.project), loaded.hash);
         m_guard.followDisk();
+        tellSameAsDisk();
         tellOpened(loaded.issues);
     } else if (loaded.error) {
         showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));

@@ -47,6 +47,10 @@ void FileCommands::connectNotices() {
     connect(&m_guard, &FileGuard::autosaved, this, [this] { m_notices->remove(autosaveKey); });
 }
 
+void FileCommands::tellSameAsDisk() {
+    m_notices->remove(diskKey);
+}
+
 void FileCommands::tellOpened(const Issues& issues) {
     if (m_document.readOnly()) {
         tellReadOnly();

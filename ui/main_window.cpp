@@ -272,6 +272,9 @@ void MainWindow::showStatus() {
     case RunStatus::tooLong:
         m_status->setText(tr("The cycle is too long to be computed to its end."));
         break;
+    case RunStatus::notSolved:
+        m_status->setText(tr("The forces of the coupled sections were not found."));
+        break;
     case RunStatus::stopped: break;
     }
     m_time->setText(tr("Computed in %1 ms").arg(QLocale().toString(m_runs.lastRun_ms(), 'f', 1)));

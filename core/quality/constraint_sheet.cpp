@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/constraint_sheet.h"
+#include "core/quality/drawing_constraints.h"
 
 #include "core/process/coupled_sections.h"
 #include "core/quality/burn.h"
@@ -14,14 +15,6 @@
 namespace sparkout {
 
 namespace {
-
-std::vector<SectionShape> shapesOf(const SimulationResult& result) {
-    std::vector<SectionShape> shapes;
-    for (const SectionResult& section : result.sections) {
-        shapes.push_back({section.position_mm, section.radii_mm});
-    }
-    return shapes;
-}
 
 std::optional<FormulaSheet> formSheet(const SimulationResult& result, const PartAccuracy& accuracy,
                                       const ConstraintResult& constraint) {

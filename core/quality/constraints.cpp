@@ -11,35 +11,6 @@ namespace sparkout {
 
 namespace {
 
-bool isGiven(const Field& field, const void* owner) {
-    return field.kind == Kind::optionalNumber
-               ? field.as<std::optional<double>>(owner).has_value()
-               : field.as<std::optional<std::vector<double>>>(owner).has_value();
-}
-
-void collectUnchecked(const StructInfo& table, const void* owner,
-                      std::vector<const Field*>& found) {
-    for (const Field& field : table.fields) {
-        if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
-            if (const void* object = field.objectIn(owner)) {
-                collectUnchecked(*field.nested, object, found);
-            }
-        } else if (field.unchecked && isGiven(field, owner)) {
-            found.push_back(&field);
-        }
-    }
-}
-
-} // namespace
-
-std::vector<const Field*> uncheckedRequirements(const Project& project) {
-    std::vector<const Field*> found;
-    collectUnchecked(tableOf<Project>(), &project, found);
-    return found;
-}
-
-namespace {
-
 struct KindInfo {
     const char* name;
     const char* unit;

@@ -77,10 +77,6 @@ struct ConstraintResult {
 [[nodiscard]] std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                                 const PartAccuracy& accuracy);
 
-/// Requirements and limits that are given but that this engine does not evaluate, in the order of
-/// the tables: a verdict must name them.
-[[nodiscard]] std::vector<const Field*> uncheckedRequirements(const Project& project);
-
 /// The worst of each kind, in the order of the kinds: what the command line lists.
 [[nodiscard]] std::vector<ConstraintResult>
 worstByKind(const std::vector<ConstraintResult>& constraints);

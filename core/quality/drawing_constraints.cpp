@@ -86,6 +86,12 @@ private:
     std::size_t m_index = 0;
 };
 
+double geometricRunout(const SimulationResult& result) {
+    return result.project.machine.geometric_runout_um / units::umPerMm;
+}
+
+} // namespace
+
 std::vector<SectionShape> shapesOf(const SimulationResult& result) {
     std::vector<SectionShape> shapes;
     for (const SectionResult& section : result.sections) {
@@ -93,12 +99,6 @@ std::vector<SectionShape> shapesOf(const SimulationResult& result) {
     }
     return shapes;
 }
-
-double geometricRunout(const SimulationResult& result) {
-    return result.project.machine.geometric_runout_um / units::umPerMm;
-}
-
-} // namespace
 
 PartAccuracy accuracyOf(const SimulationResult& result) {
     return partAccuracy(shapesOf(result), geometricRunout(result));

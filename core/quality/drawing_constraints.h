@@ -12,4 +12,7 @@ namespace sparkout {
 [[nodiscard]] std::vector<ConstraintResult> drawingConstraints(const SimulationResult& result,
                                                                const PartAccuracy& accuracy);
 
+/// Places and radii of the sections, as the accuracy of the part takes them.
+[[nodiscard]] std::vector<SectionShape> shapesOf(const SimulationResult& result);
+
 } // namespace sparkout

@@ -20,7 +20,7 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     return std::max(1, static_cast<int>(std::floor(x + 0.5 + 1e-9)));
 }
 
-std::vector<double> infeeds(const Project& project) {
+std::vector<double> infeedsOfStages(const Project& project) {
     std::vector<double> feeds;
     for (const Stage& stage : project.cycle.stages) {
         feeds.push_back(stage.radial_feed_mm.value_or(0));
@@ -36,7 +36,7 @@ public:
         : m_project(project)
         , m_gaugeZone(static_cast<std::size_t>(gaugeZone))
         , m_run(project, compliantPoints(project), trajectory, stop)
-        , m_control(project, infeeds(project), m_run.blank().totalInfeed_mm)
+        , m_control(project, infeedsOfStages(project), m_run.blank().totalInfeed_mm)
         , m_plunge1(m_run.makeCut(zoneLengths(project).rz1))
         , m_plunge2(m_run.makeCut(zoneLengths(project).rz2))
         , m_stroke(m_run.makeCut(0))

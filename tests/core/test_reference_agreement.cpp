@@ -38,6 +38,7 @@ std::string statusName(RunStatus status) {
     case RunStatus::completed: return "completed";
     case RunStatus::cannotReachSize: return "cannot_reach_size";
     case RunStatus::tooLong: return "too_long";
+    case RunStatus::notSolved: return "not_solved";
     case RunStatus::stopped: break;
     }
     return "stopped";

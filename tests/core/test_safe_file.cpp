@@ -356,7 +356,8 @@ private slots:
 
     void aFileIsReadBackWholly() {
         using namespace std::string_literals;
-        const std::string bytes = "\xEF\xBB\xBF вал\0\r\n"s + std::string(200'000, 'z');
+        std::string bytes = "\xEF\xBB\xBF вал\0\r\n"s;
+        bytes.append(200'000, 'z');
         put(file(), bytes);
         QVERIFY(std::get<std::string>(readFile(file(), bytes.size())) == bytes);
     }

@@ -294,6 +294,20 @@ private slots:
         QVERIFY(!notices.holds(QStringLiteral("disk")));
     }
 
+    void reloadingInsteadOfSavingTakesTheNoticeAway() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.edit(31);
+        QTest::qWait(400);
+        trouble::write(bench.path, textWith(35));
+        NoticeBar& notices = bench.window->files().notices();
+        QTRY_VERIFY(notices.holds(QStringLiteral("disk")));
+        DialogAnswers answers({QStringLiteral("reload")});
+        QVERIFY(!bench.window->files().save());
+        ANSWERED(answers);
+        QVERIFY(!notices.holds(QStringLiteral("disk")));
+    }
+
     void keepingOnesOwnVersionCountsAsUnsaved() {
         Bench bench;
         QVERIFY(bench.open());

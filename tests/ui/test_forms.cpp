@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/choice_editor.h"
+#include "ui/inputs/form_page.h"
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/number_field.h"
@@ -64,6 +65,31 @@ class TestForms : public QObject {
     Q_OBJECT
 
 private slots:
+    void aNumberOfSectionsTypedDigitByDigitKeepsTheirCompliance() {
+        Document document;
+        Project project = newProject(Operation::plunge);
+        project = withSections(std::move(project), 4);
+        project.machine.compliance_mm_per_n = std::vector{6e-5, 7e-5, 8e-5, 9e-5};
+        project.gauge.section = 3;
+        document.startUntitled(project);
+        FormPage page(Page::cycle, document);
+        page.show();
+        NumberField* sections = nullptr;
+        for (NumberField* field : page.findChildren<NumberField*>()) {
+            if (field->objectName() == QStringLiteral("/sections")) {
+                sections = field;
+            }
+        }
+        QVERIFY(sections);
+        sections->setFocus();
+        sections->selectAll();
+        QTest::keyClicks(sections, QStringLiteral("12"));
+        QVERIFY(sameProject(document.project(), withSections(project, 12)));
+        QCOMPARE(document.project().gauge.section, project.gauge.section);
+        document.undo();
+        QVERIFY(sameProject(document.project(), project));
+    }
+
     void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone_data() {
         QTest::addColumn<int>("operation");
         QTest::newRow("traverse") << int(Operation::traverse);

@@ -291,6 +291,31 @@ private slots:
         QVERIFY(bench.table.refusals().empty());
     }
 
+    void theCountOfASparkOutIsReachedByTab() {
+        Bench bench;
+        auto* mode = sparkOutEditor(bench);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QTest::keyClick(mode, Qt::Key_Tab);
+        auto* count = bench.table.view().findChild<NumberField*>();
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(count));
+        count->selectAll();
+        QTest::keyClicks(count, QStringLiteral("6"));
+        QTest::keyClick(count, Qt::Key_Return);
+        QTRY_COMPARE(bench.stages()[1].spark_out.count, 6);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+    }
+
+    void aLongStageHasItsTimeWithoutAnExponent() {
+        Bench bench;
+        Project slow = bench.document.project();
+        slow.cycle.stages[1].axial_feed_mm_min = 20;
+        bench.table.setOutcome(runProject(slow, {}));
+        const QAbstractItemModel& model = *bench.table.view().model();
+        const QString time = model.index(1, model.columnCount() - 1).data().toString();
+        QVERIFY2(time.toDouble() > 1000 && !time.contains(u'E', Qt::CaseInsensitive),
+                 qPrintable(time));
+    }
+
     void escapeTakesBackAnotherSparkOut() {
         Bench bench;
         auto* mode = sparkOutEditor(bench);

@@ -32,7 +32,9 @@ void FieldEditor::change(const std::function<void(void*)>& set) {
     if (after.operation != before.operation) {
         after = withOperation(before, after.operation, m_document.lastWith(after.operation));
     } else if (after.sections != before.sections) {
-        after = withSections(before, after.sections);
+        // From what was there before the digits typed so far: 12 is not to go through 1.
+        const QString key = QString::fromStdString(m_path);
+        after = withSections(m_document.beforeEditsOf(key), after.sections);
     } else if (after.part.surface != before.part.surface) {
         after = withComputable(std::move(after));
     }

@@ -8,6 +8,8 @@
 #include <QApplication>
 #include <QHBoxLayout>
 
+#include <utility>
+
 namespace sparkout {
 
 SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* parent)
@@ -37,16 +39,32 @@ SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* paren
     });
     connect(m_count, &NumberField::valueEdited, this, &SparkOutEditor::edited);
     connect(m_count, &NumberField::remarkChanged, this, &SparkOutEditor::edited);
-    connect(m_count, &QLineEdit::returnPressed, this, &SparkOutEditor::left);
+    connect(m_count, &QLineEdit::returnPressed, this, &SparkOutEditor::leave);
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
         if (now && !holds(now)) {
-            emit left();
+            leave();
         }
     });
 }
 
 SparkOutEditor::~SparkOutEditor() {
     disconnect(qApp, nullptr, this, nullptr); // the focus moves on while it goes
+}
+
+void SparkOutEditor::leave() {
+    if (!std::exchange(m_left, true)) { // closing moves the focus, which is leaving again
+        emit left();
+    }
+}
+
+/// Tab goes on to the count; the table would take it as leaving the cell.
+bool SparkOutEditor::focusNextPrevChild(bool next) {
+    if (m_count->isVisible() && (next ? m_mode->hasFocus() : m_count->hasFocus())) {
+        (next ? static_cast<QWidget*>(m_count) : m_mode)
+            ->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+        return true;
+    }
+    return QWidget::focusNextPrevChild(next);
 }
 
 /// Also what opens in a window of its own, as the list of the choices does.

@@ -32,7 +32,11 @@ signals:
     void edited();
     void left(); ///< the focus went elsewhere, or Return ended the edit
 
+protected:
+    bool focusNextPrevChild(bool next) override;
+
 private:
+    void leave();
     [[nodiscard]] bool holds(const QWidget* widget) const;
     void showCount();
     [[nodiscard]] SparkOut::Mode mode() const;
@@ -41,6 +45,7 @@ private:
     StillComboBox* m_mode;
     NumberField* m_count;
     std::optional<SparkOut> m_before;
+    bool m_left = false;
 };
 
 } // namespace sparkout

@@ -19,6 +19,15 @@ QString percentText(double share) {
     return QLocale().toString(percent, 'f', small ? 1 : 0) + QStringLiteral("\u00a0%");
 }
 
+namespace {
+
+/// Three digits, and no exponent however long it takes.
+QString timeText(double time_s) {
+    return time_s < 1000 ? QLocale().toString(time_s, 'g', 3) : QLocale().toString(time_s, 'f', 0);
+}
+
+} // namespace
+
 const Stage& StageModel::stage(const QModelIndex& index) const {
     return document().project().cycle.stages[std::size_t(index.row())];
 }
@@ -112,8 +121,7 @@ QVariant StageModel::data(const QModelIndex& index, int role) const {
 QVariant StageModel::resultData(const QModelIndex& index, int role) const {
     const bool has = known(index.row());
     const QString time =
-        has ? QLocale().toString(m_run->result.timeByStage_s[std::size_t(index.row())], 'g', 3)
-            : QString();
+        has ? timeText(m_run->result.timeByStage_s[std::size_t(index.row())]) : QString();
     switch (role) {
     case Qt::DisplayRole: return has ? time : QStringLiteral("—");
     case Qt::TextAlignmentRole: return int(Qt::AlignRight | Qt::AlignVCenter);

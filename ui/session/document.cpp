@@ -33,6 +33,7 @@ public:
 
     [[nodiscard]] const EditText& editText() const { return m_text; }
     [[nodiscard]] const Project& before() const { return m_before.project; }
+    [[nodiscard]] const QString& mergeKey() const { return m_mergeKey; }
 
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
     void undo() override { m_document.setProject(m_before); }
@@ -66,9 +67,17 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     if (sameProject(changed, m_project)) {
         return;
     }
-    const QString key =
-        mergeKey.isEmpty() ? QString() : QString::number(m_mergeRound) + u' ' + mergeKey;
-    m_history.push(new Edit(*this, std::move(changed), text, key));
+    m_history.push(new Edit(*this, std::move(changed), text, roundKey(mergeKey)));
+}
+
+QString Document::roundKey(const QString& mergeKey) const {
+    return mergeKey.isEmpty() ? QString() : QString::number(m_mergeRound) + u' ' + mergeKey;
+}
+
+const Project& Document::beforeEditsOf(const QString& mergeKey) const {
+    const Edit* last = editAt(m_history.index() - 1);
+    return last && !mergeKey.isEmpty() && last->mergeKey() == roundKey(mergeKey) ? last->before()
+                                                                                 : m_project;
 }
 
 void Document::endMerge() {

@@ -53,6 +53,8 @@ public:
     /// history, until endMerge().
     void edit(Project changed, EditText text, const QString& mergeKey = {});
     void endMerge();
+    /// The project before the edits of this place that a further one would join.
+    [[nodiscard]] const Project& beforeEditsOf(const QString& mergeKey) const;
 
     [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
@@ -106,6 +108,8 @@ private:
     QByteArray m_diskHash;
     bool m_readOnly = false;
     QUndoStack m_history;
+    [[nodiscard]] QString roundKey(const QString& mergeKey) const;
+
     int m_mergeRound = 0;
 };
 

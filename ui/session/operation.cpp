@@ -62,10 +62,6 @@ ZoneCompliance zoneCompliance(const Project& project) {
             rounded(complianceAt(project, turned ? 0 : 1))};
 }
 
-bool feeds(const Stage& stage) {
-    return stage.spark_out.mode == SparkOut::Mode::none;
-}
-
 void makePlunge(Project& project) {
     for (Stage& stage : project.cycle.stages) {
         if (stage.radial_feed_mm && feeds(stage)) {
@@ -225,6 +221,10 @@ Project withRadii(Project project, std::vector<double> radii_um) {
     project.part.radii_um = std::move(radii_um);
     project.part.profile = ProfileForm::measured;
     return project;
+}
+
+bool feeds(const Stage& stage) {
+    return stage.spark_out.mode == SparkOut::Mode::none;
 }
 
 Project newProject(Operation operation) {

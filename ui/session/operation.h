@@ -19,6 +19,9 @@ namespace sparkout {
 [[nodiscard]] Project withOperation(const Project& project, Operation operation,
                                     const Project* last);
 
+/// Whether a stage feeds, which a spark-out does not.
+[[nodiscard]] bool feeds(const Stage& stage);
+
 /// The project with wheel width and overruns that suit the ground length under an operation.
 [[nodiscard]] Project fitted(Project project, Operation operation);
 

@@ -13,10 +13,6 @@ void giveBack(T& made, const T& now, const T& thence, const T& last) {
     }
 }
 
-bool feeds(const Stage& stage) {
-    return stage.spark_out.mode == SparkOut::Mode::none;
-}
-
 bool sameFeeds(const Stage& a, const Stage& b) {
     return a.radial_feed_mm == b.radial_feed_mm && a.radial_feed_mm_min == b.radial_feed_mm_min
            && feeds(a) == feeds(b);

@@ -44,6 +44,7 @@ constexpr std::array names{
     SourceName{"ISO12181", QT_TRANSLATE_NOOP("Source", "ISO 12181-1:2011, roundness")},
     SourceName{"BADGER2010", QT_TRANSLATE_NOOP("Source", "J. A. Badger, 2010, waviness of ground "
                                                          "parts")},
+    SourceName{"ISO286", QT_TRANSLATE_NOOP("Source", "ISO 286-1:2010, tolerance classes")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
 };

@@ -77,7 +77,7 @@ QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {
     QStringList parts;
     parts << tr("feed: programmed %1, actual %2 µm")
                  .arg(spread(p.programmed_um, false), spread(p.actual_um, false));
-    parts << tr("accumulated: %1, %2 µm")
+    parts << tr("accumulated: programmed %1, actual %2 µm")
                  .arg(spread(p.programmedSum_um, false), spread(p.actualSum_um, false));
     parts << tr("radius before %1, after %2 µm")
                  .arg(spread(p.came_um, true), spread(p.left_um, true));

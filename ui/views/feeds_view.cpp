@@ -322,10 +322,10 @@ void FeedsView::changeEvent(QEvent* event) {
     }
 }
 
-/// In a narrow view the values need three lines.
+/// In a narrow view the values need four lines.
 void FeedsView::resizeEvent(QResizeEvent* event) {
     View::resizeEvent(event);
-    const int lines = width() < wideView ? 3 : 2;
+    const int lines = width() < wideView ? 4 : 2;
     m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * lines);
 }
 

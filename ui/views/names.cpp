@@ -137,7 +137,12 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     if (unit.isEmpty()) {
         return numbers().toString(value, 'f', 0);
     }
-    return (withSign && value > 0 ? QStringLiteral("+") : QString()) + significant(value);
+    QString text = significant(value);
+    while (text.contains(numbers().decimalPoint())
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1); // limits are round
+    }
+    return (withSign && value > 0 ? QStringLiteral("+") : QString()) + text;
 }
 
 QString Names::issue(const Issue& issue) {

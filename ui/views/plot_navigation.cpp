@@ -16,7 +16,7 @@ constexpr double keyFactor = 0.8;
 constexpr double panShare = 0.1;
 constexpr qint64 sameGesture_ms = 700;
 
-enum Kind { wheelKind = 1, zoomKind = 2, keyKind = 1000 };
+enum Gesture { wheelKind = 1, zoomKind = 2, keyKind = 1000 };
 
 /// Moves an axis by a share of its range.
 void panAxis(QCPAxis& axis, double share) {

@@ -199,7 +199,7 @@ void PlotTools::savePicture(const QString& suffix, const QString& filter,
     SaveRequest request{tr("Save the picture"), fileName(), suffix, filter,
                         [&] { return inLightLook(draw); }};
     if (saveWithDialog(m_plot.window(), m_settings, request)) {
-        say(tr("Saved."));
+        say(tr("The picture is saved."));
     }
 }
 
@@ -211,7 +211,7 @@ void PlotTools::saveTable(CsvDialect dialect) {
                             };
                         }};
     if (saveWithDialog(m_plot.window(), m_settings, request)) {
-        say(tr("Saved."));
+        say(tr("The data are saved."));
     }
 }
 

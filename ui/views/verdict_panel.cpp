@@ -63,7 +63,6 @@ void VerdictPanel::build() {
     m_model = new VerdictModel(this);
     m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
     m_layout->addWidget(m_table);
-    m_unchecked = addText(m_layout, "unchecked");
     m_shop = new ShopSection(page);
     m_layout->addWidget(m_shop);
     m_layout->addStretch(1);
@@ -147,8 +146,8 @@ void VerdictPanel::showTexts() {
     }
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
-    for (QWidget* w : std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table,
-                                                      m_unchecked}) {
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table}) {
         w->setVisible(m_good != nullptr);
     }
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
@@ -161,9 +160,6 @@ void VerdictPanel::showTexts() {
     m_light->setPixmap(
         lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);
-    const QString unchecked = verdict::unchecked(m_good->result);
-    m_unchecked->setText(unchecked);
-    m_unchecked->setVisible(!unchecked.isEmpty());
 }
 
 void VerdictPanel::setRefusedFields(int n) {
@@ -187,7 +183,7 @@ void VerdictPanel::grey(bool on) {
     if (on) {
         own.setColor(QPalette::WindowText, colour);
     }
-    for (QLabel* label : {m_time, m_status, m_overall, m_unchecked}) {
+    for (QLabel* label : {m_time, m_status, m_overall}) {
         label->setPalette(own);
     }
     m_model->setGreyed(on);
@@ -236,7 +232,6 @@ void VerdictPanel::retranslate() {
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->retranslate();
-    m_unchecked->setAccessibleName(tr("Requirements that are not checked"));
     m_refused->setAccessibleName(tr("Fields that hold a refused text"));
     m_shop->retranslate();
     m_model->retranslate();

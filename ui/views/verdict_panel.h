@@ -58,7 +58,6 @@ private:
     QLabel* m_status = nullptr;
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
-    QLabel* m_unchecked = nullptr;
     QVBoxLayout* m_layout = nullptr;
     CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;

@@ -72,16 +72,6 @@ QString status(const SimulationResult& result) {
              Names::micrometres(result.remainingStock_mm * units::umPerMm));
 }
 
-QString unchecked(const SimulationResult& result) {
-    QStringList names;
-    for (const Field* field : uncheckedRequirements(result.project)) {
-        names << inputText(field->label);
-    }
-    return names.isEmpty() ? QString()
-                           : VerdictText::tr("Given, but not checked: %1")
-                                 .arg(names.join(QStringLiteral(", ")));
-}
-
 Light overallLight(const Outcome& outcome) {
     const ConstraintResult* c = worst(outcome.constraints);
     if (outcome.result.status != RunStatus::completed || (c && !c->holds)) {
