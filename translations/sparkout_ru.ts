@@ -2084,7 +2084,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Roughness Ra</source>
-            <translation>Шероховатость Ra</translation>
+            <translation>Параметр Ra</translation>
         </message>
         <message>
             <source>Depth of cut without burn</source>
@@ -2471,7 +2471,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Energy, J/mm³</source>
-            <translation>Уд. энергия, Дж/мм³</translation>
+            <translation>Энергия, Дж/мм³</translation>
         </message>
         <message>
             <source>Power, kW</source>
@@ -2488,7 +2488,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Wheel : work</source>
-            <translation>Частоты круг : деталь</translation>
+            <translation>Круг : деталь</translation>
         </message>
         <message>
             <source>Q′w mean, mm³/(mm·s)</source>
@@ -2596,6 +2596,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>ISO 286-1:2010, tolerance classes</source>
             <translation>ISO 286-1:2010, квалитеты и поля допусков</translation>
+        </message>
+        <message>
+            <source>ISO 525, marking of grinding wheels</source>
+            <translation>ISO 525, маркировка шлифовальных кругов</translation>
+        </message>
+        <message>
+            <source>GOST R 52781, grinding wheels</source>
+            <translation>ГОСТ Р 52781, круги шлифовальные</translation>
+        </message>
+        <message>
+            <source>the marking on the wheel itself</source>
+            <translation>маркировка на самом круге</translation>
         </message>
     </context>
     <context>

@@ -293,6 +293,7 @@ private slots:
 
     void theCountOfASparkOutIsReachedByTab() {
         Bench bench;
+        QApplication::setActiveWindow(&bench.table);
         auto* mode = sparkOutEditor(bench);
         QTest::keyClick(mode, Qt::Key_Down);
         QTest::keyClick(mode, Qt::Key_Tab);

@@ -23,7 +23,9 @@ namespace {
 
 /// Three digits, and no exponent however long it takes.
 QString timeText(double time_s) {
-    return time_s < 1000 ? QLocale().toString(time_s, 'g', 3) : QLocale().toString(time_s, 'f', 0);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return time_s < 1000 ? locale.toString(time_s, 'g', 3) : locale.toString(time_s, 'f', 0);
 }
 
 } // namespace

@@ -45,6 +45,9 @@ constexpr std::array names{
     SourceName{"BADGER2010", QT_TRANSLATE_NOOP("Source", "J. A. Badger, 2010, waviness of ground "
                                                          "parts")},
     SourceName{"ISO286", QT_TRANSLATE_NOOP("Source", "ISO 286-1:2010, tolerance classes")},
+    SourceName{"ISO525", QT_TRANSLATE_NOOP("Source", "ISO 525, marking of grinding wheels")},
+    SourceName{"GOSTR52781", QT_TRANSLATE_NOOP("Source", "GOST R 52781, grinding wheels")},
+    SourceName{"MARKING", QT_TRANSLATE_NOOP("Source", "the marking on the wheel itself")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
 };
