@@ -118,7 +118,8 @@ void CoupledSections::Solver::start(const MapConst& h, const double* root) {
     m_now.u = MapConst(root, m_count).max(0);
     if ((m_now.u == 0).all()) {
         for (Index j = 0; j < m_count; ++j) {
-            const double gamma = (m_influence.col(j).array() * m_width).sum();
+            // Neighbours may push a section towards the wheel: γ below 0 is no balance of its own.
+            const double gamma = std::max(0.0, (m_influence.col(j).array() * m_width).sum());
             const double C = gamma * m_law.kr;
             const double q = std::sqrt(C * C + 4 * (1 + gamma * m_law.ks) * std::max(0.0, h[j]));
             m_now.u[j] = h[j] > 0 ? 2 * h[j] / (C + q) : 0;
@@ -143,8 +144,10 @@ void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
     }
     point.r.matrix().noalias() = m_influence * point.f;
     point.r += point.w - h;
-    point.residual =
-        (point.w + m_influence.diagonal().array() * point.f.array()).min(point.r).abs().maxCoeff();
+    point.residual = (point.w + m_influence.diagonal().array() * point.f.array())
+                         .min<Eigen::PropagateNaN>(point.r)
+                         .abs()
+                         .maxCoeff<Eigen::PropagateNaN>();
 }
 
 // P_j, the force of the whole width at the section's pressure.
