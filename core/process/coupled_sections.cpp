@@ -144,10 +144,11 @@ void CoupledSections::Solver::evaluate(Point& point, const MapConst& h) const {
     }
     point.r.matrix().noalias() = m_influence * point.f;
     point.r += point.w - h;
-    point.residual = (point.w + m_influence.diagonal().array() * point.f.array())
-                         .min<Eigen::PropagateNaN>(point.r)
-                         .abs()
-                         .maxCoeff<Eigen::PropagateNaN>();
+    point.residual =
+        (point.w + m_influence.diagonal().array() * point.f.array()).min(point.r).abs().maxCoeff();
+    if (!point.r.allFinite() || !point.u.allFinite()) { // Eigen's comparisons pass over no number
+        point.residual = std::numeric_limits<double>::infinity();
+    }
 }
 
 // P_j, the force of the whole width at the section's pressure.
