@@ -15,6 +15,7 @@
 #include <QCheckBox>
 #include <QGroupBox>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QTest>
 
@@ -177,7 +178,7 @@ private slots:
         QCOMPARE(range.value()[1], 0.01);
         QCOMPARE(panel.refusals().size(), 1u);
         QVERIFY(panel.dropNewestRefusal());
-        QCOMPARE(numbers[1]->text(), QStringLiteral("0.01"));
+        QCOMPARE(numbers[1]->text(), QLocale().toString(0.01));
     }
 
     void rowsOfTheOtherOperationAreHidden() {

@@ -11,6 +11,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QLocale>
 #include <QMenu>
 #include <QScrollBar>
 #include <QTableView>
@@ -313,7 +314,7 @@ private slots:
         bench.table.setOutcome(runProject(slow, {}));
         const QAbstractItemModel& model = *bench.table.view().model();
         const QString time = model.index(1, model.columnCount() - 1).data().toString();
-        QVERIFY2(time.toDouble() > 1000 && !time.contains(u'E', Qt::CaseInsensitive),
+        QVERIFY2(QLocale().toDouble(time) > 1000 && !time.contains(u'E', Qt::CaseInsensitive),
                  qPrintable(time));
     }
 
@@ -337,7 +338,7 @@ private slots:
         QVERIFY(!bench.table.dropRefusal("/cycle/stages/1/radial_feed_mm"));
         QVERIFY(bench.table.dropRefusal("/cycle/stages/0/radial_feed_mm"));
         QCOMPARE(bench.table.view().model()->index(0, 0).data().toString(),
-                 QStringLiteral("0.004"));
+                 QLocale().toString(0.004));
     }
 
     void copyPutsTheTableOnTheClipboardForASpreadsheet() {
@@ -350,8 +351,10 @@ private slots:
         QCOMPARE(lines[0].split(u'\t'), words({"Stage", "Radial feed, mm", "Axial feed, mm/min",
                                                "Stock per side, mm", "Spark-out", "Time, s"}));
         const QStringList first = lines[1].split(u'\t');
-        QCOMPARE(first.mid(0, 5), words({"1", "0.004", "1800", "0.11", ""}));
-        QVERIFY(first[5].toDouble() > 0);
+        QCOMPARE(first.mid(0, 5),
+                 QStringList({QStringLiteral("1"), QLocale().toString(0.004),
+                              QStringLiteral("1800"), QLocale().toString(0.11), QString()}));
+        QVERIFY(QLocale().toDouble(first[5]) > 0);
         QCOMPARE(lines[2].split(u'\t')[4], QStringLiteral("none"));
     }
 
