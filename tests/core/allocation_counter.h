@@ -2,83 +2,11 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
-#include <cstdlib>
-#include <new>
 
-/// Replaces the global operator new by one that counts. Include it in one source of a test only.
 namespace allocations {
 
-inline std::atomic<long long> count{0};
-
-inline void* allocate(std::size_t size,
-                      std::align_val_t alignment = std::align_val_t{16}) noexcept {
-    ++count;
-    const auto unit = static_cast<std::size_t>(alignment);
-    return std::aligned_alloc(unit, (size / unit + 1) * unit);
-}
-inline void* orThrow(void* memory) {
-    return memory ? memory : throw std::bad_alloc();
-}
+/// How often memory was allocated so far: allocation_counter.cpp replaces the global operator new
+/// by one that counts.
+extern std::atomic<long long> count;
 
 } // namespace allocations
-
-// Every form is replaced: a sanitizer brings its own of each and tells them apart. Not inlined, or
-// the compiler takes the pair of new and free for a mistake.
-#define SPARKOUT_REPLACED [[gnu::noinline]] void
-SPARKOUT_REPLACED* operator new(std::size_t n) {
-    return allocations::orThrow(allocations::allocate(n));
-}
-SPARKOUT_REPLACED* operator new[](std::size_t n) {
-    return allocations::orThrow(allocations::allocate(n));
-}
-SPARKOUT_REPLACED* operator new(std::size_t n, std::align_val_t a) {
-    return allocations::orThrow(allocations::allocate(n, a));
-}
-SPARKOUT_REPLACED* operator new[](std::size_t n, std::align_val_t a) {
-    return allocations::orThrow(allocations::allocate(n, a));
-}
-SPARKOUT_REPLACED* operator new(std::size_t n, const std::nothrow_t&) noexcept {
-    return allocations::allocate(n);
-}
-SPARKOUT_REPLACED* operator new[](std::size_t n, const std::nothrow_t&) noexcept {
-    return allocations::allocate(n);
-}
-SPARKOUT_REPLACED* operator new(std::size_t n, std::align_val_t a, const std::nothrow_t&) noexcept {
-    return allocations::allocate(n, a);
-}
-SPARKOUT_REPLACED* operator new[](std::size_t n, std::align_val_t a,
-                                  const std::nothrow_t&) noexcept {
-    return allocations::allocate(n, a);
-}
-SPARKOUT_REPLACED operator delete(void* p) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete[](void* p) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete(void* p, std::size_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete[](void* p, std::size_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete(void* p, std::align_val_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete[](void* p, std::align_val_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete[](void* p, std::size_t, std::align_val_t) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete(void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
-}
-SPARKOUT_REPLACED operator delete[](void* p, const std::nothrow_t&) noexcept {
-    std::free(p);
-}
-#undef SPARKOUT_REPLACED

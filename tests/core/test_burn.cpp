@@ -5,6 +5,7 @@
 #include "core/quality/ierfc.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <functional>
 #include <numbers>
 #include <vector>
+
+namespace test_burn {
 
 using namespace sparkout;
 using fixtures::anyCutting;
@@ -405,5 +408,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBurn)
+} // namespace test_burn
+
+SPARKOUT_TEST(test_burn, TestBurn)
 #include "test_burn.moc"

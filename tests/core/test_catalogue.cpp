@@ -5,6 +5,7 @@
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -18,6 +19,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+namespace test_catalogue {
 
 using namespace sparkout;
 using fixtures::close;
@@ -442,5 +445,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCatalogue)
+} // namespace test_catalogue
+
+SPARKOUT_TEST(test_catalogue, TestCatalogue)
 #include "test_catalogue.moc"

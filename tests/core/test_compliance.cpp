@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/compliance.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+namespace test_compliance {
 
 using namespace sparkout;
 
@@ -444,5 +447,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCompliance)
+} // namespace test_compliance
+
+SPARKOUT_TEST(test_compliance, TestCompliance)
 #include "test_compliance.moc"

@@ -5,6 +5,7 @@
 #include "core/quality/depth_limits.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -12,12 +13,12 @@
 #include <map>
 #include <string>
 
+namespace test_constraint_sheet {
+
 using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
 using fixtures::Traced;
-
-Q_DECLARE_METATYPE(sparkout::Project)
 
 namespace {
 
@@ -151,5 +152,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestConstraintSheet)
+} // namespace test_constraint_sheet
+
+SPARKOUT_TEST(test_constraint_sheet, TestConstraintSheet)
 #include "test_constraint_sheet.moc"

@@ -3,12 +3,15 @@
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <string>
 #include <vector>
+
+namespace test_constraints {
 
 using namespace sparkout;
 using fixtures::within;
@@ -198,5 +201,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestConstraints)
+} // namespace test_constraints
+
+SPARKOUT_TEST(test_constraints, TestConstraints)
 #include "test_constraints.moc"

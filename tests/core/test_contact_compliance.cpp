@@ -4,6 +4,7 @@
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QTest>
 #include <rapidcheck.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace test_contact_compliance {
 
 using namespace sparkout;
 using fixtures::close;
@@ -246,5 +249,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContactCompliance)
+} // namespace test_contact_compliance
+
+SPARKOUT_TEST(test_contact_compliance, TestContactCompliance)
 #include "test_contact_compliance.moc"

@@ -6,6 +6,7 @@
 
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -15,6 +16,8 @@
 #include <memory>
 #include <stop_token>
 #include <vector>
+
+namespace test_coupled_plunge {
 
 using namespace sparkout;
 using fixtures::close;
@@ -397,5 +400,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCoupledPlunge)
+} // namespace test_coupled_plunge
+
+SPARKOUT_TEST(test_coupled_plunge, TestCoupledPlunge)
 #include "test_coupled_plunge.moc"

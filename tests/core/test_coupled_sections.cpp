@@ -5,6 +5,7 @@
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -14,6 +15,8 @@
 #include <cmath>
 #include <optional>
 #include <vector>
+
+namespace test_coupled_sections {
 
 using namespace sparkout;
 using fixtures::close;
@@ -440,5 +443,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCoupledSections)
+} // namespace test_coupled_sections
+
+SPARKOUT_TEST(test_coupled_sections, TestCoupledSections)
 #include "test_coupled_sections.moc"

@@ -7,6 +7,7 @@
 #include "tests/core/downhill.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <Eigen/Dense>
 #include <QTest>
@@ -17,6 +18,8 @@
 #include <numbers>
 #include <numeric>
 #include <vector>
+
+namespace test_cylindricity {
 
 using namespace sparkout;
 using fixtures::between;
@@ -608,5 +611,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCylindricity)
+} // namespace test_cylindricity
+
+SPARKOUT_TEST(test_cylindricity, TestCylindricity)
 #include "test_cylindricity.moc"

@@ -5,12 +5,15 @@
 #include "core/quality/self_sharpening.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <functional>
 #include <numbers>
+
+namespace test_depth_limits {
 
 using namespace sparkout;
 using fixtures::anyCutting;
@@ -341,5 +344,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDepthLimits)
+} // namespace test_depth_limits
+
+SPARKOUT_TEST(test_depth_limits, TestDepthLimits)
 #include "test_depth_limits.moc"

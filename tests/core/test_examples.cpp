@@ -4,6 +4,8 @@
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -13,6 +15,8 @@
 #include <map>
 #include <string>
 #include <vector>
+
+namespace test_examples {
 
 using namespace sparkout;
 namespace fs = std::filesystem;
@@ -275,5 +279,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExamples)
+} // namespace test_examples
+
+SPARKOUT_TEST(test_examples, TestExamples)
 #include "test_examples.moc"

@@ -4,11 +4,15 @@
 #include "core/simulation/feed_curves.h"
 #include "core/simulation/simulate.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+namespace test_feed_series {
 
 using namespace sparkout;
 
@@ -311,5 +315,7 @@ private:
     Run m_traverse, m_plunge;
 };
 
-QTEST_APPLESS_MAIN(TestFeedSeries)
+} // namespace test_feed_series
+
+SPARKOUT_TEST(test_feed_series, TestFeedSeries)
 #include "test_feed_series.moc"

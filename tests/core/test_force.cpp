@@ -2,11 +2,14 @@
 #include "core/process/force.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_force {
 
 using namespace sparkout;
 using fixtures::close;
@@ -138,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestForce)
+} // namespace test_force
+
+SPARKOUT_TEST(test_force, TestForce)
 #include "test_force.moc"

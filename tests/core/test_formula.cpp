@@ -12,6 +12,7 @@
 #include "tests/core/formula_reader.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QFile>
 #include <QTest>
@@ -20,6 +21,8 @@
 #include <functional>
 #include <map>
 #include <vector>
+
+namespace test_formula {
 
 using namespace sparkout;
 using fixtures::anyCutting;
@@ -240,5 +243,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFormula)
+} // namespace test_formula
+
+SPARKOUT_TEST(test_formula, TestFormula)
 #include "test_formula.moc"

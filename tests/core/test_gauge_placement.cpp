@@ -3,12 +3,15 @@
 #include "core/quality/gauge_placement.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace test_gauge_placement {
 
 using namespace sparkout;
 using fixtures::plungeStage;
@@ -225,5 +228,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGaugePlacement)
+} // namespace test_gauge_placement
+
+SPARKOUT_TEST(test_gauge_placement, TestGaugePlacement)
 #include "test_gauge_placement.moc"

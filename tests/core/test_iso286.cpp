@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/iso286.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -9,6 +11,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+namespace test_iso286 {
 
 using namespace sparkout;
 
@@ -281,5 +285,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestIso286)
+} // namespace test_iso286
+
+SPARKOUT_TEST(test_iso286, TestIso286)
 #include "test_iso286.moc"

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of the tree, read from its includes: app → ui → core, widgets → session, and inside
 // the core quality → simulation → process → project → field.
+#include "tests/registry.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+
+namespace test_layers {
 
 namespace {
 
@@ -145,5 +149,7 @@ private slots:
 
 } // namespace
 
-QTEST_APPLESS_MAIN(TestLayers)
+} // namespace test_layers
+
+SPARKOUT_TEST(test_layers, TestLayers)
 #include "test_layers.moc"

@@ -7,6 +7,7 @@
 #include "core/process/system_compliance.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QTest>
 #include <rapidcheck.h>
@@ -16,6 +17,8 @@
 #include <numbers>
 #include <numeric>
 #include <vector>
+
+namespace test_model_properties {
 
 using namespace sparkout;
 using fixtures::close;
@@ -763,5 +766,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelProperties)
+} // namespace test_model_properties
+
+SPARKOUT_TEST(test_model_properties, TestModelProperties)
 #include "test_model_properties.moc"

@@ -3,6 +3,7 @@
 #include "core/process/pass_kernel.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <cstring>
 #include <random>
 #include <vector>
+
+namespace test_pass_kernel {
 
 using namespace sparkout;
 
@@ -349,5 +352,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPassKernel)
+} // namespace test_pass_kernel
+
+SPARKOUT_TEST(test_pass_kernel, TestPassKernel)
 #include "test_pass_kernel.moc"

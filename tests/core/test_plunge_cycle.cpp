@@ -3,6 +3,7 @@
 
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <stop_token>
 #include <vector>
+
+namespace test_plunge_cycle {
 
 using namespace sparkout;
 using fixtures::close;
@@ -340,5 +343,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPlungeCycle)
+} // namespace test_plunge_cycle
+
+SPARKOUT_TEST(test_plunge_cycle, TestPlungeCycle)
 #include "test_plunge_cycle.moc"

@@ -2,12 +2,15 @@
 #include "core/process/profile.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_profile {
 
 using namespace sparkout;
 using fixtures::within;
@@ -198,5 +201,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestProfile)
+} // namespace test_profile
+
+SPARKOUT_TEST(test_profile, TestProfile)
 #include "test_profile.moc"

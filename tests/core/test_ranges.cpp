@@ -2,10 +2,13 @@
 #include "core/quality/ranges.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <vector>
+
+namespace test_ranges {
 
 using namespace sparkout;
 using fixtures::within;
@@ -156,5 +159,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRanges)
+} // namespace test_ranges
+
+SPARKOUT_TEST(test_ranges, TestRanges)
 #include "test_ranges.moc"

@@ -7,6 +7,7 @@
 #include "tests/core/project_fixtures.h"
 #include "tests/core/random_project.h"
 #include "tests/core/reference_simulation.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -18,6 +19,8 @@
 #include <set>
 #include <string>
 #include <tuple>
+
+namespace test_reference_agreement {
 
 using namespace sparkout;
 using nlohmann::json;
@@ -294,5 +297,7 @@ private:
     int m_skippedStages = 0; ///< cycles in which several stages ended at one reading
 };
 
-QTEST_APPLESS_MAIN(TestReferenceAgreement)
+} // namespace test_reference_agreement
+
+SPARKOUT_TEST(test_reference_agreement, TestReferenceAgreement)
 #include "test_reference_agreement.moc"

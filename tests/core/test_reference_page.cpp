@@ -2,8 +2,11 @@
 #include "core/project/json_schema.h"
 #include "core/project/reference_page.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QTest>
+
+namespace test_reference_page {
 
 using namespace sparkout;
 using nlohmann::json;
@@ -257,5 +260,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReferencePage)
+} // namespace test_reference_page
+
+SPARKOUT_TEST(test_reference_page, TestReferencePage)
 #include "test_reference_page.moc"

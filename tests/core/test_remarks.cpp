@@ -3,8 +3,11 @@
 #include "core/quality/remarks.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QTest>
+
+namespace test_remarks {
 
 using namespace sparkout;
 
@@ -78,5 +81,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRemarks)
+} // namespace test_remarks
+
+SPARKOUT_TEST(test_remarks, TestRemarks)
 #include "test_remarks.moc"

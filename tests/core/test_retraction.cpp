@@ -5,12 +5,15 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace test_retraction {
 
 using namespace sparkout;
 using fixtures::plungeStage;
@@ -145,5 +148,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRetraction)
+} // namespace test_retraction
+
+SPARKOUT_TEST(test_retraction, TestRetraction)
 #include "test_retraction.moc"

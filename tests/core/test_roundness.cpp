@@ -4,6 +4,7 @@
 #include "tests/core/downhill.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <Eigen/LU>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <functional>
 #include <numbers>
 #include <vector>
+
+namespace test_roundness {
 
 using namespace sparkout;
 using fixtures::between;
@@ -411,5 +414,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRoundness)
+} // namespace test_roundness
+
+SPARKOUT_TEST(test_roundness, TestRoundness)
 #include "test_roundness.moc"

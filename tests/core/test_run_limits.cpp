@@ -9,6 +9,7 @@
 
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <numbers>
 #include <vector>
 
+namespace test_run_limits {
+
 using namespace sparkout;
 using fixtures::close;
 using fixtures::plungeStage;
@@ -24,8 +27,6 @@ using fixtures::sparkStage;
 using fixtures::strokeStage;
 using fixtures::Traced;
 using fixtures::within;
-
-Q_DECLARE_METATYPE(sparkout::Project)
 
 namespace {
 
@@ -394,5 +395,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRunLimits)
+} // namespace test_run_limits
+
+SPARKOUT_TEST(test_run_limits, TestRunLimits)
 #include "test_run_limits.moc"

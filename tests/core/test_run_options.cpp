@@ -6,11 +6,14 @@
 #include "core/quality/harmonics.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <vector>
+
+namespace test_run_options {
 
 using namespace sparkout;
 using fixtures::close;
@@ -258,5 +261,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRunOptions)
+} // namespace test_run_options
+
+SPARKOUT_TEST(test_run_options, TestRunOptions)
 #include "test_run_options.moc"

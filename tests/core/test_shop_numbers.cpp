@@ -4,6 +4,7 @@
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/random_project.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+namespace test_shop_numbers {
 
 using namespace sparkout;
 using fixtures::close;
@@ -466,5 +469,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestShopNumbers)
+} // namespace test_shop_numbers
+
+SPARKOUT_TEST(test_shop_numbers, TestShopNumbers)
 #include "test_shop_numbers.moc"

@@ -2,10 +2,13 @@
 #include "core/simulation/stage_control.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
 #include <vector>
+
+namespace test_stage_control {
 
 using namespace sparkout;
 using fixtures::within;
@@ -209,5 +212,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStageControl)
+} // namespace test_stage_control
+
+SPARKOUT_TEST(test_stage_control, TestStageControl)
 #include "test_stage_control.moc"

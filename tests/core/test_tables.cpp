@@ -3,6 +3,7 @@
 #include "core/project/table_reader.h"
 #include "core/project/validate.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <regex>
 #include <set>
 #include <utility>
+
+namespace test_tables {
 
 using namespace sparkout;
 
@@ -214,5 +217,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTables)
+} // namespace test_tables
+
+SPARKOUT_TEST(test_tables, TestTables)
 #include "test_tables.moc"

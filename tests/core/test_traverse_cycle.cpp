@@ -3,6 +3,7 @@
 
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -13,6 +14,8 @@
 #include <stop_token>
 #include <thread>
 #include <vector>
+
+namespace test_traverse_cycle {
 
 using namespace sparkout;
 using fixtures::close;
@@ -425,5 +428,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTraverseCycle)
+} // namespace test_traverse_cycle
+
+SPARKOUT_TEST(test_traverse_cycle, TestTraverseCycle)
 #include "test_traverse_cycle.moc"

@@ -5,6 +5,7 @@
 
 #include "core/process/force.h"
 #include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,6 +14,8 @@
 #include <cmath>
 #include <map>
 #include <vector>
+
+namespace test_vectors {
 
 using namespace sparkout;
 using fixtures::close;
@@ -270,5 +273,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVectors)
+} // namespace test_vectors
+
+SPARKOUT_TEST(test_vectors, TestVectors)
 #include "test_vectors.moc"

@@ -3,9 +3,12 @@
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
+#include "tests/registry.h"
 
 #include <QTest>
 #include <rapidcheck.h>
+
+namespace test_wheel_marking {
 
 using namespace sparkout;
 using fixtures::close;
@@ -158,5 +161,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWheelMarking)
+} // namespace test_wheel_marking
+
+SPARKOUT_TEST(test_wheel_marking, TestWheelMarking)
 #include "test_wheel_marking.moc"

@@ -112,8 +112,9 @@ void Monkey::later() {
 
 void Monkey::step() {
     if (!m_trouble.isEmpty() || m_done >= m_events) {
-        if (QWidget* modal = QApplication::activeModalWidget()) {
-            modal->close(); // back to run()
+        QWidget* popup = QApplication::activePopupWidget();
+        if (QWidget* open = popup ? popup : QApplication::activeModalWidget()) {
+            open->close(); // back to run()
             later();
         }
         return;

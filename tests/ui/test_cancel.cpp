@@ -2,6 +2,7 @@
 // A run of seconds stops at once: when a newer edit replaces it and when the window is closed,
 // 100 times of 100. Prints the worst; fails only at four times the target.
 #include "core/project/project_file.h"
+#include "tests/registry.h"
 #include "tests/ui/long_project.h"
 #include "tests/ui/window_bench.h"
 
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <thread>
+
+namespace test_cancel {
 
 using namespace sparkout;
 
@@ -105,5 +108,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestCancel)
+} // namespace test_cancel
+
+SPARKOUT_TEST(test_cancel, TestCancel)
 #include "test_cancel.moc"

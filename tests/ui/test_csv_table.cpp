@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/csv_table.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+namespace test_csv_table {
 
 using namespace sparkout;
 
@@ -130,5 +134,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCsvTable)
+} // namespace test_csv_table
+
+SPARKOUT_TEST(test_csv_table, TestCsvTable)
 #include "test_csv_table.moc"

@@ -5,12 +5,16 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
+#include "tests/registry.h"
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_document {
 
 using namespace sparkout;
 
@@ -237,5 +241,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDocument)
+} // namespace test_document
+
+SPARKOUT_TEST(test_document, TestDocument)
 #include "test_document.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feeds view's overview, legend, hair line and note, and how long it takes.
+#include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/language.h"
 #include "ui/views/feeds_note.h"
@@ -21,6 +22,8 @@
 
 #include <clocale>
 #include <cmath>
+
+namespace test_feeds_tools {
 
 using namespace sparkout;
 using namespace fixtures;
@@ -461,5 +464,7 @@ void TestFeedsTools::aLongPlungeDoesNotStallTheWindow() {
     QVERIFY(worst < 4 * target_ms && zoomed < 4 * target_ms);
 }
 
-QTEST_MAIN(TestFeedsTools)
+} // namespace test_feeds_tools
+
+SPARKOUT_TEST(test_feeds_tools, TestFeedsTools)
 #include "test_feeds_tools.moc"

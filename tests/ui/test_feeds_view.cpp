@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/views/band_layer.h"
 #include "ui/views/feeds_plot.h"
@@ -16,6 +17,8 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
+
+namespace test_feeds_view {
 
 using namespace sparkout;
 using namespace fixtures;
@@ -433,5 +436,7 @@ void TestFeedsView::aNewOutcomeIsDrawnQuickly() {
     QVERIFY(best < 100); // four times the bound of a release build
 }
 
-QTEST_MAIN(TestFeedsView)
+} // namespace test_feeds_view
+
+SPARKOUT_TEST(test_feeds_view, TestFeedsView)
 #include "test_feeds_view.moc"

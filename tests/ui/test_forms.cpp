@@ -11,6 +11,8 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QGroupBox>
@@ -20,6 +22,8 @@
 #include <QTest>
 
 #include <clocale>
+
+namespace test_forms {
 
 using namespace sparkout;
 
@@ -301,10 +305,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    TestForms test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_forms
+
+SPARKOUT_TEST(test_forms, TestForms)
 #include "test_forms.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every example in every view, language and theme: pictures to look at, in gallery/ of the build
 // folder, and none of them empty or with a warning.
+#include "tests/registry.h"
 #include "tests/ui/window_bench.h"
 #include "ui/view_tabs.h"
 #include "ui/views/view.h"
@@ -8,6 +9,8 @@
 #include <QDir>
 #include <QSet>
 #include <QTest>
+
+namespace test_gallery {
 
 using namespace sparkout;
 
@@ -90,5 +93,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestGallery)
+} // namespace test_gallery
+
+SPARKOUT_TEST(test_gallery, TestGallery)
 #include "test_gallery.moc"

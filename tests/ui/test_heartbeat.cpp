@@ -3,6 +3,7 @@
 // projects opened. Prints the worst gap; fails only at four times the target, so that a busy
 // machine does not turn it red.
 #include "core/project/project_file.h"
+#include "tests/registry.h"
 #include "tests/ui/long_project.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace test_heartbeat {
 
 using namespace sparkout;
 
@@ -211,5 +214,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestHeartbeat)
+} // namespace test_heartbeat
+
+SPARKOUT_TEST(test_heartbeat, TestHeartbeat)
 #include "test_heartbeat.moc"

@@ -13,6 +13,8 @@
 
 #include "core/project/project_file.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QComboBox>
 #include <QContextMenuEvent>
@@ -26,6 +28,8 @@
 
 #include <clocale>
 #include <functional>
+
+namespace test_input_marks {
 
 using namespace sparkout;
 
@@ -84,6 +88,8 @@ class TestInputMarks : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
+
     void everySourceOfAnInputHasAName() {
         eachField(tableOf<Project>(), [](const Field& field) {
             QVERIFY2(!*field.source || !sourceText(field.source).isEmpty(), field.source);
@@ -306,11 +312,7 @@ private:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
-    TestInputMarks test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_input_marks
+
+SPARKOUT_TEST(test_input_marks, TestInputMarks)
 #include "test_input_marks.moc"

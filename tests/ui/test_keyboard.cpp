@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole window by keyboard and by screen reader, in both languages.
+#include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/form_page.h"
@@ -20,6 +21,8 @@
 #include <QRegularExpression>
 #include <QShortcut>
 #include <QTest>
+
+namespace test_keyboard {
 
 using namespace sparkout;
 
@@ -295,5 +298,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestKeyboard)
+} // namespace test_keyboard
+
+SPARKOUT_TEST(test_keyboard, TestKeyboard)
 #include "test_keyboard.moc"

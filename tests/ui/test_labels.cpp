@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
+#include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/about_dialog.h"
@@ -16,6 +17,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTest>
+
+namespace test_labels {
 
 using namespace sparkout;
 
@@ -219,5 +222,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestLabels)
+} // namespace test_labels
+
+SPARKOUT_TEST(test_labels, TestLabels)
 #include "test_labels.moc"

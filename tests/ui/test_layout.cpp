@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
+#include "tests/registry.h"
 #include "tests/ui/window_bench.h"
 #include "ui/sealed_state.h"
 #include "ui/session/operation.h"
@@ -16,6 +17,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+namespace test_layout {
 
 using namespace sparkout;
 
@@ -331,5 +334,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestLayout)
+} // namespace test_layout
+
+SPARKOUT_TEST(test_layout, TestLayout)
 #include "test_layout.moc"

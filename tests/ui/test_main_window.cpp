@@ -10,6 +10,8 @@
 
 #include "core/project/project_file.h"
 
+#include "tests/registry.h"
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFile>
@@ -21,6 +23,8 @@
 #include <QTest>
 
 #include <clocale>
+
+namespace test_main_window {
 
 using namespace sparkout;
 
@@ -164,11 +168,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    TestMainWindow test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_main_window
+
+SPARKOUT_TEST(test_main_window, TestMainWindow)
 #include "test_main_window.moc"

@@ -4,6 +4,8 @@
 #include "core/project/validate.h"
 #include "ui/session/number_text.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QSignalSpy>
@@ -11,6 +13,8 @@
 
 #include <clocale>
 #include <random>
+
+namespace test_number_field {
 
 using namespace sparkout;
 
@@ -220,10 +224,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    TestNumberField test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_number_field
+
+SPARKOUT_TEST(test_number_field, TestNumberField)
 #include "test_number_field.moc"

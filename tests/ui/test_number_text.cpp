@@ -4,11 +4,15 @@
 #include "core/project/validate.h"
 #include "ui/session/texts.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <bit>
 #include <cmath>
 #include <random>
+
+namespace test_number_text {
 
 using namespace sparkout;
 
@@ -147,5 +151,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNumberText)
+} // namespace test_number_text
+
+SPARKOUT_TEST(test_number_text, TestNumberText)
 #include "test_number_text.moc"

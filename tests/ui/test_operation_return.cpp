@@ -6,8 +6,12 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
+#include "tests/registry.h"
+
 #include <QDir>
 #include <QTest>
+
+namespace test_operation_return {
 
 using namespace sparkout;
 
@@ -134,5 +138,7 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOperationReturn)
+} // namespace test_operation_return
+
+SPARKOUT_TEST(test_operation_return, TestOperationReturn)
 #include "test_operation_return.moc"

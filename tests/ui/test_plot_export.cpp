@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the plot tools write, read back: through the real menu, the real file dialog, from the disk.
+#include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/language.h"
 #include "ui/session/settings.h"
@@ -26,6 +27,8 @@
 #include <clocale>
 #include <functional>
 #include <memory>
+
+namespace test_plot_export {
 
 using namespace sparkout;
 using namespace fixtures;
@@ -474,5 +477,7 @@ void TestPlotExport::savingDoesNotStallTheWindow() {
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 4);
 }
 
-QTEST_MAIN(TestPlotExport)
+} // namespace test_plot_export
+
+SPARKOUT_TEST(test_plot_export, TestPlotExport)
 #include "test_plot_export.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tools on a plot that has nothing of its own: one axis rect, two axes.
+#include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/plot_history.h"
@@ -17,6 +18,8 @@
 
 #include <clocale>
 #include <memory>
+
+namespace test_plot_tools {
 
 using namespace sparkout;
 using namespace fixtures;
@@ -321,5 +324,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPlotTools)
+} // namespace test_plot_tools
+
+SPARKOUT_TEST(test_plot_tools, TestPlotTools)
 #include "test_plot_tools.moc"

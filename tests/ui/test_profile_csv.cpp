@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/profile_csv.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
+
+namespace test_profile_csv {
 
 using namespace sparkout;
 
@@ -104,5 +108,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProfileCsv)
+} // namespace test_profile_csv
+
+SPARKOUT_TEST(test_profile_csv, TestProfileCsv)
 #include "test_profile_csv.moc"

@@ -6,11 +6,15 @@
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/profiles_series.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+namespace test_profiles {
 
 using namespace sparkout;
 
@@ -549,5 +553,7 @@ void TestProfiles::theShaftBeginsBeforeItsGroundLength() {
     QVERIFY(shaftSteps(p).empty());
 }
 
-QTEST_GUILESS_MAIN(TestProfiles)
+} // namespace test_profiles
+
+SPARKOUT_TEST(test_profiles, TestProfiles)
 #include "test_profiles.moc"

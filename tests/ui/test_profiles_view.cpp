@@ -10,6 +10,8 @@
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_view.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -28,6 +30,8 @@
 
 #include <clocale>
 #include <cmath>
+
+namespace test_profiles_view {
 
 using namespace sparkout;
 
@@ -971,5 +975,7 @@ void TestProfilesView::aNewOutcomeIsDrawnQuickly() {
     QVERIFY(most < 200);
 }
 
-QTEST_MAIN(TestProfilesView)
+} // namespace test_profiles_view
+
+SPARKOUT_TEST(test_profiles_view, TestProfilesView)
 #include "test_profiles_view.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
 #include "tests/ui/file_trouble.h"
 #include "ui/session/autosave.h"
 #include "ui/session/document.h"
@@ -11,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_recovery {
 
 using namespace sparkout;
 using namespace std::chrono_literals;
@@ -332,5 +335,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecovery)
+} // namespace test_recovery
+
+SPARKOUT_TEST(test_recovery, TestRecovery)
 #include "test_recovery.moc"

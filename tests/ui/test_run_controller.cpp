@@ -3,12 +3,16 @@
 
 #include "ui/session/operation.h"
 
+#include "tests/registry.h"
+
 #include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <atomic>
 #include <thread>
+
+namespace test_run_controller {
 
 using namespace sparkout;
 using namespace std::chrono_literals;
@@ -137,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRunController)
+} // namespace test_run_controller
+
+SPARKOUT_TEST(test_run_controller, TestRunController)
 #include "test_run_controller.moc"

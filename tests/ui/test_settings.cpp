@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
 #include "tests/ui/file_trouble.h"
 #include "ui/session/settings.h"
 
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_settings {
 
 using namespace sparkout;
 
@@ -158,5 +161,7 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSettings)
+} // namespace test_settings
+
+SPARKOUT_TEST(test_settings, TestSettings)
 #include "test_settings.moc"

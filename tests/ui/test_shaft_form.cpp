@@ -9,6 +9,8 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -25,6 +27,8 @@
 #include <QToolButton>
 
 #include <clocale>
+
+namespace test_shaft_form {
 
 using namespace sparkout;
 
@@ -313,10 +317,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    TestShaftForm test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_shaft_form
+
+SPARKOUT_TEST(test_shaft_form, TestShaftForm)
 #include "test_shaft_form.moc"

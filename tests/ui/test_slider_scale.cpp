@@ -5,11 +5,15 @@
 #include "ui/session/member.h"
 #include "ui/session/operation.h"
 
+#include "tests/registry.h"
+
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+namespace test_slider_scale {
 
 using namespace sparkout;
 
@@ -211,5 +215,7 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSliderScale)
+} // namespace test_slider_scale
+
+SPARKOUT_TEST(test_slider_scale, TestSliderScale)
 #include "test_slider_scale.moc"

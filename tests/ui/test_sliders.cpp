@@ -10,6 +10,8 @@
 
 #include "core/project/project_file.h"
 
+#include "tests/registry.h"
+
 #include <QAccessible>
 #include <QApplication>
 #include <QScrollBar>
@@ -20,6 +22,8 @@
 #include <QtTest/qtestspontaneevent.h>
 
 #include <clocale>
+
+namespace test_sliders {
 
 using namespace sparkout;
 
@@ -298,10 +302,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    TestSliders test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_sliders
+
+SPARKOUT_TEST(test_sliders, TestSliders)
 #include "test_sliders.moc"

@@ -8,6 +8,8 @@
 #include "ui/session/operation.h"
 #include "ui/views/feeds_view.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>
@@ -18,6 +20,8 @@
 #include <algorithm>
 #include <clocale>
 #include <vector>
+
+namespace test_speed {
 
 using namespace sparkout;
 
@@ -137,5 +141,7 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestSpeed)
+} // namespace test_speed
+
+SPARKOUT_TEST(test_speed, TestSpeed)
 #include "test_speed.moc"

@@ -7,6 +7,8 @@
 
 #include "core/project/validate.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -20,6 +22,8 @@
 
 #include <clocale>
 #include <memory>
+
+namespace test_stage_table {
 
 using namespace sparkout;
 
@@ -448,10 +452,7 @@ private slots:
     }
 };
 
-int main(int argc, char** argv) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    TestStageTable test;
-    return QTest::qExec(&test, argc, argv);
-}
+} // namespace test_stage_table
+
+SPARKOUT_TEST(test_stage_table, TestStageTable)
 #include "test_stage_table.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The themes: enough contrast everywhere, icons and pictures that follow, no colour beside the
 // table.
+#include "tests/registry.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/mark.h"
@@ -19,6 +20,8 @@
 #include <QTest>
 
 #include <cmath>
+
+namespace test_theme {
 
 using namespace sparkout;
 
@@ -310,5 +313,7 @@ private slots:
     }
 };
 
-SPARKOUT_WINDOW_TEST(TestTheme)
+} // namespace test_theme
+
+SPARKOUT_TEST(test_theme, TestTheme)
 #include "test_theme.moc"

@@ -7,6 +7,8 @@
 #include "ui/views/verdict_shop.h"
 #include "ui/views/verdict_shop_model.h"
 
+#include "tests/registry.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
@@ -23,6 +25,8 @@
 
 #include <clocale>
 #include <numbers>
+
+namespace test_verdict {
 
 using namespace sparkout;
 
@@ -463,5 +467,7 @@ private:
     OutcomePtr m_traverse, m_plunge;
 };
 
-QTEST_MAIN(TestVerdict)
+} // namespace test_verdict
+
+SPARKOUT_TEST(test_verdict, TestVerdict)
 #include "test_verdict.moc"

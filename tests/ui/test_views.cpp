@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/views/verdict_model.h"
 #include "ui/views/verdict_panel.h"
@@ -12,6 +13,8 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
+
+namespace test_views {
 
 using namespace sparkout;
 using namespace fixtures;
@@ -199,5 +202,7 @@ void TestViews::theVerdictIsRetranslated() {
              QStringLiteral("Value"));
 }
 
-QTEST_MAIN(TestViews)
+} // namespace test_views
+
+SPARKOUT_TEST(test_views, TestViews)
 #include "test_views.moc"

@@ -2,13 +2,11 @@
 #include "tests/ui/window_bench.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSignalSpy>
 #include <QTest>
 
-#include <clocale>
 #include <mutex>
 
 namespace sparkout {
@@ -93,14 +91,6 @@ WarningCatcher::~WarningCatcher() {
 QStringList WarningCatcher::take() {
     const std::lock_guard lock(warningsMutex);
     return std::exchange(warnings, {});
-}
-
-int runWindowTest(int argc, char** argv, QObject* (*makeTest)()) {
-    QApplication app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");
-    applyTheme(Theme::light);
-    const std::unique_ptr<QObject> test(makeTest());
-    return QTest::qExec(test.get(), argc, argv);
 }
 
 } // namespace sparkout

@@ -39,12 +39,4 @@ public:
     [[nodiscard]] QStringList take(); ///< what was warned of since the last time
 };
 
-/// The main() of a test of the window.
-int runWindowTest(int argc, char** argv, QObject* (*makeTest)());
-
 } // namespace sparkout
-
-#define SPARKOUT_WINDOW_TEST(Class)                                                                \
-    int main(int argc, char** argv) {                                                              \
-        return sparkout::runWindowTest(argc, argv, []() -> QObject* { return new Class; });        \
-    }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/result.h"
+
+namespace sparkout {
+
+/// Which of a section's diameters is explained.
+enum class DiameterEnd { smallest, largest };
+
+/// What a section's diameter deviation is made of [µm on the diameter]; the three add up to it.
+struct DiameterShares {
+    double reading_um = 0; ///< where the gauge stood at the end, less the nominal diameter
+    double section_um = 0; ///< the section's mean diameter, less that reading
+    double form_um = 0;    ///< its smallest or largest diameter, less its mean: out of round
+    /// The section's compliance over that of the section the gauge watches; 1: itself or a
+    /// position of its own.
+    double complianceRatio = 1;
+
+    [[nodiscard]] double deviation_um() const { return reading_um + section_um + form_um; }
+};
+
+/// Shares of result.sections[section]'s smallest or largest diameter deviation.
+[[nodiscard]] DiameterShares diameterShares(const SimulationResult& result, std::size_t section,
+                                            DiameterEnd end);
+
+} // namespace sparkout

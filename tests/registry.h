@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include <memory>
+
+/// A class of tests under the name of its ctest entry. Many are linked into one program, so that
+/// what they share is compiled once; each run of it carries out the one it is given by name.
+struct TestEntry {
+    using Maker = std::unique_ptr<QObject> (*)();
+    TestEntry(const char* name, Maker maker);
+};
+
+/// Runs the test named by the first argument, with the others as Qt Test's options. Returns the
+/// number of failures; without a known name it lists the names and returns 1.
+int runTest(int argc, char** argv);
+
+#define SPARKOUT_TEST(NAME, CLASS)                                                                 \
+    static const TestEntry NAME##_entry(                                                           \
+        #NAME, []() -> std::unique_ptr<QObject> { return std::make_unique<NAME::CLASS>(); });
