@@ -2860,6 +2860,62 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>VerdictWhy</name>
+        <message>
+            <source>%1 against the gauge %2 µm</source>
+            <comment>zone</comment>
+            <translation>%1 относительно прибора %2 мкм</translation>
+        </message>
+        <message>
+            <source> (compliance %1 of the gauged one's)</source>
+            <translation> (податливость %1 от той, где прибор)</translation>
+        </message>
+        <message>
+            <source>gauge at the end %1 µm</source>
+            <translation>прибор в конце %1 мкм</translation>
+        </message>
+        <message>
+            <source>out of round %1 µm</source>
+            <translation>некруглость %1 мкм</translation>
+        </message>
+        <message>
+            <source>%1 in %2, %3 µm from nominal: %4.</source>
+            <translation>%1 (%2), %3 мкм от номинала: %4.</translation>
+        </message>
+        <message>
+            <source>%1 in %2: of the blank's %3 µm the cycle leaves %4 µm</source>
+            <translation>%1 (%2): из %3 мкм заготовки цикл оставляет %4 мкм</translation>
+        </message>
+        <message>
+            <source>; the machine's own runout adds %1 µm</source>
+            <translation>; биение станка добавляет %1 мкм</translation>
+        </message>
+        <message>
+            <source>, more than the limit: no cycle can hold it.</source>
+            <translation>, больше предела: никакой цикл его не выдержит.</translation>
+        </message>
+        <message>
+            <source>. More passes without feed take it down, or a smaller last feed.</source>
+            <translation>. Уменьшат его выхаживание подольше или меньшая последняя подача.</translation>
+        </message>
+        <message>
+            <source>Mean radii along the part, µm from their own mean: %1; the worst section is %2 µm out of round.</source>
+            <translation>Средние радиусы вдоль детали, мкм от их общего среднего: %1; худшее сечение некруглое на %2 мкм.</translation>
+        </message>
+        <message>
+            <source>%1: left by the last cut (%2).</source>
+            <translation>%1: след последнего съёма (%2).</translation>
+        </message>
+        <message>
+            <source>%1: worst in %2.</source>
+            <translation>%1: хуже всего здесь: %2.</translation>
+        </message>
+        <message>
+            <source> A smaller feed in stage %1 lowers it, or a sharper wheel.</source>
+            <translation> Снизят её меньшая подача ступени %1 или более острый круг.</translation>
+        </message>
+    </context>
+    <context>
         <name>Zone</name>
         <message>
             <source>RZ1</source>
@@ -3076,6 +3132,137 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Compliance of %1, slider</source>
             <translation>Податливость: %1, ползунок</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>zone: compliance</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Computed compliance</source>
+            <translation>Вычисленная податливость</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CompliancePlot</name>
+        <message>
+            <source>ground length</source>
+            <translation>шлифуемая длина</translation>
+        </message>
+        <message>
+            <source>wheel head</source>
+            <translation>шлифовальная бабка</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>передняя бабка</translation>
+        </message>
+        <message>
+            <source>tailstock</source>
+            <translation>задняя бабка</translation>
+        </message>
+        <message>
+            <source>bending</source>
+            <translation>изгиб</translation>
+        </message>
+        <message>
+            <source>taken by steady rests</source>
+            <translation>снимают люнеты</translation>
+        </message>
+        <message>
+            <source>bending of the quill</source>
+            <translation>изгиб оправки</translation>
+        </message>
+        <message>
+            <source>γ, with the steady rests</source>
+            <translation>γ, с люнетами</translation>
+        </message>
+        <message>
+            <source>γ</source>
+            <translation>γ</translation>
+        </message>
+        <message>
+            <source>γ of the zones, as ground with</source>
+            <translation>γ зон, принятая в расчёте</translation>
+        </message>
+        <message>
+            <source>γ of the sections, as ground with</source>
+            <translation>γ сечений, принятая в расчёте</translation>
+        </message>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Compliance γ, nm/N</source>
+            <translation>Податливость γ, нм/Н</translation>
+        </message>
+        <message>
+            <source>γ, mm/N</source>
+            <translation>γ, мм/Н</translation>
+        </message>
+        <message>
+            <source>%1, mm/N</source>
+            <translation>%1, мм/Н</translation>
+        </message>
+        <message>
+            <source>At %1 mm: γ %2 nm/N = %3</source>
+            <translation>На %1 мм: γ %2 нм/Н = %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ComplianceView</name>
+        <message>
+            <source>Point at the curve to read the values.</source>
+            <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>Compliance</source>
+            <translation>Податливость</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; кривые — последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
+        </message>
+        <message>
+            <source>The compliance is given, zone by zone or section by section. Leave it to stiffness and shaft on the page Machine to see what it is made of.</source>
+            <translation>Податливость задана по зонам или сечениям. Чтобы увидеть, из чего она складывается, предоставьте её на странице «Станок» жёсткости и валу.</translation>
+        </message>
+        <message>
+            <source>%1 yields %2 times as much as %3.</source>
+            <translation>%1 поддаётся в %2 раза сильнее, чем %3.</translation>
+        </message>
+        <message>
+            <source>Compliance along the part</source>
+            <translation>Податливость вдоль детали</translation>
+        </message>
+        <message>
+            <source>Legend of the curves</source>
+            <translation>Легенда кривых</translation>
+        </message>
+        <message>
+            <source>State of the curves</source>
+            <translation>Состояние кривых</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Where it yields most</source>
+            <translation>Где поддаётся сильнее всего</translation>
+        </message>
+        <message>
+            <source>Equal all along.</source>
+            <translation>Одинакова по всей длине.</translation>
         </message>
     </context>
     <context>
@@ -3345,6 +3532,32 @@ target, µm</source>
             <source>st. %1</source>
             <comment>stage, short</comment>
             <translation>ст. %1</translation>
+        </message>
+        <message>
+            <source>Feed, µm</source>
+            <translation>Подача, мкм</translation>
+        </message>
+        <message>
+            <source>Σ feed,
+µm</source>
+            <translation>Σ подач,
+мкм</translation>
+        </message>
+        <message>
+            <source>Axial,
+mm/min</source>
+            <translation>Осевая,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Force, N</source>
+            <translation>Сила, Н</translation>
+        </message>
+        <message>
+            <source>Radius,
+µm</source>
+            <translation>Радиус,
+мкм</translation>
         </message>
     </context>
     <context>
@@ -3773,6 +3986,10 @@ target, µm</source>
         <message>
             <source>%1; %2</source>
             <translation>%1; %2</translation>
+        </message>
+        <message>
+            <source>From the headstock end, mm</source>
+            <translation>От передней бабки, мм</translation>
         </message>
     </context>
     <context>
@@ -4470,6 +4687,21 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::ShaftScene</name>
+        <message>
+            <source>tailstock</source>
+            <translation>задняя бабка</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>передняя бабка</translation>
+        </message>
+        <message>
+            <source>wheel head</source>
+            <translation>шлифовальная бабка</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::ShopModel</name>
         <message>
             <source>near a whole number</source>
@@ -4724,6 +4956,10 @@ target, µm</source>
         <message>
             <source>Fields that hold a refused text</source>
             <translation>Поля с непринятым текстом</translation>
+        </message>
+        <message>
+            <source>Where the value comes from</source>
+            <translation>Откуда берётся значение</translation>
         </message>
     </context>
     <context>

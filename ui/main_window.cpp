@@ -11,9 +11,11 @@
 #include "ui/recent_files_menu.h"
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
+#include "ui/views/compliance_view.h"
 #include "ui/views/feeds_view.h"
 #include "ui/views/profiles_view.h"
 #include "ui/views/verdict_panel.h"
+#include "ui/views/verdict_why.h"
 
 #include <QAbstractButton>
 #include <QCloseEvent>
@@ -62,6 +64,9 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_language(language)
     , m_inputs(new InputsPanel(m_document, this))
     , m_tabs(new ViewTabs(this))
+    , m_feeds(new FeedsView(this, &m_settings))
+    , m_profiles(new ProfilesView(this, &m_settings))
+    , m_compliance(new ComplianceView(this, &m_settings))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_status(new QLabel(this))
@@ -91,8 +96,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view : std::initializer_list<View*>{new FeedsView(this, &m_settings),
-                                                   new ProfilesView(this, &m_settings)}) {
+    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_compliance}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));
@@ -234,6 +238,21 @@ void MainWindow::connectDocument() {
         m_inputsDock->show();
         m_inputs->focusPath(path);
     });
+    connect(m_verdict, &VerdictPanel::requirementActivated, this, &MainWindow::showRequirement);
+}
+
+/// The field it is set in, the passes it was worst in, or the profile it was measured on.
+void MainWindow::showRequirement(const ConstraintResult& requirement) {
+    if (const std::string path = verdict::inputPath(requirement); !path.empty()) {
+        m_inputsDock->show();
+        m_inputs->focusPath(path);
+    } else if (requirement.at) {
+        m_tabs->showView(m_feeds);
+        m_feeds->showPlace(*requirement.at);
+    } else {
+        m_tabs->showView(m_profiles);
+        m_profiles->showSection(requirement.section);
+    }
 }
 
 void MainWindow::showOutcome(const OutcomePtr& outcome) {

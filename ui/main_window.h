@@ -18,9 +18,12 @@ class QLabel;
 namespace sparkout {
 
 class Actions;
+class ComplianceView;
+class FeedsView;
 class FileCommands;
 class InputsPanel;
 class MessagesPanel;
+class ProfilesView;
 class VerdictPanel;
 class View;
 class ViewTabs;
@@ -67,6 +70,7 @@ private:
     void toggleDetached();
     void saveWindow();
     void showOutcome(const OutcomePtr& outcome);
+    void showRequirement(const ConstraintResult& requirement);
     void showTitle();
     void showStatus();
     void retranslate();
@@ -77,6 +81,9 @@ private:
     OutcomePtr m_outcome;
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
+    FeedsView* m_feeds;
+    ProfilesView* m_profiles;
+    ComplianceView* m_compliance;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;

@@ -118,6 +118,31 @@ std::vector<CompliantPoint> compliantPoints(const Project& project) {
     return points;
 }
 
+std::vector<CompliantPlace> complianceAlong(const Project& project, int places) {
+    std::vector<CompliantPlace> along;
+    if (!isComputed(project)) {
+        return along;
+    }
+    const Part& part = project.part;
+    const double gaps = std::max(places, 2) - 1;
+    if (part.surface == Surface::internal) {
+        ComplianceParts parts;
+        parts.wheelHead = 1 / (project.machine.stiffness_n_um->wheel_head * units::umPerMm);
+        parts.headstock = 1 / (project.machine.stiffness_n_um->headstock * units::umPerMm);
+        parts.bending = quillGamma(project) - parts.wheelHead - parts.headstock;
+        for (int i = 0; i <= gaps; ++i) {
+            along.push_back({part.length_mm * i / gaps, parts});
+        }
+        return along;
+    }
+    const Compliance system = shaftCompliance(project);
+    for (int i = 0; i <= gaps; ++i) {
+        const double x = i < gaps ? system.length() * i / gaps : system.length();
+        along.push_back({x - part.shaft.ground_from_mm, system.partsAt(x)});
+    }
+    return along;
+}
+
 int gaugeSection(const Project& project) {
     if (project.operation == Operation::traverse) {
         return 1; // the middle of НЗ

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/process/compliance.h"
 #include "core/project/project.h"
 
 #include <vector>
@@ -25,6 +26,16 @@ struct CompliantPoint {
 /// with γ as given or computed from stiffness and shaft: traverse G(x,x), plunge the mean of
 /// G(x,s) over the contact, internal the quill's [MODEL-6].
 [[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project);
+
+/// γ(x) = G(x,x) at a place, and the terms that add up to it.
+struct CompliantPlace {
+    double position_mm = 0; ///< from the headstock end of the ground length [mm]
+    ComplianceParts parts;  ///< [mm/N]
+};
+
+/// Evenly spaced places (at least 2) from end to end of the shaft, or of the bore, whose quill
+/// bends alike for all of them. None where γ is given.
+[[nodiscard]] std::vector<CompliantPlace> complianceAlong(const Project& project, int places);
 
 /// Index into compliantPoints() of the zone or section that carries the gauge, or whose middle is
 /// nearest to its free position.

@@ -46,8 +46,10 @@ struct CylinderZone {
 /// problem is a linear programme, solved exactly by the simplex method on six points
 /// (ChebyshevFit). Then the distances are taken anew about the axis found, until the linear problem
 /// promises no more than the last bits, or than the curvature of its step, e²/(2R) + R·t²/2 for a
-/// shift e and a lean t. So no axis is better by more than some w²/R + R·(2w/L)², w the zone found,
-/// L from the first section to the last: 0.01 µm for w = 10 µm, R = 15 mm, L = 50 mm, and as w²
+/// shift e and a lean t. No better axis is further off than e = √2·w at an end, so none is better
+/// by more than 2·(w²/R + R·(2w/L)²), once for the step not taken and once for its own curvature;
+/// w the zone found, L from the first section to the last: 0.02 µm for w = 10 µm, R = 15 mm,
+/// L = 50 mm, and as w²
 /// below. `contacts` are the points that determine the zone, up to six; where the axis may yet lean
 /// freely (one section decides) they touch to that curvature.
 [[nodiscard]] CylinderZone minimumZoneCylinder(std::span<const SectionShape> sections,

@@ -352,7 +352,7 @@ private slots:
         const auto energies = row(out, "  energy, J/mm³");
         QCOMPARE(energies.size(), shop.stages.size() + 1);
         for (std::size_t z = 0; z < shop.stages.size(); ++z) {
-            const double shown = std::stod(energies[z]);
+            const double shown = QByteArray::fromStdString(energies[z]).toDouble();
             QVERIFY(std::abs(shown / *shop.stages[z].energy_j_mm3 - 1) < 1e-3); // four digits
         }
         QVERIFY(!row(out, "  overlap B/s_ax").empty());
@@ -395,8 +395,8 @@ private slots:
             const auto cells = split(rows[i], ',');
             QCOMPARE(cells.size(), radius + 6);
             const std::string key = cells[place] + ' ' + cells[radius];
-            sums[key] += std::stod(cells[radius + 2]);
-            accumulated[key] = std::stod(cells[radius + 3]);
+            sums[key] += QByteArray::fromStdString(cells[radius + 2]).toDouble();
+            accumulated[key] = QByteArray::fromStdString(cells[radius + 3]).toDouble();
         }
         for (const auto& [key, sum] : sums) {
             QVERIFY2(std::abs(sum - accumulated[key]) <= 1e-12, key.c_str());

@@ -3,6 +3,7 @@
 
 #include "core/quality/ierfc.h"
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -235,9 +236,10 @@ private:
     }
 
     Quantity digits() {
-        std::size_t length = 0;
-        const double value = std::stod(std::string(m_text), &length);
-        m_text.remove_prefix(length);
+        double value = 0;
+        const char* const begin = m_text.data();
+        const auto read = std::from_chars(begin, begin + m_text.size(), value);
+        m_text.remove_prefix(static_cast<std::size_t>(read.ptr - begin));
         return exact(value);
     }
 

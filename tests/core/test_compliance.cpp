@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/compliance.h"
+
+#include "core/process/system_compliance.h"
+#include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"
 
@@ -105,6 +108,33 @@ class TestCompliance : public QObject {
     Q_OBJECT
 
 private slots:
+    void alongTheShaftTheTermsAreThoseOfEachPlace() {
+        Project project = fixtures::traverse();
+        project.machine.compliance_mm_per_n = std::monostate();
+        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
+        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part.shaft.ground_from_mm = 50;
+        project.part.shaft.steady_rests = {{100, 30}};
+        const std::vector<CompliantPlace> along = complianceAlong(project, 41);
+        QCOMPARE(along.size(), 41u);
+        QCOMPARE(along.front().position_mm, -50.0);
+        QCOMPARE(along.back().position_mm, 150.0);
+        for (const CompliantPlace& place : along) {
+            const double gamma =
+                influenceRows(project, {place.position_mm}, {place.position_mm}).front();
+            const ComplianceParts& p = place.parts;
+            const double sum = p.wheelHead + p.headstock + p.tailstock + p.bending + p.rests;
+            QVERIFY(fixtures::close(sum, gamma, 1e-12));
+            QVERIFY(p.rests <= 0);
+        }
+        // At the centres nothing bends and the other centre has no part.
+        QCOMPARE(along.front().parts.bending, 0.0);
+        QCOMPARE(along.front().parts.tailstock, 0.0);
+        QVERIFY(std::abs(along.back().parts.headstock) < 1e-20);
+        project.machine.compliance_mm_per_n = ZoneCompliance{1e-4, 1e-4, 1e-4};
+        QVERIFY(complianceAlong(project, 41).empty());
+    }
+
     void initTestCase() { setRapidcheckRuns(10000); }
 
     // shared/vectors: shaft on centres

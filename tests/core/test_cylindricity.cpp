@@ -176,7 +176,7 @@ double longest(const Body& body) {
 
 /// What the curvature of the distances may hide (the header's bound), and some last bits.
 double curvature(const Body& body, double w) {
-    return w * w / 15 + 15 * std::pow(2 * w / longest(body), 2) + 2e-12;
+    return 2 * (w * w / 15 + 15 * std::pow(2 * w / longest(body), 2)) + 2e-12;
 }
 
 } // namespace

@@ -215,9 +215,10 @@ private slots:
     void schemaAndReaderAgree() {
         const json schema = json::parse(projectSchema());
         const json whole = samples::sample("everything").flatten();
-        int refused = 0;
+        int refused = 0, leaf = 0;
+        const int step = samples::sized(1, 4, 1);
         for (const auto& [path, value] : whole.items()) {
-            if (path.starts_with("/runs")) {
+            if (path.starts_with("/runs") || leaf++ % step != 0) {
                 continue; // a kept run's inputs are an object to the schema
             }
             for (const json& wrong :
@@ -240,7 +241,7 @@ private slots:
                 }
             }
         }
-        QVERIFY(refused > 1000);
+        QVERIFY(refused > 1000 / step);
     }
 
     void schemaRefusesAMissingRequiredKeyAndAnUnknownOne() {

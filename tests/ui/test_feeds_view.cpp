@@ -289,6 +289,12 @@ void TestFeedsView::keysChooseStageAndStroke() {
     QCOMPARE(view.plot()->visibleFrom_s(), series.strokeStart_s[26]);
     QCOMPARE(view.plot()->visibleTo_s(), series.strokeEnd_s(27));
     QCOMPARE(view.plot()->detail(), FeedsPlot::Detail::radius);
+    for (int column = 0; column < view.plot()->columnCount(); ++column) {
+        const auto sums = view.plot()->curve(column, Quantity::actualSum, Edge::mean)->data();
+        QVERIFY(sums->size() > 2);
+        QVERIFY(std::is_sorted(sums->constBegin(), sums->constEnd(),
+                               [](const auto& a, const auto& b) { return a.value < b.value; }));
+    }
 }
 
 void TestFeedsView::buttonsStepFromStrokeToStroke() {

@@ -7,6 +7,13 @@
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/main_window.h"
+#include "ui/session/project_io.h"
+#include "ui/view_tabs.h"
+#include "ui/views/feeds_plot.h"
+#include "ui/views/feeds_view.h"
+#include "ui/views/names.h"
+#include "ui/views/profiles_view.h"
+#include "ui/views/verdict_panel.h"
 
 #include "core/project/project_file.h"
 
@@ -17,6 +24,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QStyleFactory>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -129,6 +137,55 @@ private slots:
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("31"));
         QTRY_VERIFY(!notice->isVisible());
+    }
+
+    void aRequirementLeadsToWhereItIsSeen() {
+        Bench bench(QStringLiteral("en"));
+        Project project = loadProject(example("shaft-30h6-factory.sparkout")).project.value();
+        project.machine.limits.work_speed_rpm = std::vector<double>{100, 101, 1};
+        project.machine.wheel_drive_kw = 0.1;
+        QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+        bench.window->document().startUntitled(project);
+        QTRY_COMPARE(shown.count(), 1);
+        auto* panel = bench.window->findChild<VerdictPanel*>();
+        auto* feeds = bench.window->findChild<FeedsView*>();
+        auto* profiles = bench.window->findChild<ProfilesView*>();
+        const auto activate = [&](ConstraintKind kind) {
+            for (const ConstraintResult& c : bench.window->outcome()->constraints) {
+                if (c.kind == kind) {
+                    emit panel->requirementActivated(c);
+                    return c;
+                }
+            }
+            return ConstraintResult{};
+        };
+        activate(ConstraintKind::diameterMax);
+        QCOMPARE(bench.window->viewTabs().currentView(), profiles);
+        QCOMPARE(profiles->stroke(), bench.window->outcome()->result.cycleCount);
+        const ConstraintResult power = activate(ConstraintKind::wheelPower);
+        QVERIFY(power.at);
+        QCOMPARE(bench.window->viewTabs().currentView(), feeds);
+        QCOMPARE(feeds->findChild<QSpinBox*>(QStringLiteral("stroke"))->value(),
+                 power.at->cycleCount);
+        const double from_s = feeds->plot()->visibleFrom_s();
+        const double to_s = feeds->plot()->visibleTo_s();
+        QVERIFY(feeds->plot()->series().strokeAt((from_s + to_s) / 2) == power.at->cycleCount);
+        activate(ConstraintKind::rangeWorkSpeed);
+        QVERIFY(bench.window->focusWidget());
+        QCOMPARE(bench.window->focusWidget()->objectName(),
+                 QStringLiteral("/machine/work_speed_rpm"));
+    }
+
+    void theComputedComplianceCanBeRead() {
+        Bench bench(QStringLiteral("en"));
+        bench.open(example("slender-shaft.sparkout"));
+        auto* label = bench.window->findChild<QLabel*>(QStringLiteral("computedCompliance"));
+        QVERIFY(label->isVisibleTo(label->parentWidget()));
+        for (const SectionResult& section : bench.window->outcome()->result.sections) {
+            QVERIFY(label->text().contains(Names::significant(section.compliance_mm_per_n)));
+        }
+        bench.open(example("shaft-30h6-factory.sparkout")); // with given values
+        QVERIFY(!label->isVisibleTo(label->parentWidget()));
     }
 
     void faultsAreListedAsPathAndSentence() {

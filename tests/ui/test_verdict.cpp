@@ -2,10 +2,12 @@
 // The verdict panel: the shop's numbers, what stays in sight, what a click and a copy give.
 #include "ui/session/run_controller.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/names.h"
 #include "ui/views/verdict_model.h"
 #include "ui/views/verdict_panel.h"
 #include "ui/views/verdict_shop.h"
 #include "ui/views/verdict_shop_model.h"
+#include "ui/views/verdict_why.h"
 
 #include "tests/registry.h"
 
@@ -15,6 +17,7 @@
 #include <QIcon>
 #include <QLabel>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -378,6 +381,41 @@ private slots:
         QCOMPARE(spy.count(), 1);
         QCOMPARE(spy.takeFirst().at(0).value<ConstraintResult>().kind,
                  ConstraintKind::radialRunout);
+    }
+
+    void whatFailsIsExplainedWithSharesThatAddUp() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 0;
+        project.part.lower_deviation_um = -2;
+        const OutcomePtr outcome = run(project);
+        const ConstraintResult* worst = verdict::worst(*outcome);
+        QVERIFY(worst && !worst->holds);
+        Bench bench(outcome);
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(Names::signedMicrometres(worst->value)), qPrintable(text));
+        // "…: gauge +a µm; zone +b µm (…); out of round +c µm."
+        static const QRegularExpression share(QStringLiteral("([+−-]?[0-9.]+) µm"));
+        QList<double> numbers;
+        auto found = share.globalMatch(text);
+        while (found.hasNext()) {
+            numbers << found.next().captured(1).replace(u'−', u'-').toDouble();
+        }
+        QCOMPARE(numbers.size(), 4);
+        QVERIFY(std::abs(numbers[1] + numbers[2] + numbers[3] - numbers[0]) < 0.03); // of 0.01 each
+    }
+
+    void aRowThatHoldsIsExplainedWhenChosen() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 100;
+        project.part.lower_deviation_um = -100;
+        project.part.tolerance.radial_runout_um = 100;
+        Bench bench(run(project), {320, 1400});
+        QVERIFY(bench.label("why").text().isEmpty());
+        CopyTable& table = bench.requirements();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 3));
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(QStringLiteral("Radial runout")), qPrintable(text));
+        QVERIFY(text.contains(Names::micrometres(project.part.initial_runout_mm * 1e3)));
     }
 
     // --- inputs that are not those of the numbers -----------------------------------------------

@@ -29,11 +29,11 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
     m_list->setRootIsDecorated(false);
     m_list->setHeaderLabels({tr("Replaced at"), tr("Size"), tr("File")});
     m_list->setTextElideMode(Qt::ElideMiddle);
-    for (const EarlierVersion& version : m_versions) {
+    for (const EarlierVersion& earlier : m_versions) {
         auto* row = new QTreeWidgetItem(
-            m_list, {QLocale().toString(version.when.toLocalTime(), QLocale::ShortFormat),
-                     QLocale().formattedDataSize(version.bytes), version.file});
-        row->setToolTip(2, version.file);
+            m_list, {QLocale().toString(earlier.when.toLocalTime(), QLocale::ShortFormat),
+                     QLocale().formattedDataSize(earlier.bytes), earlier.file});
+        row->setToolTip(2, earlier.file);
     }
     for (const int column : {0, 1}) {
         m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);

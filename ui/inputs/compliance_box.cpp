@@ -10,6 +10,7 @@
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 #include "ui/session/texts.h"
+#include "ui/views/names.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -21,6 +22,8 @@
 namespace sparkout {
 
 namespace {
+
+constexpr std::size_t mostListed = 6; ///< sections whose computed γ is listed
 
 std::vector<std::string> keysOf(const GivenCompliance& given) {
     if (std::holds_alternative<ZoneCompliance>(given)) {
@@ -52,11 +55,18 @@ ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& doc
     , m_document(document)
     , m_computed(new QCheckBox(this))
     , m_reason(new ReasonLabel(this))
-    , m_body(new QWidget(this)) {
+    , m_body(new QWidget(this))
+    , m_gammas(new QLabel(this)) {
     rows().setContentsMargins(inset(1), metrics::row, inset(1), metrics::tight);
     rows().addWidget(m_computed);
     rows().addWidget(m_body);
+    rows().addWidget(m_gammas);
     rows().addWidget(m_reason);
+    m_gammas->setObjectName(QStringLiteral("computedCompliance"));
+    m_gammas->setTextFormat(Qt::PlainText);
+    m_gammas->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_gammas->setWordWrap(true);
+    m_gammas->setForegroundRole(QPalette::PlaceholderText);
     setHintField(*this, field);
     connect(m_computed, &QCheckBox::clicked, this, [this](bool computed) {
         m_document.edit(withGivenCompliance(m_document.project(), !computed),
@@ -159,7 +169,45 @@ void ComplianceBox::showProject(bool replaced) {
     const bool computed = std::holds_alternative<std::monostate>(given);
     m_computed->setChecked(computed);
     m_body->setVisible(!computed);
+    showComputed();
     setIssues(m_issues);
+}
+
+void ComplianceBox::setOutcome(const OutcomePtr& outcome) {
+    if (outcome->ran()) {
+        m_good = outcome;
+    }
+    setIssues(outcome->issues);
+    showComputed();
+}
+
+/// Zone by zone, or the least and the largest of many sections.
+void ComplianceBox::showComputed() {
+    QStringList values;
+    if (m_computed->isChecked() && m_good
+        && std::holds_alternative<std::monostate>(
+            m_good->result.project.machine.compliance_mm_per_n)) {
+        const std::vector<SectionResult>& sections = m_good->result.sections;
+        const auto value = [&](std::size_t i) {
+            return tr("%1: %2", "zone: compliance")
+                .arg(Names::zone(sections[i].zone, static_cast<int>(i)),
+                     Names::significant(sections[i].compliance_mm_per_n));
+        };
+        if (sections.size() <= mostListed) {
+            for (std::size_t i = 0; i < sections.size(); ++i) {
+                values << value(i);
+            }
+        } else {
+            const auto [low, high] =
+                std::ranges::minmax_element(sections, {}, &SectionResult::compliance_mm_per_n);
+            values << value(static_cast<std::size_t>(low - sections.begin()))
+                   << value(static_cast<std::size_t>(high - sections.begin()));
+        }
+    }
+    m_gammas->setText(values.isEmpty()
+                          ? QString()
+                          : values.join(QStringLiteral("; ")) + u' ' + unitText(m_field.unit));
+    m_gammas->setVisible(!values.isEmpty());
 }
 
 void ComplianceBox::setIssues(const Issues& issues) {
@@ -198,6 +246,8 @@ void ComplianceBox::retranslate() {
     for (const Line& line : m_lines) {
         retranslate(line);
     }
+    m_gammas->setAccessibleName(tr("Computed compliance"));
+    showComputed();
     setIssues(m_issues);
 }
 

@@ -4,6 +4,7 @@
 #include "ui/inputs/form_page.h"
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/section_box.h"
+#include "ui/session/outcome.h"
 
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ public:
 
     void showProject(bool replaced);
     void setIssues(const Issues& issues);
+    void setOutcome(const OutcomePtr& outcome); ///< the γ that was computed, to read
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
@@ -56,6 +58,7 @@ private:
     void store(std::size_t index, double value);
     void showReason(const Line& line);
     void retranslate(const Line& line);
+    void showComputed();
 
     std::string m_path;
     const Field& m_field;
@@ -63,9 +66,11 @@ private:
     QCheckBox* m_computed;
     ReasonLabel* m_reason;
     QWidget* m_body;
+    QLabel* m_gammas; ///< computed, greyed
     QGridLayout* m_grid = nullptr;
     std::vector<Line> m_lines;
     Issues m_issues;
+    OutcomePtr m_good; ///< of the last accepted inputs
 };
 
 } // namespace sparkout

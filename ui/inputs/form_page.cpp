@@ -204,7 +204,7 @@ void FormPage::setOutcome(const OutcomePtr& outcome) {
         row->setIssues(issues);
     }
     if (m_compliance) {
-        m_compliance->setIssues(issues);
+        m_compliance->setOutcome(outcome);
     }
     for (ListTable* list : m_lists) {
         list->setIssues(issues);

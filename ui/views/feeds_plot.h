@@ -104,6 +104,8 @@ private:
     void addCurves(Column& column, Quantity quantity, QCPAxis* value, bool band);
     void linkAxes();
     void labelAxes();
+    void nameValueAxes(bool brief);
+    [[nodiscard]] int longestAxisName() const;
     void fitColumns();
     [[nodiscard]] int alignLabels(QCPAxis::AxisType side, std::size_t column) const;
     void showHeaders(int plotWidth, int left, int right);

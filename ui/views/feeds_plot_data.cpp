@@ -93,10 +93,17 @@ void FeedsPlot::fillColumn(Column& column) {
         column.points = radiusPoints(series(), source, trajectory, m_from_s, m_to_s);
         break;
     }
+    // Each radius has its own Σa: joined, they would saw. Their mean and spread grow pass by pass.
+    FeedPoints passes;
+    if (m_detail == Detail::radius) {
+        passes = passPoints(series(), source, trajectory, m_from_s, m_to_s);
+    }
     for (const Curve& c : column.curves) {
+        const bool byPass = m_detail == Detail::radius && c.quantity == Quantity::actualSum;
         QVector<QCPGraphData> points;
-        if (c.edge == Edge::mean || m_detail != Detail::radius) {
-            const std::vector<XY> line = polyline(column.points, c.quantity, c.edge, m_scale);
+        if (c.edge == Edge::mean || byPass || m_detail != Detail::radius) {
+            const std::vector<XY> line =
+                polyline(byPass ? passes : column.points, c.quantity, c.edge, m_scale);
             points.resize(static_cast<qsizetype>(line.size()));
             std::transform(line.begin(), line.end(), points.begin(), toData);
         }

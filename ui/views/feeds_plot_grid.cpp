@@ -183,20 +183,46 @@ void FeedsPlot::labelAxes() {
     if (m_columns.empty()) {
         return;
     }
-    const QString feed = !isTraverse()                ? tr("Feed, µm\nper revolution")
-                         : m_detail == Detail::stroke ? tr("Feed, µm per\ndouble stroke")
-                                                      : tr("Feed, µm\nper pass");
-    const auto& left = m_columns.front().rects;
-    const auto& right = m_columns.back().rects;
-    const QString force = tr("Normal\nforce, N");
-    left[0]->axis(QCPAxis::atLeft)->setLabel(feed);
-    left[1]->axis(QCPAxis::atLeft)->setLabel(tr("Accumulated\nfeed, µm"));
-    left[2]->axis(QCPAxis::atLeft)->setLabel(isTraverse() ? tr("Axial feed,\nmm/min") : force);
-    right[1]->axis(QCPAxis::atRight)->setLabel(tr("Radius above\ntarget, µm"));
-    right[2]->axis(QCPAxis::atRight)->setLabel(isTraverse() ? force : QString());
+    nameValueAxes(false);
     m_timeLabel->setText(timeLabel());
     m_timeLabel->setFont(font());
     fitColumns();
+}
+
+/// Full names in two lines, or brief ones where a plot is lower than those are long.
+void FeedsPlot::nameValueAxes(bool brief) {
+    const bool stroke = m_detail == Detail::stroke;
+    const QString feed = brief           ? tr("Feed, µm")
+                         : !isTraverse() ? tr("Feed, µm\nper revolution")
+                         : stroke        ? tr("Feed, µm per\ndouble stroke")
+                                         : tr("Feed, µm\nper pass");
+    const QString sum = brief ? tr("Σ feed,\nµm") : tr("Accumulated\nfeed, µm");
+    const QString axial = brief ? tr("Axial,\nmm/min") : tr("Axial feed,\nmm/min");
+    const QString force = brief ? tr("Force, N") : tr("Normal\nforce, N");
+    const QString radius = brief ? tr("Radius,\nµm") : tr("Radius above\ntarget, µm");
+    const auto& left = m_columns.front().rects;
+    const auto& right = m_columns.back().rects;
+    left[0]->axis(QCPAxis::atLeft)->setLabel(feed);
+    left[1]->axis(QCPAxis::atLeft)->setLabel(sum);
+    left[2]->axis(QCPAxis::atLeft)->setLabel(isTraverse() ? axial : force);
+    right[1]->axis(QCPAxis::atRight)->setLabel(radius);
+    right[2]->axis(QCPAxis::atRight)->setLabel(isTraverse() ? force : QString());
+}
+
+/// Height that the longest line of the value axes' names needs.
+int FeedsPlot::longestAxisName() const {
+    const QFontMetrics metrics(font());
+    int longest = 0;
+    for (const Column* column : {&m_columns.front(), &m_columns.back()}) {
+        for (const QCPAxisRect* rect : column->rects) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                for (const QString& line : rect->axis(side)->label().split(u'\n')) {
+                    longest = std::max(longest, metrics.horizontalAdvance(line));
+                }
+            }
+        }
+    }
+    return longest;
 }
 
 /// Lines the labels of an outer column's axes up; the room that ticks and labels take together.
@@ -246,6 +272,8 @@ void FeedsPlot::fitColumns() {
         taken += margin;
     }
     const int high = std::max((height() - taken) / rowCount, smallestPlot);
+    nameValueAxes(false);
+    nameValueAxes(longestAxisName() > high + rowGap);
     for (int row = 0; row < rowCount; ++row) {
         m_grid->setRowStretchFactor(row + 1, high + margins[row]);
     }

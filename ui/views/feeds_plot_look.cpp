@@ -98,12 +98,10 @@ LegendEntries FeedsPlot::legendEntries() const {
         line(Quantity::axialFeed, Qt::SolidLine);
     }
     line(Quantity::force, Qt::SolidLine);
-    if (m_detail != Detail::radius) {
-        QColor grey = palette().color(QPalette::Text);
-        grey.setAlpha(60);
-        entries.push_back(
-            {grey, Qt::NoPen, tr("spread over the radii"), spreadKey, m_choice.shows(spreadKey)});
-    }
+    QColor grey = palette().color(QPalette::Text);
+    grey.setAlpha(60);
+    entries.push_back(
+        {grey, Qt::NoPen, tr("spread over the radii"), spreadKey, m_choice.shows(spreadKey)});
     for (const auto& [zone, step] : m_steps) {
         entries.push_back(
             {stepColour(zone, step, palette()), Qt::NoPen, Names::stepMeaning(zone, step)});

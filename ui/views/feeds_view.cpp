@@ -216,6 +216,22 @@ void FeedsView::onStrokeChosen(int) {
     m_tools->navigation().noteView(m_tools->navigation().gestureOf(strokeGesture));
 }
 
+void FeedsView::showPlace(const Place& place) {
+    redraw();
+    if (!m_good || !m_stroke->isEnabled()) {
+        return;
+    }
+    const int section = place.zone == Zone::section ? m_section->findData(place.section) : -1;
+    if (section >= 0) {
+        const QSignalBlocker blocker(m_section);
+        m_section->setCurrentIndex(section);
+        onSectionChosen(section);
+    }
+    const QSignalBlocker blocker(m_stroke);
+    m_stroke->setValue(place.cycleCount);
+    onStrokeChosen(place.cycleCount);
+}
+
 /// Shows the whole cycle; the values' axes are scaled anew.
 void FeedsView::fitAll() {
     m_what = Span::whole;

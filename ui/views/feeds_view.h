@@ -37,6 +37,7 @@ public:
     [[nodiscard]] QString title() const override;
     void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
     void retranslate() override;
+    void showPlace(const Place& place); ///< the double stroke or revolution, and its section
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -171,9 +171,14 @@ QString LongitudinalPlot::scaleText() const {
 void LongitudinalPlot::showScale() {
     const QString axis = tr("From the headstock end of the ground length, mm");
     const QString text = scaleText();
-    const QString line = tr("%1; %2").arg(axis, text);
-    const bool fits = !m_toScale && QFontMetrics(font()).horizontalAdvance(line) < m_rect->width();
-    m_rect->axis(QCPAxis::atBottom)->setLabel(fits ? line : axis + u'\n' + text);
+    QString line = axis + u'\n' + text;
+    if (!m_toScale) {
+        line = tr("%1; %2").arg(axis, text);
+        if (QFontMetrics(font()).horizontalAdvance(line) >= m_rect->width()) {
+            line = tr("%1; %2").arg(tr("From the headstock end, mm"), text);
+        }
+    }
+    m_rect->axis(QCPAxis::atBottom)->setLabel(line);
 }
 
 void LongitudinalPlot::retranslate() {

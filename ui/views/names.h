@@ -14,7 +14,8 @@ namespace sparkout {
 class Names {
     Q_DECLARE_TR_FUNCTIONS(Names)
 public:
-    static QString zone(Zone zone, int section = 0);     ///< "RZ1", or "Section 2" (counted from 1)
+    static QString zone(Zone zone,
+                        int section = 0); ///< "RZ1", or "Section 2" (from 0, as in the file)
     static QString zoneFull(Zone zone, int section = 0); ///< "Entry reversal zone RZ1"
     static QString step(Step step);                      ///< "E1"; empty for none
     /// What a step E1…E5 is in a zone: "plunge-in", "entry dwell", "working stroke", …

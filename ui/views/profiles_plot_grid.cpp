@@ -135,7 +135,7 @@ void ProfilesPlot::addCurves(Cell& cell) {
 
 void ProfilesPlot::setTexts() {
     const QFontMetrics metrics(font());
-    const int room = width() / std::max(m_arrangement.columns, 1) - 8;
+    const int room = width() / std::max(m_arrangement.columns, 1) - 16;
     const int numbersRoom =
         m_arrangement.beside ? metrics.averageCharWidth() * besideLetters : room;
     bool brief = false; // all alike

@@ -209,6 +209,15 @@ void ProfilesView::setStroke(int number) {
     replotAll();
 }
 
+void ProfilesView::showSection(int section) {
+    redraw();
+    if (m_good) {
+        setStroke(m_good->result.cycleCount);
+        m_section->setCurrentIndex(std::max(m_section->findData(section), 0));
+        emit strokeChosen(stroke());
+    }
+}
+
 void ProfilesView::onStroke(int number) {
     setStroke(number);
     emit strokeChosen(stroke());

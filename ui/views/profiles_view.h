@@ -47,6 +47,7 @@ public:
     /// Shows the profiles after a number of double strokes or revolutions.
     void setStroke(int number);
     [[nodiscard]] int stroke() const;
+    void showSection(int section); ///< at the end of the cycle; below 0 all of them
 
 signals:
     void strokeChosen(int number); ///< by the user

@@ -7,6 +7,7 @@
 #include "ui/views/names.h"
 #include "ui/views/verdict_shop.h"
 #include "ui/views/verdict_text.h"
+#include "ui/views/verdict_why.h"
 
 #include <QEvent>
 #include <QGuiApplication>
@@ -81,6 +82,7 @@ void VerdictPanel::buildHead(QWidget* head) {
     line->addWidget(m_light, 0, Qt::AlignTop);
     line->addWidget(m_overall, 1);
     layout->addLayout(line);
+    m_why = addText(layout, "why");
     QFont big = font();
     big.setPointSizeF(big.pointSizeF() * metrics::headline);
     m_time->setFont(big);
@@ -101,6 +103,8 @@ void VerdictPanel::buildTable() {
     connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
     connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
         if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
+            m_chosen = *constraint;
+            showTexts();
             emit requirementActivated(*constraint);
         }
     });
@@ -151,6 +155,9 @@ void VerdictPanel::showTexts() {
         w->setVisible(m_good != nullptr);
     }
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
+    const ConstraintResult* about = m_good ? explained() : nullptr;
+    m_why->setText(about ? verdict::why(*m_good, *about) : QString());
+    m_why->setVisible(!m_why->text().isEmpty());
     if (!m_good) {
         return;
     }
@@ -160,6 +167,17 @@ void VerdictPanel::showTexts() {
     m_light->setPixmap(
         lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
     m_table->setVisible(m_model->rowCount() > 0);
+}
+
+const ConstraintResult* VerdictPanel::explained() const {
+    for (const ConstraintResult& c : m_good->constraints) {
+        if (m_chosen && c.kind == m_chosen->kind && c.section == m_chosen->section
+            && c.stage == m_chosen->stage) {
+            return &c;
+        }
+    }
+    const ConstraintResult* worst = verdict::worst(*m_good);
+    return worst && !worst->holds ? worst : nullptr;
 }
 
 void VerdictPanel::setRefusedFields(int n) {
@@ -183,7 +201,7 @@ void VerdictPanel::grey(bool on) {
     if (on) {
         own.setColor(QPalette::WindowText, colour);
     }
-    for (QLabel* label : {m_time, m_status, m_overall}) {
+    for (QLabel* label : {m_time, m_status, m_overall, m_why}) {
         label->setPalette(own);
     }
     m_model->setGreyed(on);
@@ -230,6 +248,7 @@ void VerdictPanel::retranslate() {
     m_time->setToolTip(tr("Machining time"));
     m_status->setAccessibleName(tr("End of the cycle"));
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
+    m_why->setAccessibleName(tr("Where the value comes from"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->retranslate();
     m_refused->setAccessibleName(tr("Fields that hold a refused text"));

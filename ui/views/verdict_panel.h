@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QLabel;
 class QVBoxLayout;
 
@@ -49,6 +51,8 @@ private:
     void showTexts();
     void showRefusedFields();
     void grey(bool on);
+    /// The requirement that is explained: the one chosen, else the worst when it fails.
+    [[nodiscard]] const ConstraintResult* explained() const;
     void drawIcons();
     void fitTable();
 
@@ -58,6 +62,7 @@ private:
     QLabel* m_status = nullptr;
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
+    QLabel* m_why = nullptr;
     QVBoxLayout* m_layout = nullptr;
     CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;
@@ -65,6 +70,7 @@ private:
 
     OutcomePtr m_latest;
     OutcomePtr m_good;
+    std::optional<ConstraintResult> m_chosen;
     int m_refusedFields = 0;
     bool m_queued = false;
     bool m_fitting = false;

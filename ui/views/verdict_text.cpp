@@ -4,13 +4,13 @@
 #include "core/units.h"
 #include "ui/session/texts.h"
 #include "ui/views/names.h"
+#include "ui/views/verdict_why.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace sparkout::verdict {
 
@@ -45,13 +45,6 @@ QString VerdictText::broken(const ConstraintResult& c) {
         .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
 }
 
-const ConstraintResult* worst(const std::vector<ConstraintResult>& constraints) {
-    const auto it = std::ranges::min_element(constraints, {}, [](const ConstraintResult& c) {
-        return std::tuple(c.holds, lightOf(c) != Light::close, c.relativeMargin);
-    });
-    return it == constraints.end() ? nullptr : &*it;
-}
-
 QString minutes(double time_s) {
     return VerdictText::tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute));
 }
@@ -73,7 +66,7 @@ QString status(const SimulationResult& result) {
 }
 
 Light overallLight(const Outcome& outcome) {
-    const ConstraintResult* c = worst(outcome.constraints);
+    const ConstraintResult* c = worst(outcome);
     if (outcome.result.status != RunStatus::completed || (c && !c->holds)) {
         return Light::fails;
     }
@@ -83,7 +76,7 @@ Light overallLight(const Outcome& outcome) {
 }
 
 QString overall(const Outcome& outcome) {
-    const ConstraintResult* c = worst(outcome.constraints);
+    const ConstraintResult* c = worst(outcome);
     if (c && !c->holds) {
         const auto failing =
             std::ranges::count(outcome.constraints, false, &ConstraintResult::holds);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/system_compliance.h"
+#include "ui/session/csv_table.h"
+#include "ui/session/outcome.h"
+#include "ui/views/legend_drawing.h"
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <vector>
+
+namespace sparkout {
+
+class BandLayer;
+class ShaftLayer;
+class ShaftScene;
+
+/// What γ(x) is made of, from below; rests are what steady rests take away again.
+enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
+inline constexpr int complianceParts = 5;
+
+[[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
+
+/// Above the part on its supports with wheel and gauge, to scale; below γ along it as stacked
+/// parts, its sum, and the γ each zone or section is ground with. Both over one axis.
+class CompliancePlot : public QCustomPlot {
+    Q_OBJECT
+public:
+    static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
+
+    explicit CompliancePlot(QWidget* parent = nullptr);
+
+    void setRun(OutcomePtr outcome); ///< no replot
+    void setDimmed(bool dim);
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void retranslate();
+    void restyle();
+
+    [[nodiscard]] QCPAxisRect* shaftRect() const { return m_shaftRect; }
+    [[nodiscard]] QCPAxisRect* curveRect() const { return m_rect; }
+    [[nodiscard]] QCPGraph* sum() const { return m_sum; }
+    [[nodiscard]] QCPGraph* used() const { return m_used; }
+    [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge of the part
+    [[nodiscard]] const std::vector<CompliantPlace>& places() const { return m_places; }
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const;
+    /// The axes that wheel, drag and keys move in an axis rect.
+    [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
+
+signals:
+    void pointed(const QString& text); ///< values under the mouse, empty outside
+    void contentChanged();             ///< hence the legend
+
+protected:
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void fill();
+    void fillBands();
+    void afterLayouting();
+    void onMouse(QMouseEvent* event);
+    [[nodiscard]] bool has(CompliancePart part) const;
+    [[nodiscard]] QColor colourOf(CompliancePart part) const;
+    [[nodiscard]] static QString nameOf(CompliancePart part);
+
+    OutcomePtr m_outcome;
+    std::vector<CompliantPlace> m_places;
+    CurveChoice m_choice;
+    QCPAxisRect* m_shaftRect = nullptr;
+    QCPAxisRect* m_rect = nullptr;
+    BandLayer* m_names = nullptr;
+    BandLayer* m_bands = nullptr;
+    ShaftLayer* m_body = nullptr;
+    ShaftScene* m_scene = nullptr;
+    std::array<QCPGraph*, complianceParts> m_stack{};
+    QCPGraph* m_base = nullptr; ///< the axis, for the first fill
+    QCPGraph* m_sum = nullptr;
+    QCPGraph* m_used = nullptr;
+    bool m_dim = false;
+    bool m_fitting = false; ///< with the next layout
+};
+
+} // namespace sparkout

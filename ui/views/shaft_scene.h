@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <qcustomplot.h>
+
+#include <QString>
+
+namespace sparkout {
+
+/// What holds and what cuts the part, around the body that ShaftLayer draws, to the same scale:
+/// centres or chuck, steady rests, the wheel, a quill; each with its stiffness, and the gauge.
+class ShaftScene : public QCPLayerable {
+    Q_OBJECT
+public:
+    explicit ShaftScene(QCPAxisRect* rect);
+
+    /// @param gauge_mm place of the gauge from the headstock end of the ground length
+    void setProject(const Project& project, double gauge_mm);
+    [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    [[nodiscard]] QPointF at(double x_mm, double y_mm) const;
+    [[nodiscard]] QRectF box(double from_mm, double to_mm, double low_mm, double high_mm) const;
+    void drawSupport(QCPPainter* painter, bool tailstock) const;
+    void drawRests(QCPPainter* painter) const;
+    void drawWheel(QCPPainter* painter) const;
+    void drawGauge(QCPPainter* painter) const;
+    void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) const;
+    [[nodiscard]] QString stiffness(double Stiffness::*unit, const QString& name) const;
+
+    QCPAxisRect* m_rect;
+    Project m_project;
+    double m_gauge_mm = 0;
+    double m_from_mm = 0, m_to_mm = 0; ///< ends of the shaft
+    double m_high_mm = 0;              ///< its largest radius
+    QRectF m_bounds;
+};
+
+} // namespace sparkout
