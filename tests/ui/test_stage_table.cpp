@@ -8,6 +8,7 @@
 #include "core/project/validate.h"
 
 #include "tests/registry.h"
+#include "tests/ui/window_bench.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -88,6 +89,29 @@ class TestStageTable : public QObject {
     Q_OBJECT
 
 private slots:
+    void returnAndAClickElsewhereAtOnceStoreTheNumberOnce() {
+        Bench bench;
+        QWidget elsewhere(&bench.table);
+        elsewhere.setFocusPolicy(Qt::StrongFocus);
+        elsewhere.show();
+        bench.select(0, 0);
+        NumberField* editor = bench.openEditor();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0.003"));
+        WarningCatcher warnings;
+        QTest::keyClick(editor, Qt::Key_Return); // commits later in the event loop …
+        elsewhere.setFocus();                    // … in which the editor is closed by now
+        QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+        QCOMPARE(warnings.take(), QStringList());
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.003);
+        editor = bench.openEditor();
+        QVERIFY(editor);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+        QVERIFY(bench.table.view().hasFocus());
+    }
+
     void typingOverACellChangesTheStageWhileTyping() {
         Bench bench;
         bench.select(0, 0);

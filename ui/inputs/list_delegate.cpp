@@ -7,6 +7,7 @@
 
 #include <QAbstractItemView>
 #include <QKeyEvent>
+#include <QPointer>
 
 namespace sparkout {
 
@@ -91,6 +92,21 @@ bool ListDelegate::eventFilter(QObject* watched, QEvent* event) {
         }
         if (field && (key == Qt::Key_Up || key == Qt::Key_Down)) {
             return false; // steps the number; the view would leave the cell
+        }
+        if (auto* editor = qobject_cast<QWidget*>(watched);
+            editor && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            // As the base class does, after the editor has had the key; but not for an editor that
+            // a click elsewhere has closed meanwhile.
+            QMetaObject::invokeMethod(
+                this,
+                [this, open = QPointer<QWidget>(editor)] {
+                    if (open && open->isVisible()) {
+                        emit commitData(open);
+                        emit closeEditor(open, SubmitModelCache);
+                    }
+                },
+                Qt::QueuedConnection);
+            return false;
         }
     }
     return QStyledItemDelegate::eventFilter(watched, event);
