@@ -14,6 +14,7 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QEventLoop>
 #include <QFile>
 #include <QTimer>
 
@@ -30,6 +31,7 @@ constexpr int exitRefused = 1;
 constexpr int exitUsage = 2;
 constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureSettle_ms = 400; ///< for queued replots and layouts
+constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
 constexpr const char* usage =
     "Usage: sparkout [FILE]\n"
@@ -142,10 +144,24 @@ void openFirstExample(Document& document) {
     }
 }
 
+/// As the window stays: layouts and replots are done when nothing changes any more.
+QImage settledPicture(MainWindow& window) {
+    QImage picture = window.grab().toImage();
+    for (int calm = 0, round = 0; calm < calmRounds && round < mostRounds; ++round) {
+        QEventLoop loop;
+        QTimer::singleShot(pictureRound_ms, &loop, &QEventLoop::quit);
+        loop.exec();
+        const QImage now = window.grab().toImage();
+        calm = now == picture ? calm + 1 : 0;
+        picture = now;
+    }
+    return picture;
+}
+
 bool writePicture(MainWindow& window, const QString& path) {
     QByteArray png;
     QBuffer buffer(&png);
-    if (!buffer.open(QIODevice::WriteOnly) || !window.grab().save(&buffer, "PNG")) {
+    if (!buffer.open(QIODevice::WriteOnly) || !settledPicture(window).save(&buffer, "PNG")) {
         say(stderr, QStringLiteral("sparkout: the picture could not be made"));
         return false;
     }
