@@ -2883,10 +2883,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1 (%2), %3 мкм от номинала: %4.</translation>
         </message>
         <message>
-            <source>%1 in %2: of the blank's %3 µm the cycle leaves %4 µm</source>
-            <translation>%1 (%2): из %3 мкм заготовки цикл оставляет %4 мкм</translation>
-        </message>
-        <message>
             <source>; the machine's own runout adds %1 µm</source>
             <translation>; биение станка добавляет %1 мкм</translation>
         </message>
@@ -2913,6 +2909,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source> A smaller feed in stage %1 lowers it, or a sharper wheel.</source>
             <translation> Снизят её меньшая подача ступени %1 или более острый круг.</translation>
+        </message>
+        <message>
+            <source>%1 in %2: the blank has %3 µm, the end of the cycle %4 µm</source>
+            <translation>%1 (%2): у заготовки %3 мкм, в конце цикла %4 мкм</translation>
         </message>
     </context>
     <context>

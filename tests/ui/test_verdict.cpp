@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict panel: the shop's numbers, what stays in sight, what a click and a copy give.
+#include "core/project/project_file.h"
 #include "ui/session/run_controller.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/names.h"
@@ -25,6 +26,7 @@
 #include <QTranslator>
 #include <QWheelEvent>
 #include <QtTest/qtestspontaneevent.h>
+#include <nlohmann/json.hpp>
 
 #include <clocale>
 #include <numbers>
@@ -402,6 +404,33 @@ private slots:
         }
         QCOMPARE(numbers.size(), 4);
         QVERIFY(std::abs(numbers[1] + numbers[2] + numbers[3] - numbers[0]) < 0.03); // of 0.01 each
+    }
+
+    void aSettingIsSetWhereItsRequirementLeads() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            Project project =
+                operation == Operation::traverse ? traverseProject() : plungeProject(3);
+            project.machine.limits.radial_feed_mm = std::vector<double>{0, 1, 0.001};
+            project.machine.limits.axial_feed_mm_min = std::vector<double>{0, 1e4, 1};
+            project.machine.limits.plunge_feed_mm_min = std::vector<double>{0, 10, 0.01};
+            project.machine.limits.work_speed_rpm = std::vector<double>{10, 1000, 1};
+            const OutcomePtr outcome = run(project);
+            QVERIFY(outcome->ran());
+            const auto file = nlohmann::json::parse(writeProject(project));
+            int settings = 0;
+            for (const ConstraintResult& c : outcome->constraints) {
+                const std::string path = verdict::inputPath(c);
+                QCOMPARE(!path.empty(), scopeOf(c.kind) == ConstraintScope::setting);
+                if (path.empty() || c.kind == ConstraintKind::gaugeCommands) {
+                    continue; // its value is what the stages need
+                }
+                const nlohmann::json::json_pointer pointer(path);
+                QVERIFY2(file.contains(pointer), path.c_str());
+                QCOMPARE(file.at(pointer).get<double>(), c.value);
+                ++settings;
+            }
+            QVERIFY(settings >= 3);
+        }
     }
 
     void aRowThatHoldsIsExplainedWhenChosen() {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace sparkout::verdict {
@@ -56,14 +57,13 @@ QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
         c.kind == ConstraintKind::radialRunout ? project.machine.geometric_runout_um : 0;
     const double blank_um = initialRunout(project.part) * units::umPerMm;
     const double left_um = c.value - own_um;
-    QString text = tr("%1 in %2: of the blank's %3 µm the cycle leaves %4 µm")
+    QString text = tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
                        .arg(Names::constraint(c.kind), Names::zone(c.zone, c.section),
                             Names::micrometres(blank_um), Names::micrometres(left_um));
     if (own_um > 0) {
         text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
     }
-    const double widthOver_um = left_um + own_um - c.limit;
-    if (widthOver_um > 0 && own_um > c.limit) {
+    if (own_um > c.limit) {
         return text + tr(", more than the limit: no cycle can hold it.");
     }
     return c.holds ? text + u'.'
@@ -84,12 +84,10 @@ QString VerdictWhy::wholePart(const Outcome& outcome) {
         low = sections[i].meanRadius_mm < sections[low].meanRadius_mm ? i : low;
         high = sections[i].meanRadius_mm > sections[high].meanRadius_mm ? i : high;
     }
-    for (const std::size_t i : {low, high}) {
-        if (i < sections.size()) {
-            parts << QStringLiteral("%1 %2").arg(
-                Names::zone(outcome.result.sections[i].zone, static_cast<int>(i)),
-                Names::signedMicrometres((sections[i].meanRadius_mm - mean_mm) * units::umPerMm));
-        }
+    for (const std::size_t i : std::set{low, high}) {
+        parts << QStringLiteral("%1 %2").arg(
+            Names::zone(outcome.result.sections[i].zone, static_cast<int>(i)),
+            Names::signedMicrometres((sections[i].meanRadius_mm - mean_mm) * units::umPerMm));
     }
     return tr("Mean radii along the part, µm from their own mean: %1; the worst section is %2 µm "
               "out of round.")
@@ -123,10 +121,12 @@ QString why(const Outcome& outcome, const ConstraintResult& requirement) {
 }
 
 std::string inputPath(const ConstraintResult& requirement) {
-    const std::string stage = "/cycle/stages/" + std::to_string(std::max(requirement.stage, 1) - 1);
+    const bool ofStage = requirement.stage > 0;
+    const std::string stage = "/cycle/stages/" + std::to_string(requirement.stage - 1);
     switch (requirement.kind) {
     case ConstraintKind::rangeRadialFeed: return stage + "/radial_feed_mm";
-    case ConstraintKind::rangePlungeFeed: return stage + "/radial_feed_mm_min";
+    case ConstraintKind::rangePlungeFeed:
+        return ofStage ? stage + "/radial_feed_mm_min" : "/machine/plunge_feed_mm_min";
     case ConstraintKind::rangeAxialFeed: return stage + "/axial_feed_mm_min";
     case ConstraintKind::rangeWorkSpeed: return "/machine/work_speed_rpm";
     case ConstraintKind::gaugeCommands: return "/gauge/commands";
