@@ -66,7 +66,6 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_tabs(new ViewTabs(this))
     , m_feeds(new FeedsView(this, &m_settings))
     , m_profiles(new ProfilesView(this, &m_settings))
-    , m_compliance(new ComplianceView(this, &m_settings))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_status(new QLabel(this))
@@ -96,7 +95,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_compliance}) {
+    for (View* view :
+         std::initializer_list<View*>{m_feeds, m_profiles, new ComplianceView(this, &m_settings)}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));

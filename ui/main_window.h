@@ -18,7 +18,6 @@ class QLabel;
 namespace sparkout {
 
 class Actions;
-class ComplianceView;
 class FeedsView;
 class FileCommands;
 class InputsPanel;
@@ -83,7 +82,6 @@ private:
     ViewTabs* m_tabs;
     FeedsView* m_feeds;
     ProfilesView* m_profiles;
-    ComplianceView* m_compliance;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;

@@ -128,7 +128,6 @@ void CompliancePlot::build() {
         upper->setChannelFillGraph(lower);
         lower = upper;
     }
-    m_stack[static_cast<std::size_t>(CompliancePart::rests)] = graph(); // no stack of its own
     m_sum = graph();
     m_used = graph();
     m_used->setLineStyle(QCPGraph::lsNone);
@@ -145,7 +144,7 @@ void CompliancePlot::setRun(OutcomePtr outcome) {
     m_places = complianceAlong(project, placesDrawn);
     m_body->setBody(shaftSteps(project), project.part.length_mm, project.part.diameter_mm / 2,
                     project.part.surface == Surface::internal);
-    m_scene->setProject(project, gaugePlace(m_outcome->result));
+    m_scene->setProject(project, m_body->bounds(), gaugePlace(m_outcome->result));
     fillBands();
     fill();
     if (!same) {
@@ -336,7 +335,6 @@ void CompliancePlot::restyle() {
         stack(part)->setBrush(fill);
     }
     m_base->setPen(Qt::NoPen);
-    stack(CompliancePart::rests)->setPen(Qt::NoPen);
     m_sum->setPen(QPen(style::dimmed(palette().color(QPalette::Text), m_dim), 2));
     const QColor used = colourOf(CompliancePart::rests);
     m_used->setPen(QPen(used, 1));

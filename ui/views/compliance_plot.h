@@ -19,7 +19,6 @@ class ShaftScene;
 
 /// What γ(x) is made of, from below; rests are what steady rests take away again.
 enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
-inline constexpr int complianceParts = 5;
 
 [[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
 
@@ -44,7 +43,7 @@ public:
     [[nodiscard]] QCPAxisRect* curveRect() const { return m_rect; }
     [[nodiscard]] QCPGraph* sum() const { return m_sum; }
     [[nodiscard]] QCPGraph* used() const { return m_used; }
-    [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge of the part
+    [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge; rests have none
     [[nodiscard]] const std::vector<CompliantPlace>& places() const { return m_places; }
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const;
@@ -79,8 +78,8 @@ private:
     BandLayer* m_bands = nullptr;
     ShaftLayer* m_body = nullptr;
     ShaftScene* m_scene = nullptr;
-    std::array<QCPGraph*, complianceParts> m_stack{};
-    QCPGraph* m_base = nullptr; ///< the axis, for the first fill
+    std::array<QCPGraph*, 4> m_stack{}; ///< of the parts up to bending
+    QCPGraph* m_base = nullptr;         ///< the axis, for the first fill
     QCPGraph* m_sum = nullptr;
     QCPGraph* m_used = nullptr;
     bool m_dim = false;

@@ -87,37 +87,10 @@ QString ComplianceView::title() const {
     return tr("Compliance");
 }
 
-void ComplianceView::setOutcome(OutcomePtr outcome) {
-    m_latest = std::move(outcome);
-    m_stale = true;
-    scheduleUpdate();
-}
-
-void ComplianceView::scheduleUpdate() {
-    if (m_queued || !isVisible()) {
-        return; // a hidden view draws when it is shown
-    }
-    m_queued = true;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_queued = false;
-            redraw();
-        },
-        Qt::QueuedConnection);
-}
-
-void ComplianceView::redraw() {
-    if (m_stale) {
-        m_stale = false;
-        showOutcome();
-    }
-}
-
 void ComplianceView::showOutcome() {
-    const bool ran = m_latest && m_latest->ran() && !m_latest->result.sections.empty();
+    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
     if (ran) {
-        m_good = m_latest;
+        m_good = latest();
         m_plot->setRun(m_good);
     }
     m_plot->setDimmed(m_good && !ran);
@@ -128,13 +101,13 @@ void ComplianceView::showOutcome() {
 }
 
 void ComplianceView::showState() {
-    const bool refused = m_latest && !m_latest->ran();
+    const bool refused = latest() && !latest()->ran();
     QString text;
     if (refused) {
         text =
             (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
                     : tr("The inputs are refused:"))
-            + QLatin1Char('\n') + Names::refusal(m_latest->issues, 2);
+            + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
     } else if (!m_good) {
         text = tr("No result yet.");
     } else if (m_plot->places().empty()) {
@@ -183,11 +156,6 @@ void ComplianceView::retranslate() {
     m_legend->setEntries(m_plot->legendEntries());
     showState();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void ComplianceView::showEvent(QShowEvent* event) {
-    View::showEvent(event);
-    redraw();
 }
 
 void ComplianceView::changeEvent(QEvent* event) {

@@ -24,18 +24,14 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
-    void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
     void retranslate() override;
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void showOutcome() override;
 
 private:
     void buildTools(QWidget* bar, Settings* settings);
-    void scheduleUpdate();
-    void redraw();
-    void showOutcome();
     void showState();
     [[nodiscard]] QString summary() const;
 
@@ -45,10 +41,7 @@ private:
     QLabel* m_notice;
     QLabel* m_values;
     PlotTools* m_tools = nullptr;
-    OutcomePtr m_latest; ///< what was given last, maybe refused
-    OutcomePtr m_good;   ///< what the plot shows
-    bool m_stale = false;
-    bool m_queued = false;
+    OutcomePtr m_good; ///< what the plot shows
 };
 
 } // namespace sparkout

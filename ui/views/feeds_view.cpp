@@ -28,38 +28,6 @@ constexpr int strokeGesture = 2001; ///< for PlotNavigation::gestureOf()
 constexpr int wideView = 900;
 } // namespace
 
-void FeedsView::setOutcome(OutcomePtr outcome) {
-    m_latest = std::move(outcome);
-    m_stale = true;
-    scheduleUpdate();
-}
-
-void FeedsView::scheduleUpdate() {
-    if (m_queued || !isVisible()) {
-        return; // a hidden view draws when it is shown
-    }
-    m_queued = true;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_queued = false;
-            redraw();
-        },
-        Qt::QueuedConnection);
-}
-
-void FeedsView::redraw() {
-    if (m_stale) {
-        m_stale = false;
-        showOutcome();
-    }
-}
-
-void FeedsView::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    redraw();
-}
-
 /// All zones, or some of the sections.
 std::vector<int> FeedsView::shownColumns() const {
     const Project& project = m_good->result.project;
@@ -72,11 +40,11 @@ std::vector<int> FeedsView::shownColumns() const {
 void FeedsView::showOutcome() {
     QElapsedTimer clock;
     clock.start();
-    const bool ran = m_latest && m_latest->ran() && !m_latest->trajectory.passes.empty();
+    const bool ran = latest() && latest()->ran() && !latest()->trajectory.passes.empty();
     if (ran) {
         const bool same =
-            m_good && m_good->result.project.operation == m_latest->result.project.operation;
-        m_good = m_latest;
+            m_good && m_good->result.project.operation == latest()->result.project.operation;
+        m_good = latest();
         if (!same) {
             m_what = Span::whole;
             m_wantedSection.reset();
@@ -98,19 +66,19 @@ void FeedsView::showOutcome() {
 }
 
 void FeedsView::showState() {
-    const bool refused = m_latest && !m_latest->ran();
-    const bool unrecorded = m_latest && !refused && m_latest->trajectory.passes.empty();
+    const bool refused = latest() && !latest()->ran();
+    const bool unrecorded = latest() && !refused && latest()->trajectory.passes.empty();
     QString text;
     if (unrecorded) {
         text = tr("The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. "
                   "Fewer radii or sections help; the verdict is of the whole cycle.")
-                   .arg(QLocale().toString(m_latest->result.visits),
+                   .arg(QLocale().toString(latest()->result.visits),
                         QLocale().toString(maxRecordedVisits));
     } else if (refused) {
         text =
             (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
                     : tr("The inputs are refused:"))
-            + QLatin1Char('\n') + Names::refusal(m_latest->issues, 2);
+            + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
     } else if (!m_good) {
         text = tr("No result yet.");
     } else if (m_good->result.status != RunStatus::completed) {

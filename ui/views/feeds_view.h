@@ -35,13 +35,12 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
-    void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
     void retranslate() override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void showOutcome() override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -53,9 +52,6 @@ private:
     void buildLabels();
     void connectTools();
     void connectPlot();
-    void scheduleUpdate();
-    void redraw();
-    void showOutcome();
     void fillSpans();
     void fillAxes();
     void fillSections();
@@ -87,10 +83,7 @@ private:
     QComboBox* m_section = nullptr;
     QToolButton* m_note = nullptr;
 
-    OutcomePtr m_latest; ///< what was given last, maybe refused
-    OutcomePtr m_good;   ///< what the curves show
-    bool m_stale = false;
-    bool m_queued = false;
+    OutcomePtr m_good; ///< what the curves show
     Span m_what = Span::whole;
     int m_stage = 1;
     std::optional<int> m_wantedSection;

@@ -33,51 +33,19 @@ const std::vector<ProfileLine> allLines{profile, spread, target, leastSquares, f
 
 } // namespace
 
-void ProfilesView::setOutcome(OutcomePtr outcome) {
-    m_latest = std::move(outcome);
-    m_stale = true;
-    scheduleUpdate();
-}
-
-void ProfilesView::scheduleUpdate() {
-    if (m_queued || !isVisible()) {
-        return; // a hidden view draws when it is shown
-    }
-    m_queued = true;
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            m_queued = false;
-            redraw();
-        },
-        Qt::QueuedConnection);
-}
-
-void ProfilesView::redraw() {
-    if (m_stale) {
-        m_stale = false;
-        showOutcome();
-    }
-}
-
-void ProfilesView::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    redraw();
-}
-
 void ProfilesView::showOutcome() {
     QElapsedTimer clock;
     clock.start();
-    const bool ran = m_latest && m_latest->ran() && !m_latest->result.sections.empty();
+    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
     if (ran) {
         const auto kind = [](const OutcomePtr& o) {
             return std::pair(o->result.project.operation, o->result.sections.size());
         };
-        if (!m_good || kind(m_good) != kind(m_latest)) {
+        if (!m_good || kind(m_good) != kind(latest())) {
             m_chosen.reset();
             m_stroke.reset();
         }
-        m_good = m_latest;
+        m_good = latest();
         fillStrokes();
         fillSections();
         showSeries();
@@ -118,13 +86,13 @@ void ProfilesView::showSeries() {
 }
 
 void ProfilesView::showState() {
-    const bool refused = m_latest && !m_latest->ran();
+    const bool refused = latest() && !latest()->ran();
     QString text;
     if (refused) {
         text = (m_good ? tr("The inputs are refused; the profiles are those of the last accepted "
                             "ones.")
                        : tr("The inputs are refused:"))
-               + QLatin1Char('\n') + Names::refusal(m_latest->issues, 2);
+               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
     } else if (!m_good) {
         text = tr("No result yet.");
     } else if (m_good->result.status != RunStatus::completed) {
@@ -250,7 +218,7 @@ std::vector<ProfileLine> ProfilesView::legendLines() const {
 LegendEntries ProfilesView::entriesOf(const std::vector<ProfileLine>& lines,
                                       const QPalette& palette) const {
     LegendEntries entries;
-    const bool dim = m_good && m_latest && !m_latest->ran();
+    const bool dim = m_good && latest() && !latest()->ran();
     for (const ProfileLine line : lines) {
         LegendEntry entry;
         const bool swatch = line == ProfileLine::spread || line == ProfileLine::field;

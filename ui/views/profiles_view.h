@@ -41,7 +41,6 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
-    void setOutcome(sparkout::OutcomePtr outcome) override; ///< one replot, later
     void retranslate() override;
 
     /// Shows the profiles after a number of double strokes or revolutions.
@@ -54,7 +53,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void showOutcome() override;
 
 private:
     void buildPlotTools(Settings* settings);
@@ -64,9 +63,6 @@ private:
     void buildLabels();
     void connectTools();
     void connectPlots();
-    void scheduleUpdate();
-    void redraw();
-    void showOutcome();
     void showSeries();
     void showState();
     void showStroke();
@@ -119,10 +115,7 @@ private:
     QComboBox* m_quantity = nullptr;
     QCheckBox* m_toScale = nullptr;
 
-    OutcomePtr m_latest; ///< what was given last, maybe refused
-    OutcomePtr m_good;   ///< what the plots show
-    bool m_stale = false;
-    bool m_queued = false;
+    OutcomePtr m_good;           ///< what the plots show
     std::optional<int> m_stroke; ///< none: the end of the cycle
     std::optional<int> m_chosen; ///< zone or section asked for
     std::optional<double> m_wantedMagnification;

@@ -13,7 +13,6 @@ namespace {
 constexpr double above = 2.1;    ///< room for the wheel, of the largest radius
 constexpr double below = 1.9;    ///< room for rests and names
 constexpr double holder = 0.08;  ///< length of a centre or chuck, of the shaft's
-constexpr double wall = 1.35;    ///< outside of a bore, as ShaftLayer draws it
 constexpr int wheelShade = 70;   ///< opacity of 255
 constexpr double restHalf = 0.2; ///< half the width of a rest, of the largest radius
 constexpr double noteGap = 6;    ///< between a thing and its name, in pixels
@@ -26,23 +25,15 @@ QString stiffnessText(double value_n_um) {
 ShaftScene::ShaftScene(QCPAxisRect* rect)
     : QCPLayerable(rect->parentPlot(), QStringLiteral("main")), m_rect(rect) {}
 
-void ShaftScene::setProject(const Project& project, double gauge_mm) {
+void ShaftScene::setProject(const Project& project, const QRectF& body, double gauge_mm) {
     m_project = project;
     m_gauge_mm = gauge_mm;
+    m_from_mm = body.left();
+    m_to_mm = body.right();
+    m_high_mm = body.height() / 2;
     const Part& part = project.part;
     const bool bore = part.surface == Surface::internal;
-    m_from_mm = 0;
-    m_to_mm = part.length_mm;
-    m_high_mm = part.diameter_mm / 2 * (bore ? wall : 1);
-    if (!bore && !part.shaft.segments.empty()) {
-        m_from_mm = -part.shaft.ground_from_mm;
-        m_to_mm = m_from_mm;
-        for (const ShaftSegment& segment : part.shaft.segments) {
-            m_to_mm += segment.length_mm;
-            m_high_mm = std::max(m_high_mm, segment.diameter_mm / 2);
-        }
-    }
-    const double length = m_to_mm - m_from_mm;
+    const double length = body.width();
     const double right = bore && part.shaft.quill ? part.shaft.quill->length_mm : holder * length;
     m_bounds = QRectF(m_from_mm - holder * length, -below * m_high_mm,
                       length * (1 + holder) + right, (above + below) * m_high_mm);

@@ -16,8 +16,9 @@ class ShaftScene : public QCPLayerable {
 public:
     explicit ShaftScene(QCPAxisRect* rect);
 
+    /// @param body bounds of what ShaftLayer draws
     /// @param gauge_mm place of the gauge from the headstock end of the ground length
-    void setProject(const Project& project, double gauge_mm);
+    void setProject(const Project& project, const QRectF& body, double gauge_mm);
     [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
 
 protected:

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/view.h"
+
+#include <utility>
+
+namespace sparkout {
+
+void View::setOutcome(OutcomePtr outcome) {
+    m_latest = std::move(outcome);
+    m_stale = true;
+    if (m_queued || !isVisible()) {
+        return; // a hidden view draws when it is shown
+    }
+    m_queued = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_queued = false;
+            redraw();
+        },
+        Qt::QueuedConnection);
+}
+
+void View::redraw() {
+    if (m_stale) {
+        m_stale = false;
+        showOutcome();
+    }
+}
+
+void View::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    redraw();
+}
+
+} // namespace sparkout
