@@ -4,7 +4,6 @@
 #include "core/quality/value_range.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +31,31 @@ Matrix basisMatrix(const AxisSight& sight,
     }
     return M;
 }
+
+/// An orthonormal basis of the vectors taken so far, by Gram and Schmidt, each twice.
+class Span {
+public:
+    /// What of v lies outside, 0 if that is no more than rounding.
+    [[nodiscard]] Vector outside(const Vector& v) const {
+        Vector rest = v;
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int m = 0; m < m_count; ++m) {
+                rest -= rest.dot(m_unit.col(m)) * m_unit.col(m);
+            }
+        }
+        return rest.norm() > 1e-11 * v.norm() ? rest : Vector(Vector::Zero());
+    }
+    void take(const Vector& v) {
+        const Vector rest = outside(v);
+        if (const double norm = rest.norm(); norm > 0) {
+            m_unit.col(m_count++) = rest / norm;
+        }
+    }
+
+private:
+    Matrix m_unit;
+    int m_count = 0;
+};
 
 double residual(const AxisSight& sight, const AxisFit& fit, std::size_t i) {
     const double zeta = sight.zetaOf(i);
@@ -62,22 +86,28 @@ AxisFit ChebyshevFit::run(const AxisSight& sight, double tolerance) {
 
 // With fewer than six contacts the best fits are many. Towards the one of the simplex method from
 // the smallest shift and lean that keep the contacts, as far as the other points demand: the
-// distance that each still stands out falls linearly on the way.
+// distance that each still stands out falls linearly on the way. The radius is free, so the
+// contacts fix the shift and lean by their differences alone: of all that the fit keeps them with,
+// the smallest is its part within the span of these differences.
 AxisFit ChebyshevFit::nearest(const AxisSight& sight, const AxisFit& fit, double tolerance) const {
     const std::vector<Point> touching = contacts();
-    const auto rows = static_cast<Eigen::Index>(touching.size());
-    constexpr double freely = 1e6; // the radius is no distance to go
-    Eigen::MatrixXd A(rows, n - 1);
-    Eigen::VectorXd d(rows);
-    for (Eigen::Index m = 0; m < rows; ++m) {
-        const Point& point = touching[static_cast<std::size_t>(m)];
-        const std::size_t i = point.index;
-        const double nx = sight.nx[i], ny = sight.ny[i], zeta = sight.zetaOf(i);
-        A.row(m) << freely, nx, ny, nx * zeta, ny * zeta;
-        d[m] = sight.d[i] - fit.r - point.sign * fit.level;
+    if (touching.empty()) { // no weight is a number
+        return fit;
     }
-    const Eigen::VectorXd p = A.completeOrthogonalDecomposition().solve(d);
-    const AxisFit near{fit.r + freely * p[0], p[1], p[2], p[3], p[4], fit.level};
+    const auto direction = [&](const Point& point) {
+        const double nx = sight.nx[point.index], ny = sight.ny[point.index];
+        const double zeta = sight.zetaOf(point.index);
+        return Vector{{nx, ny, nx * zeta, ny * zeta, 0, 0}};
+    };
+    Span differences;
+    for (const Point& point : touching) {
+        differences.take(direction(point) - direction(touching.front()));
+    }
+    const Vector own{{fit.x, fit.y, fit.u, fit.v, 0, 0}};
+    const Vector spare = differences.outside(own);
+    const Vector p = own - spare;
+    const AxisFit near{
+        fit.r + direction(touching.front()).dot(spare), p[0], p[1], p[2], p[3], fit.level};
     double share = 0;
     for (std::size_t i = 0; i < sight.d.size(); ++i) {
         const double from = residual(sight, near, i);
@@ -109,9 +139,18 @@ void ChebyshevFit::makeFeasible(const AxisSight& sight) {
     for (Point& point : m_basis) {
         point.sign = 1;
     }
-    const Eigen::FullPivLU<Eigen::Matrix<double, n - 1, n>> lu(
-        basisMatrix(sight, m_basis).topRows<n - 1>());
-    const Vector eta = lu.kernel().col(0);
+    const Matrix M = basisMatrix(sight, m_basis);
+    Span rows;
+    for (int row = 0; row < n - 1; ++row) {
+        rows.take(M.row(row));
+    }
+    Vector eta = Vector::Zero();
+    for (int m = 0; m < n; ++m) {
+        const Vector rest = rows.outside(Vector::Unit(m));
+        if (rest.norm() > eta.norm()) {
+            eta = rest;
+        }
+    }
     for (std::size_t m = 0; m < size; ++m) {
         m_basis[m].sign = eta[static_cast<int>(m)] < 0 ? -1 : 1;
     }

@@ -2,11 +2,11 @@
 #include "core/process/compliance.h"
 
 #include "core/process/system_compliance.h"
+#include "tests/core/dense.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <rapidcheck.h>
 
@@ -65,40 +65,42 @@ ShaftModel shaftOfSeed(unsigned seed) {
 // The independent second way: Euler-Bernoulli finite elements (exact at the nodes) of the shaft on
 // its springs. Answers G(x_i,x_j) for all nodes; degrees of freedom are deflection and slope of
 // each node.
-Eigen::MatrixXd finiteElements(const ShaftModel& model, const std::vector<double>& nodes) {
-    const auto n = Eigen::Index(nodes.size());
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    for (Eigen::Index i = 0; i + 1 < n; ++i) {
-        const double l = nodes[std::size_t(i) + 1] - nodes[std::size_t(i)];
-        const double middle = nodes[std::size_t(i)] + l / 2;
+dense::Matrix finiteElements(const ShaftModel& model, const std::vector<double>& nodes) {
+    const std::size_t n = nodes.size();
+    dense::Matrix K(2 * n, std::vector<double>(2 * n));
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        const double l = nodes[i + 1] - nodes[i];
+        const double middle = nodes[i] + l / 2;
         double end = 0;
         const auto segment =
             std::find_if(model.segments.begin(), model.segments.end(),
                          [&](const BeamSegment& s) { return (end += s.length_mm) > middle; });
-        Eigen::Matrix4d k;
-        k << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l,
-            6 * l, 2 * l * l, -6 * l, 4 * l * l;
-        K.block<4, 4>(2 * i, 2 * i) +=
-            model.youngsModulus_n_mm2 * I(segment->diameter_mm) / (l * l * l) * k;
+        const double k[4][4] = {{12, 6 * l, -12, 6 * l},
+                                {6 * l, 4 * l * l, -6 * l, 2 * l * l},
+                                {-12, -6 * l, 12, -6 * l},
+                                {6 * l, 2 * l * l, -6 * l, 4 * l * l}};
+        const double factor = model.youngsModulus_n_mm2 * I(segment->diameter_mm) / (l * l * l);
+        for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t q = 0; q < 4; ++q)
+                K[2 * i + p][2 * i + q] += factor * k[p][q];
     }
-    K(0, 0) += model.headstock_n_mm;
+    K[0][0] += model.headstock_n_mm;
     if (model.mounting == Mounting::centres)
-        K(2 * n - 2, 2 * n - 2) += model.tailstock_n_mm;
+        K[2 * n - 2][2 * n - 2] += model.tailstock_n_mm;
     for (const SupportSpring& rest : model.rests) {
-        const auto node =
-            2 * (std::find(nodes.begin(), nodes.end(), rest.position_mm) - nodes.begin());
-        K(node, node) += rest.stiffness_n_mm;
+        const auto found = std::find(nodes.begin(), nodes.end(), rest.position_mm);
+        const auto node = std::size_t(2 * (found - nodes.begin()));
+        K[node][node] += rest.stiffness_n_mm;
     }
     if (model.mounting == Mounting::chuck) { // no slope at the chuck face
-        K.row(1).setZero();
-        K.col(1).setZero();
-        K(1, 1) = 1;
+        for (std::size_t i = 0; i < 2 * n; ++i)
+            K[1][i] = K[i][1] = i == 1;
     }
-    const Eigen::MatrixXd inverse = K.fullPivLu().inverse();
-    Eigen::MatrixXd G(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j)
-            G(i, j) = 1 / model.wheelHead_n_mm + inverse(2 * i, 2 * j);
+    const dense::Matrix inverse = dense::inverse(K);
+    dense::Matrix G(n, std::vector<double>(n));
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+            G[i][j] = 1 / model.wheelHead_n_mm + inverse[2 * i][2 * j];
     return G;
 }
 
@@ -278,12 +280,12 @@ private slots:
     void influenceMatrixIsPositiveDefinite() {
         QVERIFY(rc::check("the matrix G(x_i,x_j) has a Cholesky factor", [] {
             const Compliance shaft(anyShaft(fromRapidcheck));
-            Eigen::Matrix4d G;
-            for (int i = 0; i < 4; ++i)
-                for (int j = 0; j < 4; ++j)
-                    G(i, j) = shaft.between(shaft.length() * (i + 0.5) / 4,
-                                            shaft.length() * (j + 0.5) / 4);
-            RC_ASSERT(G.llt().info() == Eigen::Success);
+            dense::Matrix G(4, std::vector<double>(4));
+            for (std::size_t i = 0; i < 4; ++i)
+                for (std::size_t j = 0; j < 4; ++j)
+                    G[i][j] = shaft.between(shaft.length() * (double(i) + 0.5) / 4,
+                                            shaft.length() * (double(j) + 0.5) / 4);
+            RC_ASSERT(dense::isPositiveDefinite(G));
         }));
     }
 
@@ -325,12 +327,14 @@ private slots:
             nodes.push_back(rest.position_mm);
         std::sort(nodes.begin(), nodes.end());
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        const Eigen::MatrixXd expected = finiteElements(model, nodes);
+        const dense::Matrix expected = finiteElements(model, nodes);
+        double largest = 0;
+        for (const std::vector<double>& row : expected)
+            largest = std::max(largest, *std::max_element(row.begin(), row.end()));
         for (std::size_t i = 0; i < nodes.size(); ++i)
             for (std::size_t j = 0; j < nodes.size(); ++j)
-                QVERIFY(std::abs(shaft.between(nodes[i], nodes[j])
-                                 - expected(Eigen::Index(i), Eigen::Index(j)))
-                        <= 1e-8 * expected.maxCoeff());
+                QVERIFY(std::abs(shaft.between(nodes[i], nodes[j]) - expected[i][j])
+                        <= 1e-8 * largest);
     }
 
     void meanEqualsDenseQuadrature_data() {

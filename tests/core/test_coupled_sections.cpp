@@ -3,11 +3,11 @@
 #include "core/process/pass_kernel.h"
 
 #include "tests/core/allocation_counter.h"
+#include "tests/core/dense.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <rapidcheck.h>
 
@@ -139,25 +139,26 @@ double closedForm(double gamma, double width, const ForceLaw& law, double h) {
 
 /// The linear case (no dullness) by trying every set of sections in contact.
 std::optional<std::vector<double>> bruteForce(const System& s, const std::vector<double>& h) {
-    const auto J = static_cast<Eigen::Index>(h.size());
+    const std::size_t J = h.size();
     for (unsigned set = 0; set < (1u << J); ++set) {
-        Eigen::MatrixXd M = Eigen::MatrixXd::Identity(J, J);
-        Eigen::VectorXd right = Eigen::VectorXd::Zero(J);
-        for (Eigen::Index j = 0; j < J; ++j) {
+        dense::Matrix M(J, std::vector<double>(J));
+        std::vector<double> right(J);
+        for (std::size_t j = 0; j < J; ++j) {
+            M[j][j] = 1;
             if (set >> j & 1u) {
-                right[j] = h[std::size_t(j)];
-                for (Eigen::Index l = 0; l < J; ++l) {
-                    M(j, l) += s.G[std::size_t(j * J + l)] * s.width[std::size_t(l)] * s.law.ks;
+                right[j] = h[j];
+                for (std::size_t l = 0; l < J; ++l) {
+                    M[j][l] += s.G[j * J + l] * s.width[l] * s.law.ks;
                 }
             }
         }
-        const Eigen::VectorXd a = M.fullPivLu().solve(right);
+        const std::vector<double> a = dense::solved(M, right);
         std::vector<double> u;
         for (const double depth : a) {
             u.push_back(std::sqrt(std::max(0.0, depth)));
         }
-        if (a.minCoeff() >= -1e-13 && s.fault(u, h) < 1e-12) {
-            return std::vector<double>(a.begin(), a.end());
+        if (*std::min_element(a.begin(), a.end()) >= -1e-13 && s.fault(u, h) < 1e-12) {
+            return a;
         }
     }
     return std::nullopt;

@@ -4,12 +4,12 @@
 #include "core/quality/accuracy.h"
 #include "core/quality/chebyshev_fit.h"
 #include "core/quality/harmonics.h"
+#include "tests/core/dense.h"
 #include "tests/core/downhill.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 
 #include <algorithm>
@@ -85,11 +85,11 @@ struct Axis {
 
 /// Distance of a point to a line through (x, y) at `middle`, by the cross product.
 double distanceTo(const Body& body, std::size_t j, std::size_t k, double middle, const Axis& axis) {
-    const Eigen::Vector3d point(body.radii[j][k] * std::cos(angle(k, body.K())),
-                                body.radii[j][k] * std::sin(angle(k, body.K())), body.positions[j]);
-    const Eigen::Vector3d through(axis.x, axis.y, middle);
-    const Eigen::Vector3d along = Eigen::Vector3d(axis.slopeX, axis.slopeY, 1).normalized();
-    return (point - through).cross(along).norm();
+    const double x = body.radii[j][k] * std::cos(angle(k, body.K())) - axis.x;
+    const double y = body.radii[j][k] * std::sin(angle(k, body.K())) - axis.y;
+    const double z = body.positions[j] - middle;
+    const double u = axis.slopeX, v = axis.slopeY;
+    return std::hypot(y - z * v, z * u - x, x * v - y * u) / std::hypot(u, v, 1);
 }
 
 double width(const Body& body, double middle, const Axis& axis) {
@@ -151,21 +151,19 @@ double bestOfAllSixes(const AxisSight& sight) {
     std::vector<bool> chosen(N);
     std::fill(chosen.begin(), chosen.begin() + 6, true);
     do {
-        Eigen::Matrix<double, 5, 6> G;
-        Eigen::Matrix<double, 6, 1> d;
-        int column = 0;
+        dense::Matrix G(5);
+        std::vector<double> d;
         for (std::size_t i = 0; i < N; ++i) {
             if (chosen[i]) {
-                G.col(column) << 1, sight.nx[i], sight.ny[i], sight.nx[i] * sight.zetaOf(i),
-                    sight.ny[i] * sight.zetaOf(i);
-                d[column++] = sight.d[i];
+                G[0].push_back(1);
+                G[1].push_back(sight.nx[i]);
+                G[2].push_back(sight.ny[i]);
+                G[3].push_back(sight.nx[i] * sight.zetaOf(i));
+                G[4].push_back(sight.ny[i] * sight.zetaOf(i));
+                d.push_back(sight.d[i]);
             }
         }
-        const Eigen::FullPivLU<Eigen::Matrix<double, 5, 6>> lu(G);
-        if (lu.dimensionOfKernel() == 1) {
-            const Eigen::Matrix<double, 6, 1> eta = lu.kernel().col(0);
-            most = std::max(most, std::abs(eta.dot(d)) / eta.lpNorm<1>());
-        }
+        most = std::max(most, dense::alternation(G, d));
     } while (std::prev_permutation(chosen.begin(), chosen.end()));
     return most;
 }
@@ -491,20 +489,18 @@ private slots:
         QVERIFY(holds("least squares", [] {
             const int J = pick(4, 12);
             std::vector<double> positions, radii;
-            Eigen::MatrixXd A(J, 3);
-            Eigen::VectorXd R(J);
+            dense::Matrix A;
             for (int j = 0; j < J; ++j) {
                 positions.push_back(10 * j + between(0, 8));
                 radii.push_back(15 + between(-0.01, 0.01));
-                R[j] = radii.back();
             }
             const double middle = (positions.front() + positions.back()) / 2;
             const double reach = (positions.back() - positions.front()) / 2;
             for (int j = 0; j < J; ++j) {
                 const double xi = (positions[std::size_t(j)] - middle) / reach;
-                A.row(j) << 1, xi, xi * xi;
+                A.push_back({1, xi, xi * xi});
             }
-            const Eigen::Vector3d c = A.colPivHouseholderQr().solve(R);
+            const std::vector<double> c = dense::leastSquares(A, radii);
             const LongitudinalProfile found = longitudinalProfile(positions, radii);
             RC_ASSERT(within(found.taper_mm, 2 * c[1], 1e-12));
             RC_ASSERT(within(found.crown_mm, -c[2], 1e-12));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/roundness.h"
 
+#include "tests/core/dense.h"
 #include "tests/core/downhill.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"
 
-#include <Eigen/LU>
 #include <QTest>
 
 #include <algorithm>
@@ -91,16 +91,16 @@ double limaconBruteForce(const Radii& radii) {
         for (int b = a + 1; b < K; ++b) {
             for (int c = b + 1; c < K; ++c) {
                 for (int d = c + 1; d < K; ++d) {
-                    Eigen::Matrix<double, 3, 4> G;
-                    Eigen::Vector4d R;
-                    int column = 0;
+                    dense::Matrix G(3);
+                    std::vector<double> R;
                     for (const int k : {a, b, c, d}) {
                         const double phi = 2 * std::numbers::pi * k / K;
-                        G.col(column) << 1, std::cos(phi), std::sin(phi);
-                        R[column++] = radii[std::size_t(k)];
+                        G[0].push_back(1);
+                        G[1].push_back(std::cos(phi));
+                        G[2].push_back(std::sin(phi));
+                        R.push_back(radii[std::size_t(k)]);
                     }
-                    const Eigen::Vector4d eta = G.fullPivLu().kernel().col(0);
-                    most = std::max(most, std::abs(eta.dot(R)) / eta.lpNorm<1>());
+                    most = std::max(most, dense::alternation(G, R));
                 }
             }
         }
