@@ -4308,16 +4308,16 @@ target, µm</source>
             <translation>Таблицы CSV: запятые, десятичная точка, UTF-8 (*.csv)</translation>
         </message>
         <message>
-            <source>Headers in the language of the window; UTF-8, as Excel reads it</source>
-            <translation>Заголовки на языке окна; UTF-8, который читает Excel</translation>
-        </message>
-        <message>
             <source>Export: %1</source>
             <translation>Экспорт: %1</translation>
         </message>
         <message>
             <source>Copy or save: %1</source>
             <translation>Копировать или сохранить: %1</translation>
+        </message>
+        <message>
+            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <translation>Заголовки на языке окна; Excel открывает файл как есть</translation>
         </message>
     </context>
     <context>
@@ -5012,15 +5012,15 @@ target, µm</source>
         </message>
         <message>
             <source>Axial feed</source>
-            <translation>Осевая подача</translation>
+            <translation>Ос. подача</translation>
         </message>
         <message>
             <source>Plunge feed</source>
-            <translation>Врезная подача</translation>
+            <translation>Врезание</translation>
         </message>
         <message>
             <source>Work speed</source>
-            <translation>Частота вращ.</translation>
+            <translation>Частота n</translation>
         </message>
         <message>
             <source>Gauge commands</source>
