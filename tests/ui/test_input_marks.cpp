@@ -158,6 +158,16 @@ private slots:
         }
     }
 
+    // The place is given in numbers, the words around them are translated.
+    void theFaultOfAFileThatIsNoJsonNamesLineAndColumn() {
+        const Issues issues = parseProject("{\n  \"part\": }").issues;
+        QCOMPARE(issues.size(), std::size_t(1));
+        QCOMPARE(issues[0].code, IssueCode::notJson);
+        QCOMPARE(issues[0].value, std::string("2"));
+        QCOMPARE(issues[0].limit, std::string("11"));
+        QVERIFY(issueText(issues[0]).endsWith(QStringLiteral("line 2, column 11")));
+    }
+
     void aHintTellsMeaningFormulaRangesDefaultAndSource() {
         const QString hint = hintMarkup(*tableOf<Material>().find("friction"));
         QVERIFY2(hint.contains(QStringLiteral("Coefficient of friction")), qPrintable(hint));
