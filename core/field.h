@@ -115,12 +115,16 @@ struct Row {
     Condition relevant = nullptr; ///< is read by the model when it holds; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
     bool slider = false;          ///< one of the numbers one plays with
-    bool positive = false;        ///< a rule refuses zero where the member is read
+    Range read = {};              ///< narrower than hard: refused outside where it is relevant
+    Condition exempt = nullptr;   ///< only hard counts when it holds; null: never
     Page page = Page::none;       ///< the form page that shows it
     const char* hint = "";
     const char* formula = ""; ///< where the member enters the model, in the model page's letters
     const char* column = "";  ///< label at the head of a table's column, where it must be short
     const char* source = "";  ///< key of core/SOURCES.md
+
+    /// What hints and messages state as allowed.
+    [[nodiscard]] const Range& stated() const { return read.unbounded() ? hard : read; }
 };
 
 /// A row bound to its member. `member` gives the member's address inside its struct.
@@ -145,6 +149,12 @@ struct Field : Row {
     template <class T>
     [[nodiscard]] const T& as(const void* owner) const {
         return *static_cast<const T*>(member(const_cast<void*>(owner)));
+    }
+    /// What is allowed in a project.
+    [[nodiscard]] const Range& allowed(const Project& project, const void* owner) const {
+        const bool only =
+            (relevant && !relevant(project, owner)) || (exempt && exempt(project, owner));
+        return only ? hard : stated();
     }
     [[nodiscard]] const void* objectIn(const void* owner) const {
         return object(const_cast<void*>(owner), false);

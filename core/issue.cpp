@@ -16,7 +16,8 @@ const char* issueTemplate(IssueCode code) {
     switch (code) {
     case IssueCode::empty: return SPARKOUT_NOOP("Issue", "the file is empty");
     case IssueCode::notJson:
-        return SPARKOUT_NOOP("Issue", "the text is not valid JSON in UTF-8: {value}");
+        return SPARKOUT_NOOP("Issue",
+                             "the text is not valid JSON in UTF-8: line {value}, column {limit}");
     case IssueCode::tooLarge:
         return SPARKOUT_NOOP("Issue", "{value} is too large; allowed: at most {limit}");
     case IssueCode::tooDeep:

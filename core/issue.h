@@ -53,7 +53,8 @@ struct Issue {
     Severity severity = Severity::error;
     std::string path;  ///< JSON pointer, e.g. "/wheel/width_mm"; empty for the whole file
     std::string value; ///< what was found, as written in the file
-    std::string limit; ///< what is allowed: a range with its unit, a list, another quantity
+    std::string limit; ///< what is allowed: a range with its unit, a list, another quantity;
+                       ///< another input by its JSON pointer, in brackets
 
     friend bool operator==(const Issue&, const Issue&) = default;
 };

@@ -125,18 +125,6 @@
             <source>external</source>
             <translation>наружная</translation>
         </message>
-        <message>
-            <source>length_mm and diameter_mm of the quill</source>
-            <translation>длина (length_mm) и диаметр (diameter_mm) оправки круга</translation>
-        </message>
-        <message>
-            <source>length_mm and diameter_mm of each step of the shaft</source>
-            <translation>длина (length_mm) и диаметр (diameter_mm) каждой ступени вала</translation>
-        </message>
-        <message>
-            <source>compliance_mm_per_n, or stiffness_n_um with part.shaft</source>
-            <translation>податливость (compliance_mm_per_n) либо жёсткость (stiffness_n_um) вместе с валом (part.shaft)</translation>
-        </message>
     </context>
     <context>
         <name>Edit</name>
@@ -1770,10 +1758,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>файл пуст</translation>
         </message>
         <message>
-            <source>the text is not valid JSON in UTF-8: {value}</source>
-            <translation>текст не является правильным JSON в UTF-8: {value}</translation>
-        </message>
-        <message>
             <source>{value} is too large; allowed: at most {limit}</source>
             <translation>{value} — слишком много; допускается не более {limit}</translation>
         </message>
@@ -1905,6 +1889,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>{value} says neither where it comes from nor that it is an estimate; needed: its line in {limit}</source>
             <translation>для {value} не указан ни источник, ни что это оценка; нужна строка в {limit}</translation>
         </message>
+        <message>
+            <source>the text is not valid JSON in UTF-8: line {value}, column {limit}</source>
+            <translation>текст не является правильным JSON в UTF-8: строка {value}, столбец {limit}</translation>
+        </message>
     </context>
     <context>
         <name>Limit</name>
@@ -1955,6 +1943,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>true or false</source>
             <translation>true или false</translation>
+        </message>
+        <message>
+            <source>a compliance computed from stiffness and shaft</source>
+            <translation>податливость, вычисленная по жёсткости и валу</translation>
+        </message>
+        <message>
+            <source>a value for each zone: { rz1, nz, rz2 }</source>
+            <translation>значение для каждой зоны: { rz1, nz, rz2 }</translation>
+        </message>
+        <message>
+            <source>a compliance as given, or stiffness and shaft to compute it from</source>
+            <translation>заданная податливость либо жёсткость и вал для её расчёта</translation>
+        </message>
+        <message>
+            <source>length and diameter of the quill</source>
+            <translation>вылет и диаметр оправки</translation>
+        </message>
+        <message>
+            <source>length and diameter of each step of the shaft</source>
+            <translation>длина и диаметр каждой ступени вала</translation>
         </message>
     </context>
     <context>
@@ -2129,6 +2137,21 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>cycle</source>
             <translation>цикл</translation>
+        </message>
+        <message>
+            <source>dwell after return</source>
+            <translation>2-я задержка</translation>
+        </message>
+    </context>
+    <context>
+        <name>OperationNotice</name>
+        <message>
+            <source>A plunge grinds no more than the wheel covers. With the operation these inputs changed: %1.</source>
+            <translation>Врезанием шлифуется не больше, чем перекрывает круг. Вместе с операцией изменены: %1.</translation>
+        </message>
+        <message>
+            <source>With the operation these inputs changed: %1.</source>
+            <translation>Вместе с операцией изменены: %1.</translation>
         </message>
     </context>
     <context>
@@ -2794,6 +2817,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>°</source>
             <translation>°</translation>
+        </message>
+        <message>
+            <source>bytes</source>
+            <translation>байт</translation>
         </message>
     </context>
     <context>
@@ -3893,10 +3920,6 @@ mm/min</source>
             <translation>Ins</translation>
         </message>
         <message>
-            <source>Del</source>
-            <translation>Del</translation>
-        </message>
-        <message>
             <source>Ctrl+Up</source>
             <translation>Ctrl+↑</translation>
         </message>
@@ -3907,6 +3930,10 @@ mm/min</source>
         <message>
             <source>&amp;Copy the table</source>
             <translation>&amp;Копировать таблицу</translation>
+        </message>
+        <message>
+            <source>Ctrl+Del</source>
+            <translation>Ctrl+Del</translation>
         </message>
     </context>
     <context>
@@ -4197,10 +4224,6 @@ target, µm</source>
             <translation>Сохранить данные</translation>
         </message>
         <message>
-            <source>CSV tables (*.csv)</source>
-            <translation>Таблицы CSV (*.csv)</translation>
-        </message>
-        <message>
             <source>Show all</source>
             <translation>Показать всё</translation>
         </message>
@@ -4275,6 +4298,26 @@ target, µm</source>
         <message>
             <source>The data are saved.</source>
             <translation>Данные сохранены.</translation>
+        </message>
+        <message>
+            <source>CSV tables: semicolons, decimal commas, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: точки с запятой, десятичная запятая, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>CSV tables: commas, decimal points, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: запятые, десятичная точка, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Export: %1</source>
+            <translation>Экспорт: %1</translation>
+        </message>
+        <message>
+            <source>Copy or save: %1</source>
+            <translation>Копировать или сохранить: %1</translation>
+        </message>
+        <message>
+            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <translation>Заголовки на языке окна; Excel открывает файл как есть</translation>
         </message>
     </context>
     <context>
@@ -4564,6 +4607,19 @@ target, µm</source>
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>from</source>
+            <translation>от</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>до</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <comment>after from and to</comment>
+            <translation>шаг</translation>
         </message>
     </context>
     <context>
@@ -4905,6 +4961,74 @@ target, µm</source>
         <message>
             <source>Unit</source>
             <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Min. diameter</source>
+            <translation>d мин.</translation>
+        </message>
+        <message>
+            <source>Max. diameter</source>
+            <translation>d макс.</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Рад. биение</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Круглость</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Цилиндричность</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное биение</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Ra</translation>
+        </message>
+        <message>
+            <source>Depth, burn</source>
+            <translation>Прижог</translation>
+        </message>
+        <message>
+            <source>Pressure</source>
+            <translation>Давление</translation>
+        </message>
+        <message>
+            <source>Wheel power</source>
+            <translation>Привод круга</translation>
+        </message>
+        <message>
+            <source>Work power</source>
+            <translation>Привод изделия</translation>
+        </message>
+        <message>
+            <source>Radial feed</source>
+            <translation>Рад. подача</translation>
+        </message>
+        <message>
+            <source>Axial feed</source>
+            <translation>Ос. подача</translation>
+        </message>
+        <message>
+            <source>Plunge feed</source>
+            <translation>Врезание</translation>
+        </message>
+        <message>
+            <source>Work speed</source>
+            <translation>Частота n</translation>
+        </message>
+        <message>
+            <source>Gauge commands</source>
+            <translation>Команды ПАК</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>ст. %1</translation>
         </message>
     </context>
     <context>

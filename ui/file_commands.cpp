@@ -81,14 +81,11 @@ void FileCommands::startNew(Operation operation) {
 }
 
 void FileCommands::open() {
-    if (!mayDiscard()) {
-        return;
-    }
     const QString path =
         QFileDialog::getOpenFileName(m_window, tr("Open a project"), m_settings.lastFolder(),
                                      tr("Sparkout projects (*.sparkout);;All files (*)"));
     if (!path.isEmpty()) {
-        openFile(path);
+        openInstead(path);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "ui/inputs/messages_panel.h"
 #include "ui/keyboard.h"
 #include "ui/notice_bar.h"
+#include "ui/operation_notice.h"
 #include "ui/recent_files_menu.h"
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
@@ -37,7 +38,7 @@ namespace {
 constexpr QSize usualSize(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int inputsWidth = 360;
-constexpr int verdictWidth = 320;
+constexpr int verdictWidth = 327;
 constexpr int messagesHeight = 96;
 
 /// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
@@ -176,6 +177,10 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
+    for (QAction* action : {m_actions->newTraverse, m_actions->newPlunge, m_actions->open,
+                            m_actions->examples, m_actions->save, m_actions->saveAs}) {
+        on(action, [this] { m_inputs->endTyping(); }); // first
+    }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
     on(m_actions->newPlunge, [this] { m_files->startNew(Operation::plunge); });
     on(m_actions->open, [this] { m_files->open(); });
@@ -208,6 +213,13 @@ void MainWindow::connectDocument() {
         m_runs.request(m_document.project());
         showTitle();
     });
+    connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
+    connect(&m_document, &Document::edited, this, [this](const Project& before) {
+        tellOperation(m_files->notices(), before, m_document.project());
+    });
+    const auto drop = [this] { dropOperationNotice(m_files->notices()); };
+    connect(&m_document, &Document::replaced, this, drop);
+    connect(&m_document, &Document::stepped, this, drop);
     connect(&m_document, &Document::historyChanged, this, [this] {
         m_actions->follow(m_document, !m_inputs->refusals().empty());
         showTitle();
@@ -385,6 +397,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    m_inputs->endTyping();
     if (!m_files->mayClose()) {
         event->ignore();
         return;

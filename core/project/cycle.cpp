@@ -20,8 +20,17 @@ bool plungeFeeds(const Project& p, const void* stage) {
 bool feedsAtAll(const Project&, const void* stage) {
     return feeds(stage);
 }
+bool retracts(const Project& p, const void* stage) {
+    return mayRetract(p, *static_cast<const Stage*>(stage));
+}
 
 } // namespace
+
+bool mayRetract(const Project& project, const Stage& stage) {
+    const auto& stages = project.cycle.stages;
+    return project.operation == Operation::plunge && project.gauge.control == Control::gauge
+           && stages.size() > 2 && &stage > &stages.front() && &stage < &stages.back();
+}
 
 template <>
 const StructInfo& tableOf<Stage>() {
@@ -30,7 +39,7 @@ const StructInfo& tableOf<Stage>() {
             Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
             .symbol = "S_t", .unit = "mm", .hard = {0, 1}, .soft = {0.0002, 0.05},
             .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = traverseFeeds,
-            .relevant = traverseFeeds, .slider = true, .positive = true, .page = Page::cycle,
+            .relevant = traverseFeeds, .slider = true, .read = {1e-6, 1}, .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
                                            "stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
@@ -44,16 +53,16 @@ const StructInfo& tableOf<Stage>() {
                            "Input", "Table speed; S_ax/n per revolution is the effective width of "
                                     "cut, at most the wheel width."),
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
-        SPARKOUT_FIELD(
-            Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
-            .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
-            .relevant = plungeFeeds, .slider = true, .positive = true, .page = Page::cycle,
-            .hint =
-                SPARKOUT_NOOP("Input", "Programmed plunge feed; S_p/n per revolution of the part. "
-                                       "Beyond the sources: a stage between others may retract "
-                                       "(negative feed) until its stock is off or nothing is cut."),
-            .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
+        SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
+                       .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
+                       .relevant = plungeFeeds, .slider = true, .read = {1e-6, 100},
+                       .exempt = retracts, .page = Page::cycle,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Programmed plunge feed; S_p/n per revolution of the part. "
+                                    "Beyond the sources: a stage between others may retract "
+                                    "(negative feed) until its stock is off or nothing is cut."),
+                       .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
                        .required = feedsAtAll, .slider = true, .page = Page::cycle,

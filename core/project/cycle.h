@@ -21,4 +21,8 @@ struct Cycle {
     std::vector<Stage> stages;
 };
 
+/// The wheel head may be drawn back between stages that feed, where the gauge ends stages. The
+/// stage is one of the project's.
+[[nodiscard]] bool mayRetract(const Project& project, const Stage& stage);
+
 } // namespace sparkout

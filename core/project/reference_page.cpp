@@ -220,7 +220,7 @@ private:
         text += "| `" + std::string(field.key) + "` ";
         for (const std::string& column :
              {typeColumn(field), std::string(field.unit), defaultColumn(field, table),
-              rangeColumn(field.hard, field), rangeColumn(field.soft, field),
+              rangeColumn(field.stated(), field), rangeColumn(field.soft, field),
               requiredColumn(field, table), meaningColumn(field)}) {
             text += column.empty() ? "| " : "| " + column + " ";
         }

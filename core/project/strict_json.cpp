@@ -146,7 +146,8 @@ private:
     std::size_t m_values = 0;
 };
 
-std::string lineAndColumn(std::string_view text, std::size_t position) {
+/// Where the text ends to be JSON, in lines and columns from 1.
+Issue notJson(std::string_view text, std::size_t position) {
     std::size_t line = 1;
     std::size_t column = 1;
     for (std::size_t i = 0; i + 1 < position && i < text.size(); ++i) {
@@ -154,7 +155,7 @@ std::string lineAndColumn(std::string_view text, std::size_t position) {
         column = text[i] == '\n' ? 1 : column + (inCharacter ? 0 : 1);
         line += text[i] == '\n' ? 1 : 0;
     }
-    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+    return {IssueCode::notJson, Severity::error, {}, std::to_string(line), std::to_string(column)};
 }
 
 /// Shortest digits; what no JSON number can say is null, and −0 is 0 as for the reader.
@@ -241,18 +242,13 @@ std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
     }
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
         // the parser would take it for the end of the text
-        issues.push_back(
-            {IssueCode::notJson, Severity::error, {}, lineAndColumn(text, nul + 1), {}});
+        issues.push_back(notJson(text, nul + 1));
         return std::nullopt;
     }
     Builder builder(issues);
     const bool parsed = json::sax_parse(text.begin(), text.end(), &builder);
     if (builder.syntaxError) {
-        issues.push_back({IssueCode::notJson,
-                          Severity::error,
-                          {},
-                          lineAndColumn(text, builder.errorPosition),
-                          {}});
+        issues.push_back(notJson(text, builder.errorPosition));
     }
     if (!parsed) {
         return std::nullopt;

@@ -75,7 +75,7 @@ private:
             }
             if (project().wheel.diameter_mm >= smallestBore()) {
                 add(IssueCode::wheelTooLarge, "/wheel/diameter_mm", mm(project().wheel.diameter_mm),
-                    "< " + mm(smallestBore()) + " (2·R_t − 2·Π − 2·ΔR)");
+                    "< " + mm(smallestBore()) + " (2R_t − 2·Π − 2·ΔR)");
             }
         }
     }
@@ -113,7 +113,7 @@ private:
             const std::size_t given = part.radii_um ? part.radii_um->size() : 0;
             if (given != static_cast<std::size_t>(part.radii_per_section)) {
                 add(IssueCode::wrongCount, "/part/radii_um", std::to_string(given),
-                    std::to_string(part.radii_per_section) + " (radii_per_section)");
+                    std::to_string(part.radii_per_section) + " (/part/radii_per_section)");
             }
         }
     }
@@ -142,7 +142,7 @@ private:
         const Machine& machine = project().machine;
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
         const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
-        const std::string below = "< " + mm(wheel.width_mm) + " (B)";
+        const std::string below = "< " + mm(wheel.width_mm) + " (/wheel/width_mm)";
         if (rz1 <= 0) {
             add(IssueCode::outOfRange, "/machine/overrun_entry_mm", mm(machine.overrun_entry_mm),
                 below);
@@ -153,7 +153,7 @@ private:
         }
         if (rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
             add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
-                "> " + mm(rz1 + rz2) + " (2·B − o1 − o2)");
+                "> " + mm(rz1 + rz2) + " (2·B − o_1 − o_2)");
         }
         if (project().gauge.position_mm) {
             warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge.position_mm),
@@ -170,7 +170,7 @@ private:
         const Gauge& gauge = project().gauge;
         if (project().wheel.width_mm < part.length_mm) {
             add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
-                "≥ " + mm(part.length_mm) + " (L_p)");
+                "≥ " + mm(part.length_mm) + " (/part/length_mm)");
         }
         if (gauge.section && *gauge.section >= project().sections) {
             add(IssueCode::outOfRange, "/gauge/section", std::to_string(*gauge.section),
@@ -178,7 +178,7 @@ private:
         }
         if (gauge.position_mm && *gauge.position_mm > part.length_mm) {
             add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
-                "0…" + mm(part.length_mm) + " (L_p)");
+                "0…" + mm(part.length_mm) + " (/part/length_mm)");
         }
     }
 
@@ -192,18 +192,19 @@ private:
         }
         if (project().sections_coupled && project().operation == Operation::plunge) {
             add(IssueCode::influenceUnknown, "/sections_coupled", "true",
-                "compliance_mm_per_n = null, stiffness_n_um, part.shaft");
+                SPARKOUT_NOOP("Limit", "a compliance computed from stiffness and shaft"));
         }
         if (project().operation == Operation::traverse) {
             if (sections) {
-                add(IssueCode::wrongType, path, "[…]", "{ rz1, nz, rz2 }");
+                add(IssueCode::wrongType, path, "[…]",
+                    SPARKOUT_NOOP("Limit", "a value for each zone: { rz1, nz, rz2 }"));
             }
         } else if (!sections) {
             add(IssueCode::wrongType, path, "{…}",
                 "[γ × " + std::to_string(project().sections) + "]");
         } else if (sections->size() != static_cast<std::size_t>(project().sections)) {
             add(IssueCode::wrongCount, path, std::to_string(sections->size()),
-                std::to_string(project().sections) + " (sections)");
+                std::to_string(project().sections) + " (/sections)");
         }
     }
 
@@ -212,13 +213,14 @@ private:
         const bool internal = project().part.surface == Surface::internal;
         if (!project().machine.stiffness_n_um) {
             add(IssueCode::complianceMissing, "/machine/compliance_mm_per_n", {},
-                "compliance_mm_per_n, or stiffness_n_um with part.shaft");
+                SPARKOUT_NOOP("Limit",
+                              "a compliance as given, or stiffness and shaft to compute it from"));
             return;
         }
         if (internal) {
             if (!shaft.quill) {
                 add(IssueCode::complianceMissing, "/part/shaft/quill", {},
-                    "length_mm and diameter_mm of the quill");
+                    SPARKOUT_NOOP("Limit", "length and diameter of the quill"));
             }
             return;
         }
@@ -228,7 +230,7 @@ private:
         const double needed = shaft.ground_from_mm + project().part.length_mm;
         if (shaft.segments.empty()) {
             add(IssueCode::complianceMissing, "/part/shaft/segments", {},
-                "length_mm and diameter_mm of each step of the shaft");
+                SPARKOUT_NOOP("Limit", "length and diameter of each step of the shaft"));
         } else if (length < needed - 1e-9) {
             add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length), "≥ " + mm(needed));
         }
@@ -289,20 +291,15 @@ private:
         }
     }
 
-    /// The wheel head may be drawn back between stages that feed, where the gauge ends stages.
-    bool mayRetract(std::size_t index) const {
-        return project().operation == Operation::plunge && index > 0
-               && index + 1 < project().cycle.stages.size()
-               && project().gauge.control == Control::gauge;
-    }
-
     void checkStage(const Stage& stage, std::size_t index) {
         const bool traverse = project().operation == Operation::traverse;
         const std::size_t count = project().cycle.stages.size();
         const std::string path = "/cycle/stages/" + std::to_string(index);
-        const std::string feedPath = path + (traverse ? "/radial_feed_mm" : "/radial_feed_mm_min");
+        const char* const feedKey = traverse ? "radial_feed_mm" : "radial_feed_mm_min";
+        const std::string feedPath = path + "/" + feedKey;
+        const Field& row = *tableOf<Stage>().find(feedKey);
         const auto& feed = traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min;
-        const std::string unit = traverse ? " mm" : " mm/min";
+        const std::string unit = std::string(" ") + row.unit;
         const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
         if (sparks && index + 1 < count) {
             add(IssueCode::sparkOutNotLast, path + "/spark_out", std::to_string(index + 1),
@@ -312,12 +309,16 @@ private:
             warn(IssueCode::feedUnused, feedPath, numberText(*feed) + unit, {});
         }
         if (!sparks && !feed) {
-            add(IssueCode::missingKey, feedPath, {}, "> 0" + unit);
-        } else if (!sparks && *feed < 1e-6 && !(*feed < 0 && mayRetract(index))) {
-            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit, "≥ 0.000001" + unit);
+            add(IssueCode::missingKey, feedPath, {}, rangeText(row.read, row.unit));
+        } else if (!sparks && *feed < row.read.low
+                   && !(*feed < 0 && mayRetract(project(), stage))) {
+            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit,
+                rangeText(row.read, row.unit));
         }
         if (traverse && !stage.axial_feed_mm_min) {
-            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {}, "> 0 mm/min");
+            const Field& axial = *tableOf<Stage>().find("axial_feed_mm_min");
+            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {},
+                rangeText(axial.stated(), axial.unit));
         }
     }
 

@@ -66,10 +66,8 @@ private slots:
         for (const CsvDialect dialect : {CsvDialect::russianExcel, CsvDialect::english}) {
             const bool russian = dialect == CsvDialect::russianExcel;
             QByteArray bytes = csvBytes(table, dialect);
-            QCOMPARE(bytes.startsWith("\xEF\xBB\xBF"), russian);
-            if (russian) {
-                bytes.remove(0, 3);
-            }
+            QVERIFY(bytes.startsWith("\xEF\xBB\xBF")); // Excel reads UTF-8 by it
+            bytes.remove(0, 3);
             const QStringList read = cellsOf(bytes, russian ? u';' : u',')[1];
             QCOMPARE(read.size(), qsizetype(cells.size()));
             for (qsizetype i = 0; i < read.size(); ++i) {

@@ -132,6 +132,24 @@ class TestFileDialogs : public QObject {
     Q_OBJECT
 
 private slots:
+    void openAsksForUnsavedChangesOnlyOnceAFileIsChosen() {
+        Bench bench;
+        QVERIFY(bench.open());
+        trouble::write(bench.other, textWith(40));
+        bench.edit(35);
+        {
+            DialogAnswers answers({QStringLiteral("Escape")}); // the file dialog, and no other
+            bench.window->files().open();
+            ANSWERED(answers);
+        }
+        QCOMPARE(bench.diameter(), 35.0);
+        QVERIFY(bench.document().modified());
+        DialogAnswers answers({QStringLiteral("file:") + bench.other, QStringLiteral("discard")});
+        bench.window->files().open();
+        ANSWERED(answers);
+        QCOMPARE(bench.diameter(), 40.0);
+    }
+
     void theUnsavedQuestionNamesTheFileAndTheEdits() {
         Bench bench;
         QVERIFY(bench.open());

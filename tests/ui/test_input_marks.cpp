@@ -10,8 +10,10 @@
 #include "ui/session/defaults.h"
 #include "ui/session/operation.h"
 #include "ui/session/source_names.h"
+#include "ui/session/texts.h"
 
 #include "core/project/project_file.h"
+#include "core/project/validate.h"
 
 #include "tests/registry.h"
 
@@ -109,6 +111,61 @@ private slots:
         }
         QVERIFY(count > 5);
         QVERIFY(sourceText("NOBODY1900").isEmpty());
+    }
+
+    void messagesNameOtherInputsAsTheFormsDo() {
+        std::vector<Project> faulty;
+        const auto add = [&faulty](Operation operation, auto change) {
+            change(faulty.emplace_back(newProject(operation)));
+        };
+        add(Operation::plunge, [](Project& p) { p.part.length_mm = 2 * p.wheel.width_mm; });
+        add(Operation::plunge, [](Project& p) { p.gauge.position_mm = p.part.length_mm + 1; });
+        add(Operation::plunge, [](Project& p) {
+            p.machine.compliance_mm_per_n = std::vector<double>(std::size_t(p.sections) + 1, 1e-4);
+        });
+        add(Operation::plunge, [](Project& p) { p.sections_coupled = true; });
+        add(Operation::plunge, [](Project& p) { // a bore as large as the wheel
+            p.part.surface = Surface::internal;
+            p.machine.compliance_mm_per_n = std::monostate{};
+            p.machine.stiffness_n_um.emplace();
+        });
+        add(Operation::traverse,
+            [](Project& p) { p.machine.overrun_entry_mm = p.wheel.width_mm + 1; });
+        add(Operation::traverse, [](Project& p) { p.part.length_mm = p.wheel.width_mm; });
+        add(Operation::traverse,
+            [](Project& p) { p.machine.compliance_mm_per_n = std::monostate{}; });
+        add(Operation::traverse, [](Project& p) {
+            p.machine.compliance_mm_per_n = std::monostate{};
+            p.machine.stiffness_n_um.emplace();
+        });
+        add(Operation::traverse, [](Project& p) {
+            p.part.profile = ProfileForm::measured;
+            p.part.radii_um = std::vector<double>(4, 1.0);
+        });
+        const QRegularExpression raw(QStringLiteral("[A-Za-z]_[A-Za-z0-9]|\\(/|part\\."));
+        QString all;
+        for (const Project& project : faulty) {
+            const Issues issues = validate(project);
+            QVERIFY(hasErrors(issues));
+            for (const Issue& issue : issues) {
+                const QString text = issueText(issue);
+                QVERIFY2(!text.contains(raw), qPrintable(text));
+                all += text + u'\n';
+            }
+        }
+        for (const char* named : {"(Ground length Lₚ)", "(Wheel width B)", "2·B − o₁ − o₂"}) {
+            QVERIFY2(all.contains(QString::fromUtf8(named)), named);
+        }
+    }
+
+    // The place is given in numbers, the words around them are translated.
+    void theFaultOfAFileThatIsNoJsonNamesLineAndColumn() {
+        const Issues issues = parseProject("{\n  \"part\": }").issues;
+        QCOMPARE(issues.size(), std::size_t(1));
+        QCOMPARE(issues[0].code, IssueCode::notJson);
+        QCOMPARE(issues[0].value, std::string("2"));
+        QCOMPARE(issues[0].limit, std::string("11"));
+        QVERIFY(issueText(issues[0]).endsWith(QStringLiteral("line 2, column 11")));
     }
 
     void aHintTellsMeaningFormulaRangesDefaultAndSource() {

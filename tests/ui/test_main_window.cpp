@@ -7,7 +7,9 @@
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/main_window.h"
+#include "ui/notice_bar.h"
 #include "ui/session/project_io.h"
+#include "ui/session/texts.h"
 #include "ui/view_tabs.h"
 #include "ui/views/feeds_plot.h"
 #include "ui/views/feeds_view.h"
@@ -21,6 +23,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QSignalSpy>
@@ -101,6 +104,49 @@ private slots:
         for (std::size_t i = 0; i < same->constraints.size(); ++i) {
             QCOMPARE(same->constraints[i].value, after->constraints[i].value);
         }
+    }
+
+    void aRequirementTakesTwoLinesAtMost_data() {
+        QTest::addColumn<QString>("code");
+        QTest::newRow("ru") << QStringLiteral("ru");
+        QTest::newRow("en") << QStringLiteral("en");
+    }
+    void aRequirementTakesTwoLinesAtMost() {
+        QFETCH(QString, code);
+        Bench bench(code);
+        for (const char* file : {"shaft-38-74h6.sparkout", "plunge-shaft-two-stage.sparkout"}) {
+            bench.open(example(file));
+            const auto* table = bench.window->findChild<VerdictPanel*>()->findChild<QTableView*>();
+            int oneLine = 0;
+            const int line = QFontMetrics(table->font()).lineSpacing();
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString text = table->model()->index(row, 0).data().toString();
+                QVERIFY2(table->rowHeight(row) < 3 * line, qPrintable(text));
+                oneLine += table->rowHeight(row) < 2 * line ? 1 : 0;
+            }
+            QVERIFY(2 * oneLine > table->model()->rowCount());
+        }
+    }
+
+    void whatAnotherOperationChangesIsTold() {
+        Bench bench(QStringLiteral("ru"));
+        bench.open(example("shaft-30h6-factory.sparkout"));
+        const Part before = bench.window->document().project().part;
+        const double width_mm = bench.window->document().project().wheel.width_mm;
+        QVERIFY(before.length_mm > width_mm);
+        auto* box = bench.window->findChild<QComboBox*>(QStringLiteral("/operation"));
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Down);
+        const Project& now = bench.window->document().project();
+        QCOMPARE(now.operation, Operation::plunge);
+        QCOMPARE(now.wheel.width_mm, width_mm);
+        QCOMPARE(now.part.length_mm, width_mm);
+        const NoticeBar& notices = bench.window->files().notices();
+        const QString told = notices.textOf(QStringLiteral("operation"));
+        QVERIFY2(told.contains(inputText("Ground length")), qPrintable(told));
+        bench.window->document().undo();
+        QVERIFY(!notices.holds(QStringLiteral("operation")));
+        QCOMPARE(bench.window->document().project().part.length_mm, before.length_mm);
     }
 
     void refusedInputsAreListedAndTheMessageLeadsToTheField() {

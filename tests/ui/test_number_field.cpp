@@ -169,6 +169,34 @@ private slots:
         QTRY_COMPARE(field.remark().mark, Mark::error);
     }
 
+    void aValueTheOthersDoNotGoWithWaitsForAPause() {
+        NumberField field(spec({0, 1000}));
+        field.reset(40);
+        field.setFits([](std::optional<double> value) { return value && *value >= 10; });
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        typeOver(field, QStringLiteral("5"));
+        QCOMPARE(field.value().value(), 40.0);
+        QTest::keyClicks(&field, QStringLiteral("0"));
+        QCOMPARE(field.value().value(), 50.0);
+        QCOMPARE(edited.count(), 1);
+        typeOver(field, QStringLiteral("7"));
+        QVERIFY(!field.refused());
+        QTRY_COMPARE(field.value().value(), 7.0); // it is what was meant
+        QCOMPARE(field.text(), QStringLiteral("7"));
+    }
+
+    void leavingTheFieldTakesAValueThatWaits() {
+        NumberField field(spec({0, 1000}));
+        field.reset(40);
+        field.setFits([](std::optional<double> value) { return value && *value >= 10; });
+        typeOver(field, QStringLiteral("5"));
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(field.text(), QStringLiteral("40"));
+        typeOver(field, QStringLiteral("5"));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(field.value().value(), 5.0);
+    }
+
     void anotherValueOfTheModelReplacesARefusedText() {
         NumberField field(spec());
         field.reset(1);
@@ -220,6 +248,8 @@ private slots:
         field.reset(30);
         typeOver(field, QStringLiteral("900"));
         QCOMPARE(field.value().value(), 900.0);
+        QCOMPARE(field.remark().mark, Mark::none); // it may become another
+        QTest::keyClick(&field, Qt::Key_Return);
         QCOMPARE(field.remark().mark, Mark::warning);
     }
 };

@@ -58,6 +58,31 @@ private slots:
         QCOMPARE(writeProject(document.project()), there);
     }
 
+    // A shaft longer than the wheel: nobody mounts another wheel for a plunge.
+    void aPlungeKeepsTheWheelAndGrindsWhatItCovers() {
+        Document document;
+        Project shaft = newProject(Operation::traverse);
+        shaft.part.length_mm = 300;
+        shaft.machine.compliance_mm_per_n = ZoneCompliance{1e-4, 2e-4, 1e-4};
+        document.startUntitled(shaft);
+        switchTo(document, Operation::plunge);
+        const Project& now = document.project();
+        QCOMPARE(now.wheel.width_mm, shaft.wheel.width_mm);
+        QCOMPARE(now.part.length_mm, shaft.wheel.width_mm);
+        QVERIFY(!hasErrors(validate(now)));
+        // the sections stand at the headstock's end of the length, where the zone is stiff
+        const auto& sections = std::get<std::vector<double>>(now.machine.compliance_mm_per_n);
+        const double share = shaft.wheel.width_mm / 300;
+        QVERIFY(sections.front() > 1e-4 && sections.back() < 1e-4 + 2e-4 * share);
+        const QStringList changes = changesOfOperation(shaft, now);
+        QCOMPARE(changes.size(), 1);
+        QVERIFY2(changes[0].contains(QStringLiteral("300 → ")), qPrintable(changes[0]));
+        switchTo(document, Operation::traverse);
+        QCOMPARE(document.project().part.length_mm, 300.0);
+        QCOMPARE(writeProject(document.project()), writeProject(shaft));
+        QVERIFY(changesOfOperation(shaft, document.project()).isEmpty());
+    }
+
     void whatWasChangedMeanwhileStaysAndTheRestComesBack() {
         Document document;
         document.startUntitled(newProject(Operation::traverse));

@@ -364,7 +364,7 @@ void TestPlotExport::csvHoldsTheNumbersOfTheCurves() {
     QFETCH(bool, russian);
     const PlotTools* tools = m_view->tools();
     QByteArray bytes = saved(russian ? tools->csvRussian : tools->csvEnglish, "data.csv");
-    QCOMPARE(bytes.startsWith("\xEF\xBB\xBF"), russian);
+    QVERIFY(bytes.startsWith("\xEF\xBB\xBF"));
     bytes.replace("\xEF\xBB\xBF", "");
     QList<QByteArray> lines = bytes.split('\n');
     QVERIFY(lines.takeLast().isEmpty());

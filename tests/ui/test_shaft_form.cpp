@@ -151,7 +151,7 @@ private slots:
         QCOMPARE(view.currentIndex().row(), 2);
         QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier); // the last stays the last
         QCOMPARE(view.currentIndex().row(), 2);
-        QTest::keyClick(&view, Qt::Key_Delete);
+        QTest::keyClick(&view, Qt::Key_Delete, Qt::ControlModifier);
         QCOMPARE(bench.segments().size(), 2u);
         for (int step = 0; step < 3; ++step) {
             bench.document.undo();
@@ -173,7 +173,7 @@ private slots:
         bench.type(view, 0, 0, "75");
         QCOMPARE(bench.part().shaft.steady_rests[0].position_mm, 75.0);
         view.setFocus();
-        QTest::keyClick(&view, Qt::Key_Delete);
+        QTest::keyClick(&view, Qt::Key_Delete, Qt::ControlModifier);
         QVERIFY(bench.part().shaft.steady_rests.empty());
         QVERIFY(!view.isVisible());
     }

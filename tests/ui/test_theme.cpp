@@ -19,6 +19,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace test_theme {
@@ -51,6 +53,44 @@ QColor over(const QColor& colour, const QColor& ground) {
     return QColor::fromRgbF(mix(colour.redF(), ground.redF()),
                             mix(colour.greenF(), ground.greenF()),
                             mix(colour.blueF(), ground.blueF()));
+}
+
+using Triple = std::array<double, 3>;
+using Matrix = std::array<Triple, 3>;
+
+Triple times(const Matrix& m, const Triple& v) {
+    Triple made{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        made[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
+    }
+    return made;
+}
+
+/// What eyes see: of everybody, without the long cones, without the middle ones (Machado 2009).
+constexpr std::array<Matrix, 3> eyes{{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                                      {{{0.152286, 1.052583, -0.204868},
+                                        {0.114503, 0.786281, 0.099216},
+                                        {-0.003882, -0.048116, 1.051998}}},
+                                      {{{0.367322, 0.860646, -0.227968},
+                                        {0.280085, 0.672501, 0.047413},
+                                        {-0.011820, 0.042940, 0.968881}}}}};
+
+/// CIE L*a*b* of an opaque colour as seen.
+Triple labOf(const QColor& colour, const Matrix& eye) {
+    const auto linear = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    Triple seen =
+        times(eye, {linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF())});
+    for (double& c : seen) {
+        c = std::clamp(c, 0.0, 1.0);
+    }
+    constexpr Matrix toXyz{
+        {{0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}}};
+    const Triple xyz = times(toXyz, seen);
+    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116; };
+    const Triple of{f(xyz[0] / 0.95047), f(xyz[1]), f(xyz[2] / 1.08883)};
+    return {116 * of[1] - 16, 500 * (of[0] - of[1]), 200 * (of[1] - of[2])};
 }
 
 void verifyContrast(const char* what, const QColor& colour, const QColor& ground, double least) {
@@ -117,6 +157,32 @@ class TestTheme : public QObject {
     Q_OBJECT
 
 private slots:
+    // A difference of 2.3 is just noticeable side by side.
+    void theStepsOfAZoneStayApartForColourBlindReaders() {
+        for (const Theme theme : {Theme::light, Theme::dark, Theme::contrast}) {
+            const QPalette palette = paletteOf(theme);
+            const QColor ground = palette.color(QPalette::Base);
+            std::vector<QColor> bands;
+            for (const Step step : {Step::e1, Step::e2, Step::e3, Step::e4, Step::e5}) {
+                bands.push_back(over(FeedsPlot::stepColour(Zone::rz1, step, palette), ground));
+            }
+            for (std::size_t i = 0; i < bands.size(); ++i) {
+                for (std::size_t k = 0; k < i; ++k) {
+                    for (const Matrix& eye : eyes) {
+                        const Triple a = labOf(bands[i], eye);
+                        const Triple b = labOf(bands[k], eye);
+                        const double apart = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+                        QVERIFY2(apart > 2 * 2.3, qPrintable(QStringLiteral("%1: E%2, E%3: %4")
+                                                                 .arg(themeCode(theme))
+                                                                 .arg(k + 1)
+                                                                 .arg(i + 1)
+                                                                 .arg(apart)));
+                    }
+                }
+            }
+        }
+    }
+
     void cleanup() { applyTheme(Theme::light); }
 
     void everyPairOfATheme_data() {

@@ -271,14 +271,11 @@ bool ComplianceBox::dropRefusal(const std::string& path) {
     return false;
 }
 
-bool ComplianceBox::focusPath(const std::string& path) {
-    if (!path.starts_with(m_path)) {
-        return false;
-    }
+void ComplianceBox::focusPath(const std::string& path) {
     for (const Line& line : m_lines) {
         if (path == pathOf(line)) {
             line.field->setFocus(Qt::OtherFocusReason);
-            return true;
+            return;
         }
     }
     if (!m_lines.empty() && m_body->isVisibleTo(this)) {
@@ -286,7 +283,6 @@ bool ComplianceBox::focusPath(const std::string& path) {
     } else {
         m_computed->setFocus(Qt::OtherFocusReason);
     }
-    return true;
 }
 
 } // namespace sparkout

@@ -35,7 +35,8 @@ public:
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
-    bool focusPath(const std::string& path);
+    [[nodiscard]] bool holds(const std::string& path) const { return path.starts_with(m_path); }
+    void focusPath(const std::string& path);
 
 signals:
     void refusalsChanged();

@@ -21,24 +21,35 @@ void FieldEditor::setIssue(const Remark& issue) {
     emit remarkChanged();
 }
 
-void FieldEditor::change(const std::function<void(void*)>& set) {
+std::optional<Project> FieldEditor::changedProject(const std::function<void(void*)>& set) const {
     const Project& before = m_document.project();
     Project after = before;
     const Member member = findMember(after, m_path, true);
     if (!member) {
-        return;
+        return std::nullopt;
     }
     set(member.owner);
     if (after.operation != before.operation) {
-        after = withOperation(before, after.operation, m_document.lastWith(after.operation));
-    } else if (after.sections != before.sections) {
+        return withOperation(before, after.operation, m_document.lastWith(after.operation));
+    }
+    if (after.sections != before.sections) {
         // From what was there before the digits typed so far: 12 is not to go through 1.
         const QString key = QString::fromStdString(m_path);
-        after = withSections(m_document.beforeEditsOf(key), after.sections);
-    } else if (after.part.surface != before.part.surface) {
-        after = withComputable(std::move(after));
+        return withSections(m_document.beforeEditsOf(key), after.sections);
     }
-    m_document.edit(std::move(after), {"Input", m_field.label}, QString::fromStdString(m_path));
+    return after.part.surface != before.part.surface ? withComputable(std::move(after)) : after;
+}
+
+void FieldEditor::change(const std::function<void(void*)>& set) {
+    if (auto after = changedProject(set)) {
+        m_document.edit(std::move(*after), {"Input", m_field.label},
+                        QString::fromStdString(m_path));
+    }
+}
+
+bool FieldEditor::fits(const std::function<void(void*)>& set) const {
+    const auto after = changedProject(set);
+    return !after || !breaksRules(m_document.project(), *after);
 }
 
 bool FieldEditor::changedFromDefault() const {

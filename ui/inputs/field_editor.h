@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 class QWidget;
@@ -47,10 +48,15 @@ signals:
 protected:
     /// Changes the member in a copy of the project and hands it to the document.
     void change(const std::function<void(void* owner)>& set);
+    /// Whether the change would break no rule that holds now.
+    [[nodiscard]] bool fits(const std::function<void(void* owner)>& set) const;
     [[nodiscard]] const void* owner() const; ///< the struct that holds the member
     [[nodiscard]] Document& document() const { return m_document; }
 
 private:
+    [[nodiscard]] std::optional<Project>
+    changedProject(const std::function<void(void* owner)>& set) const;
+
     std::string m_path;
     const Field& m_field;
     Document& m_document;

@@ -270,33 +270,56 @@ bool FormPage::dropRefusal(const std::string& path) {
                           [&path](ListTable* list) { return list->dropRefusal(path); });
 }
 
-bool FormPage::focusPath(const std::string& path) {
-    for (const FormRow* row : m_rows) {
+FormRow* FormPage::rowAt(const std::string& path) const {
+    for (FormRow* row : m_rows) {
         const std::string& own = row->editor().path();
         if (path == own || path.starts_with(own + "/")) {
-            ensureWidgetVisible(row->editor().widget());
-            row->editor().widget()->setFocus(Qt::OtherFocusReason);
-            return true;
+            return row;
         }
     }
-    if (m_compliance && m_compliance->focusPath(path)) {
-        ensureWidgetVisible(m_compliance);
-        return true;
+    return nullptr;
+}
+
+const FormPage::Box* FormPage::boxAt(const std::string& path) const {
+    const auto found = std::ranges::find(m_boxes, path, &Box::path);
+    return found == m_boxes.end() ? nullptr : &*found;
+}
+
+bool FormPage::holds(const std::string& path) const {
+    return rowAt(path) || boxAt(path) || (m_compliance && m_compliance->holds(path))
+           || std::ranges::any_of(m_lists,
+                                  [&](const ListTable* list) { return list->holds(path); });
+}
+
+void FormPage::showPath(const std::string& path, bool focus) {
+    widget()->layout()->activate(); // it may just have come into sight
+    const auto show = [this, focus](QWidget* widget, QWidget* focused) {
+        ensureWidgetVisible(widget);
+        if (focus && focused) {
+            focused->setFocus(Qt::OtherFocusReason);
+        }
+    };
+    if (const FormRow* row = rowAt(path)) {
+        show(row->editor().widget(), row->editor().widget());
+        return;
+    }
+    if (m_compliance && m_compliance->holds(path)) {
+        show(m_compliance, nullptr);
+        if (focus) {
+            m_compliance->focusPath(path);
+        }
+        return;
     }
     for (ListTable* list : m_lists) {
-        if (list->focusPath(path)) {
-            ensureWidgetVisible(list);
-            return true;
+        if (list->holds(path)) {
+            show(list, nullptr);
+            list->showPath(path, focus);
+            return;
         }
     }
-    for (const Box& box : m_boxes) {
-        if (box.path == path) {
-            ensureWidgetVisible(box.box);
-            box.box->setFocus(Qt::OtherFocusReason);
-            return true;
-        }
+    if (const Box* box = boxAt(path)) {
+        show(box->box, box->box);
     }
-    return false;
 }
 
 } // namespace sparkout

@@ -41,8 +41,10 @@ public:
     [[nodiscard]] std::vector<Refusal> refusals() const;
     /// Shows the document's value where a text was refused; false when it is not on this page.
     bool dropRefusal(const std::string& path);
-    /// Gives the focus to the field at a path; false when it is not on this page.
-    bool focusPath(const std::string& path);
+    /// Whether this page shows the field at a path.
+    [[nodiscard]] bool holds(const std::string& path) const;
+    /// Scrolls to the field at a path, and gives it the focus if wanted.
+    void showPath(const std::string& path, bool focus);
     [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; }
 
 signals:
@@ -68,6 +70,8 @@ private:
     void addBox(const Field& field, const std::string& path, Place into);
     void addProjectTexts(Place into);
     void connectRow(FormRow& row);
+    [[nodiscard]] FormRow* rowAt(const std::string& path) const;
+    [[nodiscard]] const Box* boxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
     void showProject(bool replaced);
     void toggleOptional(const Box& box, bool given);

@@ -132,9 +132,17 @@ void FormRow::showRemark() {
     colors.setColor(QPalette::WindowText, remark.mark == Mark::none
                                               ? colors.color(QPalette::PlaceholderText)
                                               : markColor(remark.mark, colors));
+    const bool shown = m_relevant && !text.isEmpty();
+    // A message that goes while one types leaves its place until the field is left.
+    QSizePolicy policy = m_reason->sizePolicy();
+    policy.setRetainSizeWhenHidden(m_relevant && !shown && m_editor->widget()->hasFocus()
+                                   && (m_reason->isVisible() || policy.retainSizeWhenHidden()));
+    m_reason->setSizePolicy(policy);
     m_reason->setPalette(colors);
-    m_reason->setText(text);
-    m_reason->setVisible(m_relevant && !text.isEmpty());
+    if (!policy.retainSizeWhenHidden()) {
+        m_reason->setText(text);
+    }
+    m_reason->setVisible(shown);
 }
 
 /// As wide as its texts, where that is more than the other fields take.
@@ -192,6 +200,9 @@ void FormRow::fillMenu(QMenu& menu) {
 }
 
 bool FormRow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusOut) {
+        showRemark();
+    }
     if (event->type() != QEvent::ContextMenu) {
         return QObject::eventFilter(watched, event);
     }

@@ -77,6 +77,11 @@ void HintStrip::showField(const Field& field) {
     }
 }
 
+void HintStrip::showFieldOf(const QWidget* widget) {
+    m_field = hintField(widget);
+    fill();
+}
+
 void HintStrip::fill() {
     if (!m_field) {
         m_text->setText(tr("What the input in focus means, and what it may be, stands here."));

@@ -24,6 +24,7 @@ public:
     ~HintStrip() override;
 
     void showField(const Field& field);
+    void showFieldOf(const QWidget* widget); ///< nothing where it is no input's
     void retranslate();
 
 protected:

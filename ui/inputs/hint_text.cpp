@@ -29,7 +29,7 @@ QStringList facts(const Field& field) {
     QStringList list;
     if (!field.hard.unbounded() && field.kind != Kind::objectList) {
         list += hintTr(QT_TRANSLATE_NOOP("Hint", "Allowed: %1"))
-                    .arg(rangeShown(field.hard, field.unit));
+                    .arg(rangeShown(field.stated(), field.unit));
     }
     if (!field.soft.unbounded()) {
         list +=
@@ -114,8 +114,8 @@ QString hintPlain(const Field& field) {
 QString limitsMarkup(const Field& field) {
     QStringList list;
     if (!field.hard.unbounded() && field.kind != Kind::objectList) {
-        list +=
-            hintTr(QT_TRANSLATE_NOOP("Hint", "allowed %1")).arg(rangeBrief(field.hard, field.unit));
+        list += hintTr(QT_TRANSLATE_NOOP("Hint", "allowed %1"))
+                    .arg(rangeBrief(field.stated(), field.unit));
     }
     if (!field.soft.unbounded()) {
         list +=

@@ -3,6 +3,7 @@
 
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/list_table.h"
+#include "ui/inputs/number_field.h"
 #include "ui/metrics.h"
 #include "ui/session/texts.h"
 #include "ui/theme.h"
@@ -88,6 +89,10 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
     layout->addWidget(rule());
     layout->addWidget(m_hint);
     connect(m_group, &QButtonGroup::idClicked, m_stack, &QStackedWidget::setCurrentIndex);
+    connect(m_stack, &QStackedWidget::currentChanged, this, [this] {
+        const QWidget* focused = QApplication::focusWidget();
+        m_hint->showFieldOf(m_stack->currentWidget()->isAncestorOf(focused) ? focused : nullptr);
+    });
     // A text just typed is not announced before a pause; it is noted when the focus goes on.
     connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
     showPage(static_cast<int>(pageEntries.size()) - 1); // the cycle: what one works on most
@@ -95,7 +100,10 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
 }
 
 InputsPanel::~InputsPanel() {
-    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while the pages go
+    disconnect(qApp, nullptr, this, nullptr); // the focus moves on while the pages go …
+    for (FormPage* page : m_pages) {
+        disconnect(page, nullptr, this, nullptr); // … and leaves what was typed there
+    }
 }
 
 void InputsPanel::showPage(int index) {
@@ -122,15 +130,26 @@ void InputsPanel::retranslate() {
     m_hint->retranslate();
 }
 
-void InputsPanel::focusPath(const std::string& path) {
-    for (std::size_t i = 0; i < m_pages.size(); ++i) {
-        const int before = m_stack->currentIndex();
-        showPage(static_cast<int>(i));
-        if (m_pages[i]->focusPath(path)) {
-            return;
-        }
-        showPage(before);
+void InputsPanel::showPath(const std::string& path, bool focus) {
+    const auto page = std::ranges::find_if(m_pages, [&](const auto* p) { return p->holds(path); });
+    if (page != m_pages.end()) {
+        showPage(static_cast<int>(page - m_pages.begin()));
+        (*page)->showPath(path, focus);
     }
+}
+
+void InputsPanel::endTyping() {
+    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
+        field->settle();
+    }
+}
+
+void InputsPanel::focusPath(const std::string& path) {
+    showPath(path, true);
+}
+
+void InputsPanel::revealPath(const std::string& path) {
+    showPath(path, m_stack->isAncestorOf(QApplication::focusWidget()));
 }
 
 void InputsPanel::noteRefusals() {

@@ -28,6 +28,9 @@ public:
     void retranslate();
     void showPage(int index);
     void focusPath(const std::string& path);
+    void endTyping(); ///< takes what stands in the field one types in
+    /// Brings the field at a path into sight. The focus goes there only from another input.
+    void revealPath(const std::string& path);
     [[nodiscard]] std::vector<Refusal> refusals() const;
     /// Shows the document's value in place of the text refused last; false when there is none.
     /// What undo does first.
@@ -38,6 +41,7 @@ signals:
     void refusalsChanged();
 
 private:
+    void showPath(const std::string& path, bool focus);
     void noteRefusals(); ///< in the order in which they came
 
     QButtonGroup* m_group;

@@ -28,13 +28,19 @@ ListDelegate::ListDelegate(Document& document, QObject* parent)
 QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                     const QModelIndex& index) const {
     auto* self = const_cast<ListDelegate*>(this);
-    NumberSpec spec = NumberSpec::of(modelOf(index).field(index));
+    const ListModel& model = modelOf(index);
+    NumberSpec spec = NumberSpec::of(model.field(index), m_document.project(), model.item(index));
     spec.optional = false; // a column that is shown is needed
     auto* editor = new NumberField(spec, parent);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     editor->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
     connect(editor, &NumberField::valueEdited, self,
             [self, editor] { emit self->commitData(editor); });
+    connect(editor, &NumberField::remarkChanged, self, // a pause in typing
+            [self, editor] { emit self->commitData(editor); });
+    editor->setFits([&model, cell = QPersistentModelIndex(index)](std::optional<double> value) {
+        return !cell.isValid() || model.fits(cell, value);
+    });
     return editor;
 }
 
@@ -60,9 +66,9 @@ void ListDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
     auto* list = static_cast<ListModel*>(model);
     const auto* field = static_cast<NumberField*>(editor);
     list->setNumber(index, field->value()); // of a refused text: what stood before it
-    if (field->refused()) {
+    if (field->refused() && !field->typing()) {
         list->refuse(index, field->text(), field->refusal());
-    } else {
+    } else if (!field->refused()) {
         list->accept(index);
     }
 }
@@ -75,6 +81,16 @@ void ListDelegate::dropRefusal(const QAbstractItemView& view) {
 }
 
 void ListDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
+    if (index.isValid()) { // it may be left without a pause in typing
+        auto fields = editor->findChildren<NumberField*>();
+        if (auto* own = qobject_cast<NumberField*>(editor)) {
+            fields += own;
+        }
+        for (NumberField* field : fields) {
+            field->settle();
+        }
+        setModelData(editor, const_cast<QAbstractItemModel*>(index.model()), index);
+    }
     m_document.endMerge();
     QStyledItemDelegate::destroyEditor(editor, index);
 }

@@ -66,12 +66,20 @@ std::optional<double> ListModel::number(const QModelIndex& index) const {
     return numberIn(field(index), item(index));
 }
 
-void ListModel::setNumber(const QModelIndex& index, std::optional<double> value) {
+Project ListModel::withNumber(const QModelIndex& index, std::optional<double> value) const {
     Project project = m_document.project();
     const Member member = findMember(project, path(index));
     setNumberIn(*member.field, member.owner, value);
-    m_document.edit(std::move(project), {"Input", member.field->label},
+    return project;
+}
+
+void ListModel::setNumber(const QModelIndex& index, std::optional<double> value) {
+    m_document.edit(withNumber(index, value), {"Input", field(index).label},
                     QString::fromStdString(path(index)));
+}
+
+bool ListModel::fits(const QModelIndex& index, std::optional<double> value) const {
+    return !breaksRules(m_document.project(), withNumber(index, value));
 }
 
 std::string ListModel::path(const QModelIndex& index) const {

@@ -39,6 +39,9 @@ public:
     [[nodiscard]] const Field& field(const QModelIndex& index) const;
     [[nodiscard]] std::optional<double> number(const QModelIndex& index) const;
     void setNumber(const QModelIndex& index, std::optional<double> value);
+    /// Whether a number would break no rule that holds now.
+    [[nodiscard]] bool fits(const QModelIndex& index, std::optional<double> value) const;
+    [[nodiscard]] const void* item(const QModelIndex& index) const; ///< the struct of a row
 
     void refuse(const QModelIndex& index, const QString& text, const QString& reason);
     void accept(const QModelIndex& index);
@@ -73,7 +76,7 @@ private:
 
     [[nodiscard]] std::string rowPath(int row) const;
     [[nodiscard]] QVariant fieldData(const QModelIndex& index, int role) const;
-    [[nodiscard]] const void* item(const QModelIndex& index) const;
+    [[nodiscard]] Project withNumber(const QModelIndex& index, std::optional<double> value) const;
     [[nodiscard]] std::vector<const Field*> relevantColumns() const;
 
     std::string m_path;

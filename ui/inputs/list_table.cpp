@@ -6,6 +6,7 @@
 #include "ui/inputs/hint_text.h"
 #include "ui/inputs/list_delegate.h"
 #include "ui/inputs/list_model.h"
+#include "ui/inputs/number_field.h"
 #include "ui/inputs/row_sliders.h"
 #include "ui/metrics.h"
 #include "ui/session/member.h"
@@ -82,7 +83,8 @@ void ListTable::setUp() {
     setUpView(*m_view);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setBuddy(m_view);
-    m_reasons->setTextFormat(Qt::PlainText);
+    m_reasons->setObjectName(QStringLiteral("reasons"));
+    m_reasons->setTextFormat(Qt::RichText);
     m_reasons->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, metrics::tight, 0, metrics::tight);
@@ -92,8 +94,8 @@ void ListTable::setUp() {
     buildButtons(*head);
     layout->addLayout(head);
     layout->addWidget(m_view);
-    layout->addWidget(m_reasons);
     layout->addWidget(m_sliders);
+    layout->addWidget(m_reasons); // below: what is dragged stays where it is
     connect(&m_document, &Document::replaced, this, [this] { m_replaced = true; });
     connect(&m_document, &Document::changed, this, &ListTable::takeProject);
     connect(m_model, &ListModel::refusalsChanged, this, [this] {
@@ -247,21 +249,21 @@ void ListTable::setIssues(const Issues& issues) {
 
 void ListTable::updateReasons() {
     QStringList lines;
-    Mark worst = Mark::none;
+    const QPalette colors = m_title->palette();
+    const auto add = [&](Mark mark, const std::string& path, const QString& reason) {
+        lines += QStringLiteral("<span style=\"color:%1\">%2</span>")
+                     .arg(markColor(mark, colors).name(),
+                          tr("%1: %2").arg(locationText(path), reason).toHtmlEscaped());
+    };
     for (const Refusal& refusal : m_model->refusals()) {
-        lines += tr("%1: %2").arg(locationText(refusal.path), refusal.reason);
-        worst = Mark::error;
+        add(Mark::error, refusal.path, refusal.reason);
     }
     for (const Issue& issue : m_issues) {
         if (issue.path == m_path || issue.path.starts_with(m_path + "/")) {
-            lines += tr("%1: %2").arg(locationText(issue.path), issueText(issue));
-            worst = std::max(worst, markOf(issue.severity));
+            add(markOf(issue.severity), issue.path, issueText(issue));
         }
     }
-    QPalette colors = m_title->palette();
-    colors.setColor(QPalette::WindowText, markColor(worst, colors));
-    m_reasons->setPalette(colors);
-    m_reasons->setText(lines.join(u'\n'));
+    m_reasons->setText(lines.join(QStringLiteral("<br>")));
     m_reasons->setVisible(!lines.isEmpty());
 }
 
@@ -286,7 +288,7 @@ void ListTable::retranslate() {
         button.setAccessibleName(text);
     };
     name(*m_add, shown.add, tr("Ins"));
-    name(*m_remove, shown.remove, tr("Del"));
+    name(*m_remove, shown.remove, tr("Ctrl+Del"));
     name(*m_up, shown.up, tr("Ctrl+Up"));
     name(*m_down, shown.down, tr("Ctrl+Down"));
     m_model->retranslate();
@@ -312,18 +314,18 @@ bool ListTable::dropRefusal(const std::string& path) {
     return true;
 }
 
-bool ListTable::focusPath(const std::string& path) {
-    if (path != m_path && !path.starts_with(m_path + "/")) {
-        return false;
-    }
+bool ListTable::holds(const std::string& path) const {
+    return path == m_path || path.starts_with(m_path + "/");
+}
+
+void ListTable::showPath(const std::string& path, bool focus) {
     const QModelIndex index = m_model->indexAt(path);
-    if (index.isValid()) {
-        m_view->setFocus(Qt::OtherFocusReason);
-        m_view->setCurrentIndex(index);
-    } else {
-        m_add->setFocus(Qt::OtherFocusReason);
+    if (focus) {
+        (index.isValid() ? static_cast<QWidget*>(m_view) : m_add)->setFocus(Qt::OtherFocusReason);
     }
-    return true;
+    if (index.isValid()) {
+        m_view->setCurrentIndex(index);
+    }
 }
 
 void ListTable::fitHeight() {
@@ -347,13 +349,21 @@ bool ListTable::takeKey(const QKeyEvent& key) {
     } else if (key.key() == Qt::Key_Insert && !control) {
         addRow();
     } else if (key.key() == Qt::Key_Delete) {
-        removeRow();
+        control ? removeRow() : clearCell();
     } else if (control && (key.key() == Qt::Key_Up || key.key() == Qt::Key_Down)) {
         moveRow(key.key() == Qt::Key_Up ? -1 : 1);
     } else {
         return false;
     }
     return true;
+}
+
+/// A number is needed in each cell: the next one is typed in place of what stood there.
+void ListTable::clearCell() {
+    m_view->edit(m_view->currentIndex());
+    if (auto* field = m_view->viewport()->findChild<NumberField*>()) {
+        field->clearText();
+    }
 }
 
 void ListTable::copyTable() const {

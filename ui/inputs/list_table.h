@@ -23,9 +23,10 @@ class ListDelegate;
 class ListModel;
 class RowSliders;
 
-/// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove (Del)
-/// and move (Ctrl+Up, Ctrl+Down) a row, and to copy the table (Ctrl+C); below it the sliders of the
-/// selected row. As it stands it serves lists whose items hold numbers only.
+/// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove
+/// (Ctrl+Del) and move (Ctrl+Up, Ctrl+Down) a row, to clear a cell (Del) and to copy the table
+/// (Ctrl+C); below it the sliders of the selected row. As it stands it serves lists whose items
+/// hold numbers only.
 class ListTable : public QWidget {
     Q_OBJECT
 
@@ -39,12 +40,14 @@ public:
     void retranslate();
     [[nodiscard]] std::vector<Refusal> refusals() const;
     bool dropRefusal(const std::string& path);
-    bool focusPath(const std::string& path);
+    [[nodiscard]] bool holds(const std::string& path) const;
+    void showPath(const std::string& path, bool focus); ///< makes its cell the current one
     [[nodiscard]] QTableView& view() const { return *m_view; }
 
     virtual void addRow();
     virtual void removeRow();
     virtual void moveRow(int by);
+    virtual void clearCell();
     void copyTable() const; ///< to the clipboard, for spreadsheets
 
 signals:

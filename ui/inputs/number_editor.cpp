@@ -13,6 +13,9 @@ NumberEditor::NumberEditor(const std::string& path, const Field& field, Document
     : FieldEditor(path, field, document), m_field(new NumberField(NumberSpec::of(field), parent)) {
     m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_field, &NumberField::valueEdited, this, [this] { store(m_field->value()); });
+    m_field->setFits([this](std::optional<double> value) {
+        return fits([this, value](void* to) { setNumberIn(this->field(), to, value); });
+    });
     connect(m_field, &NumberField::remarkChanged, this, &FieldEditor::remarkChanged);
     connect(m_field, &QLineEdit::editingFinished, this, [this] { this->document().endMerge(); });
     if (field.slider) {

@@ -14,14 +14,20 @@ namespace sparkout {
 
 namespace {
 
-constexpr int typingPause_ms = 700;
+constexpr int typingPause_ms = 800;
 
 } // namespace
 
 NumberSpec NumberSpec::of(const Field& field) {
-    NumberSpec spec{field.hard, field.soft, field.unit, false, false, field.nullMeaning};
+    NumberSpec spec{field.stated(), field.soft, field.unit, false, false, field.nullMeaning};
     spec.integer = field.kind == Kind::integer || field.kind == Kind::optionalInteger;
     spec.optional = field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger;
+    return spec;
+}
+
+NumberSpec NumberSpec::of(const Field& field, const Project& project, const void* owner) {
+    NumberSpec spec = of(field);
+    spec.hard = field.allowed(project, owner);
     return spec;
 }
 
@@ -30,7 +36,7 @@ NumberField::NumberField(const NumberSpec& spec, QWidget* parent)
     m_icon->setVisible(false);
     m_typing.setSingleShot(true);
     m_typing.setInterval(typingPause_ms);
-    connect(&m_typing, &QTimer::timeout, this, &NumberField::updateRemark);
+    connect(&m_typing, &QTimer::timeout, this, &NumberField::endTyping);
     connect(this, &QLineEdit::textEdited, this, [this] {
         m_typing.start();
         evaluate();
@@ -44,7 +50,7 @@ void NumberField::setValue(std::optional<double> value) {
         reset(value);
         return;
     }
-    if (!refused() && parseNumber(text()) != value) {
+    if (!refused() && !m_waits && parseNumber(text()) != value) {
         showValue();
     }
 }
@@ -53,6 +59,7 @@ void NumberField::reset(std::optional<double> value) {
     const bool asTyped = !refused() && value && parseNumber(text()) == value;
     m_value = value;
     m_settled = value;
+    m_waits = false;
     if (!asTyped) {
         showValue();
     }
@@ -89,8 +96,11 @@ void NumberField::setIssue(const Remark& issue) {
 }
 
 Remark NumberField::remark() const {
+    if (typing()) {
+        return {};
+    }
     if (refused()) {
-        return m_typing.isActive() ? Remark{} : m_own;
+        return m_own;
     }
     return m_issue.mark >= m_own.mark && m_issue.mark != Mark::none ? m_issue : m_own;
 }
@@ -119,7 +129,8 @@ Remark NumberField::judge(std::optional<double>& value) const {
 void NumberField::evaluate() {
     std::optional<double> value;
     m_own = judge(value);
-    if (refused()) {
+    m_waits = !refused() && typing() && m_fits && value != m_settled && !m_fits(value);
+    if (refused() || m_waits) {
         value = m_settled; // never the beginning of a number that did not become one
     }
     const bool another = value != m_value;
@@ -131,8 +142,9 @@ void NumberField::evaluate() {
 }
 
 void NumberField::revert() {
-    const bool another = refused() || m_value != m_settled;
+    const bool another = unsettled();
     m_value = m_settled;
+    m_waits = false;
     m_own = {};
     showValue();
     std::optional<double> same;
@@ -143,8 +155,24 @@ void NumberField::revert() {
     }
 }
 
-void NumberField::settle() {
+void NumberField::clearText() {
+    selectAll();
+    del();
+    m_typing.start();
+    evaluate();
+}
+
+void NumberField::endTyping() {
     m_typing.stop();
+    m_waits ? evaluate() : updateRemark();
+}
+
+bool NumberField::unsettled() const {
+    return refused() || m_waits || m_value != m_settled;
+}
+
+void NumberField::settle() {
+    endTyping();
     if (!refused()) {
         m_settled = m_value;
     }
@@ -187,7 +215,7 @@ void NumberField::updateRemark() {
 
 void NumberField::retranslate() {
     setPlaceholderText(m_spec.optional ? inputText(m_spec.nullMeaning) : QString());
-    if (!refused()) {
+    if (!refused() && !m_waits) {
         showValue();
     }
     std::optional<double> same;
@@ -202,7 +230,7 @@ bool NumberField::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-            event->setAccepted(refused() && key->matches(QKeySequence::Undo));
+            event->setAccepted((refused() || m_waits) && key->matches(QKeySequence::Undo));
             return true;
         }
     }
@@ -210,9 +238,8 @@ bool NumberField::event(QEvent* event) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
-    const bool changed = refused() || m_value != m_settled;
-    if ((changed && event->key() == Qt::Key_Escape)
-        || (refused() && event->matches(QKeySequence::Undo))) {
+    if ((unsettled() && event->key() == Qt::Key_Escape)
+        || ((refused() || m_waits) && event->matches(QKeySequence::Undo))) {
         revert();
     } else if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
         step(event->key() == Qt::Key_Up ? 1 : -1);

@@ -6,6 +6,7 @@
 #include "ui/session/document.h"
 #include "ui/session/texts.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -21,13 +22,20 @@ RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& 
     layout->setSpacing(metrics::gap);
     NumberSpec spec = NumberSpec::of(field);
     spec.optional = true;
-    for (NumberField*& number : m_fields) {
-        number = new NumberField(spec, m_body);
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        m_names[i] = new QLabel(m_body);
+        m_names[i]->setTextFormat(Qt::PlainText);
+        layout->addWidget(m_names[i]);
+        NumberField* const number = m_fields[i] = new NumberField(spec, m_body);
+        m_names[i]->setBuddy(number);
         number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         layout->addWidget(number, 1);
         connect(number, &NumberField::valueEdited, this, &RangeEditor::take);
         connect(number, &NumberField::remarkChanged, this, &FieldEditor::remarkChanged);
-        connect(number, &QLineEdit::editingFinished, this, [this] { this->document().endMerge(); });
+        connect(number, &QLineEdit::editingFinished, this, [this] {
+            this->document().endMerge();
+            emit remarkChanged(); // what the three make together
+        });
     }
     m_unit->setTextFormat(Qt::PlainText);
     m_unit->setFixedWidth(unitColumn);
@@ -83,11 +91,13 @@ void RangeEditor::show(bool replaced) {
 
 void RangeEditor::retranslate() {
     const std::array names{tr("lowest"), tr("highest"), tr("step")};
+    const std::array brief{tr("from"), tr("to"), tr("step", "after from and to")};
     const QString label = inputText(field().label);
     const QString unit = unitText(field().unit);
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
         m_fields[i]->retranslate();
-        m_fields[i]->setPlaceholderText(names[i]);
+        m_fields[i]->setPlaceholderText({});
+        m_names[i]->setText(brief[i]);
         m_fields[i]->setAccessibleName(tr("%1: %2, %3").arg(label, names[i], unit));
         m_fields[i]->setToolTip(tr("%1: %2").arg(label, names[i]));
     }
@@ -99,7 +109,13 @@ QString RangeEditor::refusal() const {
 }
 
 Remark RangeEditor::remark() const {
-    const QString reason = fault();
+    for (const NumberField* number : m_fields) {
+        if (number->refused() && !number->typing()) {
+            return number->remark();
+        }
+    }
+    const bool within = m_body->isAncestorOf(QApplication::focusWidget()); // the others may follow
+    const QString reason = within ? QString() : fault();
     return reason.isEmpty() ? FieldEditor::remark() : Remark{Mark::error, reason};
 }
 

@@ -39,6 +39,7 @@ private:
 
     QWidget* m_body;
     std::array<NumberField*, 3> m_fields{};
+    std::array<QLabel*, 3> m_names{}; ///< in front of each
     QLabel* m_unit;
     Values m_kept; ///< the document's value when the texts were last in order
 };

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 
 #include <utility>
 
@@ -26,6 +27,7 @@ SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* paren
                     int(SparkOut::Mode::count));
     m_mode->addItem(tr("until size"), int(SparkOut::Mode::untilSize));
     m_mode->setAccessibleName(inputText(field.label));
+    m_mode->installEventFilter(this);
     setAutoFillBackground(true);
     setFocusProxy(m_mode);
     auto* layout = new QHBoxLayout(this);
@@ -53,6 +55,9 @@ SparkOutEditor::~SparkOutEditor() {
 
 void SparkOutEditor::leave() {
     if (!std::exchange(m_left, true)) { // closing moves the focus, which is leaving again
+        if (m_count->hasFocus()) {
+            setFocusProxy(m_count); // the table takes the focus from here, and stays at its cell
+        }
         emit left();
     }
 }
@@ -65,6 +70,23 @@ bool SparkOutEditor::focusNextPrevChild(bool next) {
         return true;
     }
     return QWidget::focusNextPrevChild(next);
+}
+
+/// A digit says how many, whatever was chosen.
+bool SparkOutEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_mode && event->type() == QEvent::KeyPress) {
+        const QString text = static_cast<QKeyEvent*>(event)->text();
+        if (!text.isEmpty() && text.front().isDigit()) {
+            setMode(SparkOut::Mode::count);
+            showCount();
+            m_count->setFocus(Qt::OtherFocusReason);
+            m_count->selectAll();
+            QApplication::sendEvent(m_count, event);
+            emit edited();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 /// Also what opens in a window of its own, as the list of the choices does.
@@ -107,7 +129,7 @@ void SparkOutEditor::revert() {
 }
 
 bool SparkOutEditor::refused() const {
-    return mode() == SparkOut::Mode::count && m_count->refused();
+    return mode() == SparkOut::Mode::count && m_count->refused() && !m_count->typing();
 }
 
 QString SparkOutEditor::refusedText() const {

@@ -23,7 +23,7 @@ public:
     void setValue(const SparkOut& value);
     void revert(); ///< back to the value it was opened with
 
-    [[nodiscard]] bool refused() const;
+    [[nodiscard]] bool refused() const; ///< not while one types
     [[nodiscard]] QString refusedText() const;
     [[nodiscard]] QString refusal() const;
     void showRefused(const QString& text);
@@ -34,6 +34,7 @@ signals:
 
 protected:
     bool focusNextPrevChild(bool next) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void leave();

@@ -51,7 +51,13 @@ void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
     } else if (before.spark_out.mode != SparkOut::Mode::none) {
+        const auto& started =
+            document().beforeEditsOf(QString::fromStdString(path(index))).cycle.stages;
         const bool traverse = project.operation == Operation::traverse;
+        if (std::size_t(index.row()) < started.size()) { // what this edit took away
+            to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
+            to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
+        }
         auto& feed = traverse ? to.radial_feed_mm : to.radial_feed_mm_min;
         feed = feed ? feed : std::optional(traverse ? 0.001 : 0.1);
     }

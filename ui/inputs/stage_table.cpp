@@ -95,6 +95,17 @@ void StageTable::removeRow() {
                 std::min(at, static_cast<int>(stages.size()) - 1));
 }
 
+void StageTable::clearCell() {
+    const QModelIndex cell = view().currentIndex();
+    if (!m_stages->isField(cell) || m_stages->field(cell).kind != Kind::sparkOut) {
+        ListTable::clearCell();
+    } else if (m_stages->flags(cell) & Qt::ItemIsEditable) {
+        m_stages->accept(cell);
+        m_stages->setSparkOut(cell, {});
+        document().endMerge();
+    }
+}
+
 bool StageTable::canMove(int by) const {
     const auto& stages = document().project().cycle.stages;
     const int from = currentRow();

@@ -21,6 +21,7 @@ public:
     void addRow() override;
     void removeRow() override;
     void moveRow(int by) override;
+    void clearCell() override;
 
 protected:
     [[nodiscard]] Texts texts() const override;

@@ -59,7 +59,7 @@ QByteArray csvBytes(const CsvTable& table, CsvDialect dialect) {
     for (const std::vector<CsvCell>& row : table.rows) {
         text += csvLine(row, separator, decimal);
     }
-    return (russian ? QByteArray("\xEF\xBB\xBF") : QByteArray()) + text.toUtf8();
+    return "\xEF\xBB\xBF" + text.toUtf8();
 }
 
 QString tabSeparated(const CsvTable& table, const QLocale& locale) {

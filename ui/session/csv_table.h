@@ -24,12 +24,13 @@ struct CsvTable {
 };
 
 enum class CsvDialect {
-    russianExcel, ///< semicolons, decimal commas, a byte-order mark
+    russianExcel, ///< semicolons, decimal commas
     english,      ///< commas, decimal points (RFC 4180)
 };
 
-/// UTF-8, lines ended by CR LF. Numbers are written so that they read back as the same double; a
-/// text that a spreadsheet would take for a formula gets an apostrophe in front.
+/// UTF-8 with a byte-order mark, by which Excel knows it; lines ended by CR LF. Numbers are written
+/// so that they read back as the same double; a text that a spreadsheet would take for a formula
+/// gets an apostrophe in front.
 [[nodiscard]] QByteArray csvBytes(const CsvTable& table, CsvDialect dialect);
 
 /// Lines of cells separated by tabs, for the clipboard; numbers as the locale writes them, with all

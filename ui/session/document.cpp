@@ -2,6 +2,8 @@
 #include "ui/session/document.h"
 
 #include "core/project/project_file.h"
+#include "core/project/validate.h"
+#include "ui/session/difference.h"
 
 #include <QCoreApplication>
 #include <QUndoCommand>
@@ -19,6 +21,17 @@ constexpr EditText reloadText{"Edit", QT_TRANSLATE_NOOP("Edit", "Reload the file
 
 QString EditText::shown() const {
     return QCoreApplication::translate(context, text);
+}
+
+bool breaksRules(const Project& before, const Project& after) {
+    const Issues known = validate(before);
+    const Issues issues = validate(after);
+    return std::any_of(issues.begin(), issues.end(), [&known](const Issue& issue) {
+        return issue.severity == Severity::error
+               && std::none_of(known.begin(), known.end(), [&issue](const Issue& other) {
+                      return other.code == issue.code && other.path == issue.path;
+                  });
+    });
 }
 
 /// One step of the history: the whole value before and after.
@@ -67,7 +80,9 @@ void Document::edit(Project changed, EditText text, const QString& mergeKey) {
     if (sameProject(changed, m_project)) {
         return;
     }
+    const Snapshot before = m_present;
     m_history.push(new Edit(*this, std::move(changed), text, roundKey(mergeKey)));
+    emit edited(before.project);
 }
 
 QString Document::roundKey(const QString& mergeKey) const {
@@ -99,13 +114,21 @@ QString Document::redoText() const {
 }
 
 void Document::undo() {
-    endMerge();
-    m_history.undo();
+    step([this] { m_history.undo(); });
 }
 
 void Document::redo() {
+    step([this] { m_history.redo(); });
+}
+
+void Document::step(const std::function<void()>& step) {
     endMerge();
-    m_history.redo();
+    const Snapshot before = m_present;
+    step();
+    if (const std::string path = firstDifference(before.project, m_present.project);
+        !path.empty()) {
+        emit stepped(path);
+    }
 }
 
 QStringList Document::unsavedEdits() const {

@@ -8,6 +8,7 @@
 #include <QStringList>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,9 @@ struct OpenResult {
     bool taken = false;
     [[nodiscard]] bool opened() const { return taken; }
 };
+
+/// Whether a change of the inputs brings faults that were not there.
+[[nodiscard]] bool breaksRules(const Project& before, const Project& after);
 
 /// The project being worked on: its value, its file, its history. Every change of the value goes
 /// through edit(), so all of it can be undone, also across a save.
@@ -82,7 +86,10 @@ public:
     void markUnsaved(); ///< the file does not hold it any more
 
 signals:
-    void changed();        ///< another value
+    void changed();                               ///< another value
+    void edited(const sparkout::Project& before); ///< by an edit; changed() came before
+    /// By undo or redo, after changed(): another value at a path, the first of them.
+    void stepped(const std::string& path);
     void replaced();       ///< another document; changed() follows
     void historyChanged(); ///< undo, redo, modified state or file
 
@@ -100,6 +107,7 @@ private:
                  Kept kept);
     [[nodiscard]] Snapshot snapshot(Project project) const;
     void setProject(const Snapshot& snapshot);
+    void step(const std::function<void()>& step);
     [[nodiscard]] const Edit* editAt(int index) const;
 
     Project m_project;

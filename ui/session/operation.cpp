@@ -48,10 +48,12 @@ double complianceAt(const Project& project, double share) {
     return sections && !sections->empty() ? between(*sections, share) : usualCompliance_mm_per_n;
 }
 
-std::vector<double> sectionCompliance(const Project& project, int count) {
+/// Of sections on the first `reach_mm` of the ground length.
+std::vector<double> sectionCompliance(const Project& project, int count, double reach_mm) {
+    const double share = reach_mm / project.part.length_mm;
     std::vector<double> values;
     for (int j = 0; j < count; ++j) {
-        values.push_back(rounded(complianceAt(project, (j + 0.5) / count)));
+        values.push_back(rounded(complianceAt(project, share * (j + 0.5) / count)));
     }
     return values;
 }
@@ -148,8 +150,8 @@ bool complianceComputable(const Project& project) {
 Project fitted(Project project, Operation operation) {
     if (operation == Operation::traverse) {
         fitZones(project);
-    } else { // the wheel of a plunge cycle covers the ground length
-        project.wheel.width_mm = std::max(project.wheel.width_mm, project.part.length_mm);
+    } else { // a plunge grinds what the wheel that is there covers
+        project.part.length_mm = std::min(project.part.length_mm, project.wheel.width_mm);
     }
     return project;
 }
@@ -161,7 +163,9 @@ Project withOperation(Project project, Operation operation) {
     const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
     if (operation == Operation::plunge) {
         if (given) {
-            project.machine.compliance_mm_per_n = sectionCompliance(project, project.sections);
+            const double reach_mm = fitted(project, operation).part.length_mm;
+            project.machine.compliance_mm_per_n =
+                sectionCompliance(project, project.sections, reach_mm);
         }
         makePlunge(project);
     } else {
@@ -178,7 +182,7 @@ Project withSections(Project project, int sections) {
     auto& given = project.machine.compliance_mm_per_n;
     const auto* list = std::get_if<std::vector<double>>(&given);
     if (list && list->size() != static_cast<std::size_t>(sections)) {
-        given = sectionCompliance(project, sections);
+        given = sectionCompliance(project, sections, project.part.length_mm);
     }
     if (project.gauge.section && *project.gauge.section >= sections) {
         project.gauge.section.reset();
@@ -195,7 +199,7 @@ Project withGivenCompliance(Project project, bool given) {
     } else if (project.operation == Operation::traverse) {
         compliance = zoneCompliance(project);
     } else {
-        compliance = sectionCompliance(project, project.sections);
+        compliance = sectionCompliance(project, project.sections, project.part.length_mm);
     }
     return project;
 }

@@ -3,6 +3,8 @@
 
 #include "core/project/project.h"
 
+#include <QStringList>
+
 /// Edits that must change several inputs together.
 namespace sparkout {
 
@@ -14,15 +16,19 @@ namespace sparkout {
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
 /// The same, with the project as it last was under that operation: feeds come back as they were
-/// there, and of wheel, overruns, compliance, gauge and surface what was not touched since. There
-/// and back is the project it was.
+/// there, and of ground length, wheel, overruns, compliance, gauge and surface what was not touched
+/// since. There and back is the project it was.
 [[nodiscard]] Project withOperation(const Project& project, Operation operation,
                                     const Project* last);
+
+/// What another operation made of the inputs outside the stages: "Ground length L_p: 100 → 50 mm".
+[[nodiscard]] QStringList changesOfOperation(const Project& before, const Project& after);
 
 /// Whether a stage feeds, which a spark-out does not.
 [[nodiscard]] bool feeds(const Stage& stage);
 
-/// The project with wheel width and overruns that suit the ground length under an operation.
+/// The project with what suits an operation: for traverse wheel width and overruns that leave a
+/// zone between the reversals, for plunge a ground length that the wheel covers.
 [[nodiscard]] Project fitted(Project project, Operation operation);
 
 /// The project with another number of plunge sections; a listed compliance follows.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/operation.h"
 
+#include "ui/session/member.h"
+#include "ui/session/number_text.h"
+#include "ui/session/texts.h"
+
 namespace sparkout {
 
 namespace {
@@ -68,6 +72,8 @@ Project withOperation(const Project& project, Operation operation, const Project
     giveBackFeeds(made, project, thence, *last);
     giveBackGauge(made.gauge, project.gauge, thence.gauge, last->gauge);
     giveBack(made.part.surface, project.part.surface, thence.part.surface, last->part.surface);
+    giveBack(made.part.length_mm, project.part.length_mm, thence.part.length_mm,
+             last->part.length_mm);
     giveBack(made.wheel.width_mm, project.wheel.width_mm, thence.wheel.width_mm,
              last->wheel.width_mm);
     Machine& machine = made.machine;
@@ -81,6 +87,23 @@ Project withOperation(const Project& project, Operation operation, const Project
                  thence.machine.compliance_mm_per_n, last->machine.compliance_mm_per_n);
     }
     return fitted(std::move(made), operation);
+}
+
+QStringList changesOfOperation(const Project& before, const Project& after) {
+    QStringList changes;
+    for (const char* path : {"/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
+                             "/machine/overrun_exit_mm"}) {
+        const ConstMember was = findMember(before, path);
+        const ConstMember now = findMember(after, path);
+        const double old = *numberIn(*was.field, was.owner);
+        const double made = *numberIn(*now.field, now.owner);
+        if (old != made) {
+            changes += QStringLiteral("%1: %2 → %3 %4")
+                           .arg(inputText(now.field->label), showNumber(old, QLocale()),
+                                showNumber(made, QLocale()), unitText(now.field->unit));
+        }
+    }
+    return changes;
 }
 
 } // namespace sparkout

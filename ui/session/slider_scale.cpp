@@ -65,13 +65,13 @@ const std::optional<std::vector<double>>* machineRange(const MachineLimits& limi
 } // namespace
 
 SliderSpec sliderSpec(const Project& project, const std::string& path, const Field& field) {
-    SliderSpec spec{field.soft.unbounded() ? field.hard : field.soft, field.hard,
+    SliderSpec spec{field.soft.unbounded() ? field.stated() : field.soft, field.stated(),
                     field.kind == Kind::integer || field.kind == Kind::optionalInteger, false,
                     std::nullopt};
     const auto* machine = machineRange(project.machine.limits, path);
     if (machine && *machine && (*machine)->size() == 3) {
-        const double low = std::max((**machine)[0], field.hard.low);
-        const double high = std::min((**machine)[1], field.hard.high);
+        const double low = std::max((**machine)[0], field.stated().low);
+        const double high = std::min((**machine)[1], field.stated().high);
         if (low < high) {
             spec.usual = {low, high};
             if ((**machine)[2] > 0) {
@@ -80,7 +80,7 @@ SliderSpec sliderSpec(const Project& project, const std::string& path, const Fie
             return spec;
         }
     }
-    spec.zero = spec.usual.low > 0 && field.hard.contains(0) && !field.positive;
+    spec.zero = spec.usual.low > 0 && field.stated().contains(0);
     return spec;
 }
 

@@ -30,7 +30,7 @@ constexpr std::array units{
     QT_TRANSLATE_NOOP("Unit", "kW"),      QT_TRANSLATE_NOOP("Unit", "HRC"),
     QT_TRANSLATE_NOOP("Unit", "W/(m·K)"), QT_TRANSLATE_NOOP("Unit", "J/m²"),
     QT_TRANSLATE_NOOP("Unit", "1/mm²"),   QT_TRANSLATE_NOOP("Unit", "K"),
-    QT_TRANSLATE_NOOP("Unit", "°"),
+    QT_TRANSLATE_NOOP("Unit", "°"),       QT_TRANSLATE_NOOP("Unit", "bytes"),
 };
 
 /// Words the core uses in the values and limits of its issues.
@@ -39,9 +39,6 @@ constexpr std::array words{
     QT_TRANSLATE_NOOP("Detail", "traverse"),
     QT_TRANSLATE_NOOP("Detail", "internal"),
     QT_TRANSLATE_NOOP("Detail", "external"),
-    QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of the quill"),
-    QT_TRANSLATE_NOOP("Detail", "length_mm and diameter_mm of each step of the shaft"),
-    QT_TRANSLATE_NOOP("Detail", "compliance_mm_per_n, or stiffness_n_um with part.shaft"),
 };
 
 /// Patterns that find each of the texts in its surroundings, made once.
@@ -55,6 +52,40 @@ std::array<QRegularExpression, N> patterns(const std::array<const char*, N>& tex
                                QRegularExpression::UseUnicodePropertiesOption);
     }
     return all;
+}
+
+/// "L_p" → "Lₚ", where there are signs for all of an index.
+QString withSubscripts(QString text) {
+    static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
+    static const QString below = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
+    static const QRegularExpression index(QStringLiteral("(?<=\\w)_(\\w+)"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    qsizetype from = 0;
+    for (auto found = index.match(text); found.hasMatch(); found = index.match(text, from)) {
+        QString written = found.captured(1);
+        for (QChar& sign : written) {
+            const qsizetype at = plain.indexOf(sign);
+            sign = at < 0 ? QChar() : below[at];
+        }
+        if (!written.contains(QChar())) {
+            text.replace(found.capturedStart(), found.capturedLength(), written);
+        }
+        from = found.capturedStart() + written.size();
+    }
+    return text;
+}
+
+/// "(/part/length_mm)" → "(Ground length L_p)".
+QString withLabels(QString text) {
+    static const QRegularExpression pointer(QStringLiteral("(?<=\\()/[\\w/]+(?=\\))"));
+    for (auto found = pointer.match(text); found.hasMatch(); found = pointer.match(text)) {
+        const Field* field = nearestField(Project(), found.captured().toStdString());
+        const QString label = field ? QStringLiteral("%1 %2").arg(inputText(field->label),
+                                                                  QString::fromUtf8(field->symbol))
+                                    : locationText(found.captured().toStdString());
+        text.replace(found.capturedStart(), found.capturedLength(), label.trimmed());
+    }
+    return text;
 }
 
 /// "1e-05 mm" → "0.00001 mm": the core writes the shortest text of a number.
@@ -88,7 +119,8 @@ std::string localised(const std::string& detail) {
         text.replace(unitPatterns[i], u' ' + translated("Unit", units[i]));
     }
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
-    return withoutExponents(text).replace(point, QLocale().decimalPoint()).toStdString();
+    text = withoutExponents(text).replace(point, QLocale().decimalPoint());
+    return withSubscripts(withLabels(text)).toStdString();
 }
 
 } // namespace

@@ -33,9 +33,13 @@ int FeedsPlot::keyOf(Quantity quantity) {
 }
 
 QColor FeedsPlot::stepColour(Zone zone, Step step, const QPalette& palette) {
-    constexpr Hue hues[] = {Hue::orange, Hue::sky, Hue::green, Hue::purple, Hue::yellow, Hue::sky};
+    // Those of one zone stay apart for colour-blind readers, too, pale as they are.
+    const bool dark = style::isDark(palette); // where blue is sky
+    const Hue hues[] = {Hue::orange, Hue::green,  Hue::sky,
+                        Hue::purple, Hue::yellow, dark ? Hue::vermilion : Hue::blue,
+                        Hue::sky};
     QColor colour = style::colour(hues[static_cast<int>(strokeStep(zone, step))], palette);
-    colour.setAlpha(style::isDark(palette) ? 70 : 60);
+    colour.setAlpha(dark ? 75 : 85);
     return colour;
 }
 

@@ -25,7 +25,7 @@ QLocale numbers() {
 StrokeStep strokeStep(Zone zone, Step step) {
     using enum StrokeStep;
     constexpr StrokeStep rz1[] = {none,          plungeIn,     entryDwell,
-                                  workingStroke, returnStroke, entryDwell};
+                                  workingStroke, returnStroke, dwellAfterReturn};
     constexpr StrokeStep nz[] = {none, workingStroke, returnStroke, none, none, none};
     constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, none, none};
     const int i = std::clamp(static_cast<int>(step), 0, 5);
@@ -70,6 +70,7 @@ QString Names::stepMeaning(Zone zone, Step step) {
     case StrokeStep::workingStroke: return tr("working stroke");
     case StrokeStep::exitDwell: return tr("exit dwell");
     case StrokeStep::returnStroke: return tr("return stroke");
+    case StrokeStep::dwellAfterReturn: return tr("dwell after return");
     case StrokeStep::none: break;
     }
     return {};

@@ -38,7 +38,15 @@ public:
 };
 
 /// The physical step of a double stroke behind a zone's E1…E5.
-enum class StrokeStep { plungeIn, entryDwell, workingStroke, exitDwell, returnStroke, none };
+enum class StrokeStep {
+    plungeIn,
+    entryDwell,
+    workingStroke,
+    exitDwell,
+    returnStroke,
+    dwellAfterReturn, ///< at the entry again
+    none
+};
 
 [[nodiscard]] StrokeStep strokeStep(Zone zone, Step step);
 

@@ -63,6 +63,7 @@ void PlotTools::buildMenus() {
     m_export->setObjectName(QStringLiteral("exportMenu"));
     m_png = new QMenu(m_export);
     m_csv = new QMenu(m_export);
+    m_csv->setToolTipsVisible(true);
     m_export->addActions({copyPicture, copyData});
     m_export->addSeparator();
     m_export->addMenu(m_png);
@@ -132,7 +133,7 @@ QToolButton* PlotTools::button(QAction* action, QWidget* parent) {
 
 QToolButton* PlotTools::exportButton(QWidget* parent) {
     auto* button = new QToolButton(parent);
-    button->setIcon(themeIcon(u"export"));
+    button->setIcon(themeIcon(m_subject.icon));
     button->setMenu(m_export);
     button->setPopupMode(QToolButton::InstantPopup);
     button->setAutoRaise(true);
@@ -205,7 +206,10 @@ void PlotTools::savePicture(const QString& suffix, const QString& filter,
 
 void PlotTools::saveTable(CsvDialect dialect) {
     SaveRequest request{tr("Save the data"), fileName(), QStringLiteral("csv"),
-                        tr("CSV tables (*.csv)"), [&]() -> PictureWork {
+                        dialect == CsvDialect::russianExcel
+                            ? tr("CSV tables: semicolons, decimal commas, UTF-8 (*.csv)")
+                            : tr("CSV tables: commas, decimal points, UTF-8 (*.csv)"),
+                        [&]() -> PictureWork {
                             return [table = m_subject.table(), dialect] {
                                 return csvBytes(table, dialect);
                             };
@@ -244,6 +248,10 @@ void PlotTools::retranslate() {
     pdf->setText(tr("&PDF drawing…"));
     csvRussian->setText(tr("&Russian Excel: semicolons, decimal commas…"));
     csvEnglish->setText(tr("&English: commas, decimal points…"));
+    for (QAction* action : {csvRussian, csvEnglish}) {
+        action->setToolTip(
+            tr("Headers in the language of the window; Excel opens the file as it is"));
+    }
     const QSize size = pictureSize(picture());
     for (std::size_t i = 0; i < png.size(); ++i) {
         const int scale = static_cast<int>(i) + 1;
@@ -254,8 +262,10 @@ void PlotTools::retranslate() {
     }
     for (const auto& button : m_exportButtons) {
         if (button) {
-            button->setAccessibleName(tr("Export"));
-            button->setToolTip(tr("Copy or save what the plot shows"));
+            const QString plot = m_subject.name ? m_subject.name() : QString();
+            button->setAccessibleName(plot.isEmpty() ? tr("Export") : tr("Export: %1").arg(plot));
+            button->setToolTip(plot.isEmpty() ? tr("Copy or save what the plot shows")
+                                              : tr("Copy or save: %1").arg(plot));
         }
     }
 }

@@ -23,6 +23,8 @@ class Settings;
 /// What the tools need to know of a view's plot; only `heading` must be given.
 struct PlotSubject {
     std::function<QStringList()> heading; ///< over an exported picture: the view, then the project
+    std::function<QString()> name; ///< where a view has several plots: of its export button …
+    QStringView icon = u"export";  ///< … and its icon
     std::function<LegendEntries()> legend;
     std::function<CsvTable()> table; ///< the visible curves within the visible range
     /// Colours the plot by its palette; not needed by a plot that follows its palette itself.

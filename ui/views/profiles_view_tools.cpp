@@ -81,6 +81,10 @@ QStringList ProfilesView::headingOf(const QString& plot) const {
 
 void ProfilesView::buildPlotTools(Settings* settings) {
     PlotSubject across, along;
+    across.name = [] { return tr("cross-sections"); };
+    across.icon = u"export_sections";
+    along.name = [] { return tr("along the axis"); };
+    along.icon = u"export_length";
     across.heading = [this] { return headingOf(tr("cross-sections")); };
     across.legend = [this] {
         using enum ProfileLine;

@@ -35,12 +35,35 @@ QString lightName(Light light) {
 
 namespace {
 
-/// With its unit where the group's rows differ in it, and the stage of a setting.
-QString requirementName(const ConstraintResult& c) {
-    QStringList parts{Names::constraint(c.kind)};
+/// Short enough for one line of the table.
+QString briefName(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::diameterMin: return VerdictModel::tr("Min. diameter");
+    case ConstraintKind::diameterMax: return VerdictModel::tr("Max. diameter");
+    case ConstraintKind::radialRunout: return VerdictModel::tr("Radial runout");
+    case ConstraintKind::roundness: return VerdictModel::tr("Roundness");
+    case ConstraintKind::cylindricity: return VerdictModel::tr("Cylindricity");
+    case ConstraintKind::totalRunout: return VerdictModel::tr("Total runout");
+    case ConstraintKind::roughness: return VerdictModel::tr("Roughness Ra");
+    case ConstraintKind::burn: return VerdictModel::tr("Depth, burn");
+    case ConstraintKind::selfSharpening: return VerdictModel::tr("Pressure");
+    case ConstraintKind::wheelPower: return VerdictModel::tr("Wheel power");
+    case ConstraintKind::workPower: return VerdictModel::tr("Work power");
+    case ConstraintKind::rangeRadialFeed: return VerdictModel::tr("Radial feed");
+    case ConstraintKind::rangeAxialFeed: return VerdictModel::tr("Axial feed");
+    case ConstraintKind::rangePlungeFeed: return VerdictModel::tr("Plunge feed");
+    case ConstraintKind::rangeWorkSpeed: return VerdictModel::tr("Work speed");
+    case ConstraintKind::gaugeCommands: return VerdictModel::tr("Gauge commands");
+    }
+    return {};
+}
+
+/// A name with what its group does not say: the stage and the unit.
+QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
+    QStringList parts{name};
     if (c.section < 0 && scopeOf(c.kind) != ConstraintScope::part) {
         if (c.stage > 0) {
-            parts << Names::where(c);
+            parts << where;
         }
         if (*constraintUnit(c.kind)) {
             parts << unitText(constraintUnit(c.kind));
@@ -134,7 +157,7 @@ QString VerdictModel::text(const ConstraintResult& c, int column) const {
         c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
     const auto number = [&](double v) { return Names::amount(c.kind, v, deviation); };
     switch (column) {
-    case requirement: return requirementName(c);
+    case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
     case value: return number(c.value);
     case limit: return number(c.limit);
     case margin: return Names::amount(c.kind, c.margin, true);
@@ -175,7 +198,9 @@ QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
 QVariant VerdictModel::requirementData(const Row& row, int column, int role) const {
     const bool first = column == requirement;
     const Light light = lightOf(*row.constraint);
-    const QString shown = text(*row.constraint, column);
+    const QString shown = first ? requirementName(*row.constraint, briefName(row.constraint->kind),
+                                                  tr("stage %1").arg(row.constraint->stage))
+                                : text(*row.constraint, column);
     switch (role) {
     case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
         return first && light != Light::holds ? shown + QLatin1Char('\n') + lightName(light)

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/operation_notice.h"
+
+#include "ui/notice_bar.h"
+#include "ui/session/operation.h"
+
+#include <QCoreApplication>
+
+namespace sparkout {
+
+namespace {
+
+const QString operationKey = QStringLiteral("operation");
+
+QString sentence(Operation operation) {
+    return operation == Operation::plunge
+               ? QCoreApplication::translate("OperationNotice",
+                                             "A plunge grinds no more than the wheel covers. With "
+                                             "the operation these inputs changed: %1.")
+               : QCoreApplication::translate("OperationNotice",
+                                             "With the operation these inputs changed: %1.");
+}
+
+} // namespace
+
+void tellOperation(NoticeBar& notices, const Project& before, const Project& after) {
+    if (before.operation == after.operation) {
+        return;
+    }
+    dropOperationNotice(notices);
+    if (changesOfOperation(before, after).isEmpty()) {
+        return;
+    }
+    const auto text = [before, after] {
+        return sentence(after.operation)
+            .arg(changesOfOperation(before, after).join(QStringLiteral("; ")));
+    };
+    notices.add({operationKey, Mark::warning, text, {}});
+}
+
+void dropOperationNotice(NoticeBar& notices) {
+    notices.remove(operationKey);
+}
+
+} // namespace sparkout

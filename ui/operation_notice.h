@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace sparkout {
+
+class NoticeBar;
+struct Project;
+
+/// Tells what an edit that chose another operation changed outside the stages.
+void tellOperation(NoticeBar& notices, const Project& before, const Project& after);
+void dropOperationNotice(NoticeBar& notices);
+
+} // namespace sparkout
