@@ -1411,10 +1411,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Форма заготовки</translation>
         </message>
         <message>
-            <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile.</source>
-            <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль.</translation>
-        </message>
-        <message>
             <source>Lobes</source>
             <translation>Число граней</translation>
         </message>
@@ -1750,6 +1746,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Programmed plunge feed; S_p/n per revolution of the part. Beyond the sources: a stage between others may retract (negative feed) until its stock is off or nothing is cut.</source>
             <translation>Программная врезная подача; S_p/n за оборот заготовки. Сверх источников: ступень между другими может отводить бабку (отрицательная подача), пока не снят её припуск или пока не прекратится съём.</translation>
         </message>
+        <message>
+            <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile. Interrupted surfaces (keyways, splines) are beyond the model: the wheel is taken to meet metal at every angle.</source>
+            <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -1963,6 +1963,45 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>length and diameter of each step of the shaft</source>
             <translation>длина и диаметр каждой ступени вала</translation>
+        </message>
+    </context>
+    <context>
+        <name>LimitNames</name>
+        <message>
+            <source>burn</source>
+            <translation>прижог</translation>
+        </message>
+        <message>
+            <source>self-sharpening</source>
+            <translation>самозатачивание круга</translation>
+        </message>
+        <message>
+            <source>wheel drive</source>
+            <translation>привод круга</translation>
+        </message>
+        <message>
+            <source>work drive</source>
+            <translation>привод детали</translation>
+        </message>
+        <message>
+            <source>roughness of the last cut</source>
+            <translation>шероховатость последнего прохода</translation>
+        </message>
+        <message>
+            <source>%1, wheel standing</source>
+            <translation>%1, круг стоит</translation>
+        </message>
+        <message>
+            <source>%1, strokes</source>
+            <translation>%1, ходы</translation>
+        </message>
+        <message>
+            <source>over %1 %</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
         </message>
     </context>
     <context>
@@ -2203,6 +2242,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>gauge</source>
             <translation>ПАК</translation>
         </message>
+        <message>
+            <source>circles of the minimum zone</source>
+            <translation>окружности минимальной зоны</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesTable</name>
@@ -2290,6 +2333,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>to, mm</source>
             <translation>до, мм</translation>
         </message>
+        <message>
+            <source>%1: inner circle of the minimum zone from target, µm</source>
+            <translation>%1: внутренняя окружность минимальной зоны от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>%1: outer circle of the minimum zone from target, µm</source>
+            <translation>%1: наружная окружность минимальной зоны от целевого, мкм</translation>
+        </message>
     </context>
     <context>
         <name>ProfilesText</name>
@@ -2357,6 +2408,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1. %2</source>
             <translation>%1. %2</translation>
+        </message>
+        <message>
+            <source>RONt %1, e %2 µm</source>
+            <translation>RONt %1, e %2 мкм</translation>
+        </message>
+        <message>
+            <source>RONt %1 µm, eccentricity %2 µm</source>
+            <translation>RONt %1 мкм, эксцентриситет %2 мкм</translation>
         </message>
     </context>
     <context>
@@ -2821,6 +2880,54 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>bytes</source>
             <translation>байт</translation>
+        </message>
+        <message>
+            <source>N</source>
+            <translation>Н</translation>
+        </message>
+        <message>
+            <source>N/mm</source>
+            <translation>Н/мм</translation>
+        </message>
+        <message>
+            <source>N/mm^1.5</source>
+            <translation>Н/мм^1,5</translation>
+        </message>
+        <message>
+            <source>K·mm^1.25/N</source>
+            <translation>К·мм^1,25/Н</translation>
+        </message>
+        <message>
+            <source>mW</source>
+            <translation>мВт</translation>
+        </message>
+        <message>
+            <source>mW/mm²</source>
+            <translation>мВт/мм²</translation>
+        </message>
+        <message>
+            <source>mm/s</source>
+            <translation>мм/с</translation>
+        </message>
+        <message>
+            <source>mm²</source>
+            <translation>мм²</translation>
+        </message>
+        <message>
+            <source>mm^0.25</source>
+            <translation>мм^0,25</translation>
+        </message>
+        <message>
+            <source>mm^0.5</source>
+            <translation>мм^0,5</translation>
+        </message>
+        <message>
+            <source>mm^0.75</source>
+            <translation>мм^0,75</translation>
+        </message>
+        <message>
+            <source>mm^1.5</source>
+            <translation>мм^1,5</translation>
         </message>
     </context>
     <context>
@@ -3290,6 +3397,188 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Equal all along.</source>
             <translation>Одинакова по всей длине.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ConstraintsPlot</name>
+        <message>
+            <source>nearest to its limit: %1, %2</source>
+            <translation>ближе всего к пределу: %1, %2</translation>
+        </message>
+        <message>
+            <source>%1 %2 µm</source>
+            <translation>%1 %2 мкм</translation>
+        </message>
+        <message>
+            <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
+            <translation>%1: припуск %2 мкм, подача %3 мкм/об, ширина %4 мм</translation>
+        </message>
+        <message>
+            <source>Allowed: %1</source>
+            <translation>Допускается: %1</translation>
+        </message>
+        <message>
+            <source>. Binding is %1: %2 used up.</source>
+            <translation>. Ближайший предел — %1: занято %2.</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke</source>
+            <translation>двойной ход</translation>
+        </message>
+        <message>
+            <source>revolution</source>
+            <translation>оборот</translation>
+        </message>
+        <message>
+            <source>stock left, µm</source>
+            <translation>оставшийся припуск, мкм</translation>
+        </message>
+        <message>
+            <source>actual feed, µm</source>
+            <translation>фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>width of cut, mm</source>
+            <translation>ширина шлифования, мм</translation>
+        </message>
+        <message>
+            <source>limit: %1, µm</source>
+            <translation>предел: %1, мкм</translation>
+        </message>
+        <message>
+            <source>stepless limit, µm</source>
+            <translation>предел бесступенчатого цикла, мкм</translation>
+        </message>
+        <message>
+            <source>binding</source>
+            <translation>ограничивает</translation>
+        </message>
+        <message>
+            <source>actual feed</source>
+            <translation>фактическая подача</translation>
+        </message>
+        <message>
+            <source>stepless limit, forbidden above</source>
+            <translation>предел бесступенчатого цикла, выше — запретная зона</translation>
+        </message>
+        <message>
+            <source>%1 (above the plot: from %2 µm)</source>
+            <translation>%1 (выше поля графика: от %2 мкм)</translation>
+        </message>
+        <message>
+            <source>Stock left after the cut, µm</source>
+            <translation>Оставшийся припуск после прохода, мкм</translation>
+        </message>
+        <message>
+            <source>Actual feed, µm per revolution</source>
+            <translation>Фактическая подача, мкм/об</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ConstraintsView</name>
+        <message>
+            <source>Constraints</source>
+            <translation>Ограничения</translation>
+        </message>
+        <message>
+            <source>%1 — %2</source>
+            <translation>%1 — %2</translation>
+        </message>
+        <message>
+            <source>Choose a requirement to see where it was worst and how its number came about.</source>
+            <translation>Выберите требование: здесь появится, где оно ближе всего к пределу и как получено число.</translation>
+        </message>
+        <message>
+            <source>%1, %2: a setting held against its range.</source>
+            <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; кривые — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата пока нет.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below are of the whole cycle.</source>
+            <translation>Цикл слишком длинный для записи, проходы не показаны. Помогает меньше радиусов или сечений; требования ниже — по всему циклу.</translation>
+        </message>
+        <message>
+            <source>No limit of the feed is on, so any feed is allowed: enter what burns the material, or the power of a drive. The links below lead to the fields.</source>
+            <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
+        </message>
+        <message>
+            <source>Off, for want of an input: %1</source>
+            <translation>Не проверяется, нет исходных данных: %1</translation>
+        </message>
+        <message>
+            <source>Actual feed under its limits</source>
+            <translation>Фактическая подача и её пределы</translation>
+        </message>
+        <message>
+            <source>Legend of the curves</source>
+            <translation>Обозначения кривых</translation>
+        </message>
+        <message>
+            <source>State of the curves</source>
+            <translation>Состояние кривых</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Limits that are off</source>
+            <translation>Пределы, которые не проверяются</translation>
+        </message>
+        <message>
+            <source>Requirements by how much of their limit they use up</source>
+            <translation>Требования по доле занятого предела</translation>
+        </message>
+        <message>
+            <source>How the number came about</source>
+            <translation>Как получено число</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>Логарифм.</translation>
+        </message>
+        <message>
+            <source>Every place</source>
+            <translation>Все места</translation>
+        </message>
+        <message>
+            <source>Show where</source>
+            <translation>Показать, где</translation>
+        </message>
+        <message>
+            <source>Zone or section; in a reversal zone the wheel stands or travels, which differ in the width of cut. With the share of its limit it comes to.</source>
+            <translation>Зона или сечение; в реверсной зоне круг стоит или ходит, ширина шлифования при этом разная. Рядом — наибольшая доля предела.</translation>
+        </message>
+        <message>
+            <source>Actual feeds on a logarithmic axis: sparking out and far limits in one picture</source>
+            <translation>Фактические подачи по логарифмической оси: выхаживание и далёкие пределы на одном графике</translation>
+        </message>
+        <message>
+            <source>Every zone, section and stage; else the worst of each requirement</source>
+            <translation>Все зоны, сечения и ступени; иначе худшее место каждого требования</translation>
+        </message>
+        <message>
+            <source>To the passes, the profile or the field behind the requirement; also Enter or a double click on its row</source>
+            <translation>К проходам, профилю или полю, от которых зависит требование; то же — Enter или двойной щелчок по строке</translation>
+        </message>
+        <message>
+            <source>Point at the curve to read the values.</source>
+            <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
     </context>
     <context>
@@ -4123,6 +4412,49 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::MarginModel</name>
+        <message>
+            <source>%1, %2 used, %3: %4</source>
+            <translation>%1; использовано %2; %3: %4</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Used up</source>
+            <translation>Занято</translation>
+        </message>
+        <message>
+            <source>Value / limit</source>
+            <translation>Значение / предел</translation>
+        </message>
+        <message>
+            <source>Used up, %</source>
+            <translation>Занято, %</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::MessagesPanel</name>
         <message>
             <source>%1; the last good value is used</source>
@@ -4350,6 +4682,14 @@ target, µm</source>
             <source>%1; straight lines between the %2 radii</source>
             <translation>%1; между радиусами (%2) — отрезки прямых</translation>
         </message>
+        <message>
+            <source>%1: inner circle of the minimum zone</source>
+            <translation>%1: внутренняя окружность минимальной зоны</translation>
+        </message>
+        <message>
+            <source>%1: outer circle of the minimum zone</source>
+            <translation>%1: наружная окружность минимальной зоны</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ProfilesView</name>
@@ -4533,6 +4873,46 @@ target, µm</source>
         <message>
             <source>Show all in both plots; in one of them: Home, or a double click in it. Wheel: zoom. Drag: move.</source>
             <translation>Показать всё на обоих графиках; на одном: Home или двойной щелчок по нему. Колесо: масштаб. Перетаскивание: сдвиг.</translation>
+        </message>
+        <message>
+            <source>spectra of the cross-sections</source>
+            <translation>спектры сечений</translation>
+        </message>
+        <message>
+            <source>Spectra of the cross-sections</source>
+            <translation>Спектры сечений</translation>
+        </message>
+        <message>
+            <source>Sections and spectrum</source>
+            <translation>Сечения и спектр</translation>
+        </message>
+        <message>
+            <source>Spectrum only</source>
+            <translation>Только спектр</translation>
+        </message>
+        <message>
+            <source>LSCI</source>
+            <translation>МНК</translation>
+        </message>
+        <message>
+            <source>MZCI</source>
+            <translation>мин. зона</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>Логарифм.</translation>
+        </message>
+        <message>
+            <source>Reference circles of the roundness (ISO 12181): LSCI, the least-squares circle, or MZCI, the two circles of the minimum zone</source>
+            <translation>Базовые окружности круглости (ISO 12181): МНК — средняя окружность, мин. зона — две окружности минимальной зоны</translation>
+        </message>
+        <message>
+            <source>Amplitudes on a logarithmic axis</source>
+            <translation>Амплитуды по логарифмической оси</translation>
         </message>
     </context>
     <context>
@@ -4836,6 +5216,37 @@ target, µm</source>
         <message>
             <source>until size</source>
             <translation>до размера</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SpectrumPlot</name>
+        <message>
+            <source>Undulations per revolution</source>
+            <translation>Волн на оборот</translation>
+        </message>
+        <message>
+            <source>Amplitude, µm</source>
+            <translation>Амплитуда, мкм</translation>
+        </message>
+        <message>
+            <source>%1, %2 undulation per revolution (eccentricity): amplitude %3 µm, of the blank %4 µm</source>
+            <translation>%1, %2 волна на оборот (эксцентриситет): амплитуда %3 мкм, у заготовки %4 мкм</translation>
+        </message>
+        <message>
+            <source>%1, %2 undulations per revolution: amplitude %3 µm, of the blank %4 µm</source>
+            <translation>%1, волн на оборот %2: амплитуда %3 мкм, у заготовки %4 мкм</translation>
+        </message>
+        <message>
+            <source>undulations per revolution</source>
+            <translation>волн на оборот</translation>
+        </message>
+        <message>
+            <source>blank: amplitude, µm</source>
+            <translation>заготовка: амплитуда, мкм</translation>
+        </message>
+        <message>
+            <source>%1: amplitude, µm</source>
+            <translation>%1: амплитуда, мкм</translation>
         </message>
     </context>
     <context>

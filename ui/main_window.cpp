@@ -13,6 +13,7 @@
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
 #include "ui/views/compliance_view.h"
+#include "ui/views/constraints_view.h"
 #include "ui/views/feeds_view.h"
 #include "ui/views/profiles_view.h"
 #include "ui/views/verdict_panel.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_tabs(new ViewTabs(this))
     , m_feeds(new FeedsView(this, &m_settings))
     , m_profiles(new ProfilesView(this, &m_settings))
+    , m_constraints(new ConstraintsView(this, &m_settings))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
     , m_status(new QLabel(this))
@@ -96,8 +98,8 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view :
-         std::initializer_list<View*>{m_feeds, m_profiles, new ComplianceView(this, &m_settings)}) {
+    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints,
+                                                   new ComplianceView(this, &m_settings)}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));
@@ -246,11 +248,21 @@ void MainWindow::connectDocument() {
         m_actions->follow(m_document, !refusals.empty());
     });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
-    connect(m_messages, &MessagesPanel::pathActivated, this, [this](const std::string& path) {
+    const auto showInput = [this](const std::string& path) {
         m_inputsDock->show();
         m_inputs->focusPath(path);
-    });
+    };
+    connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
     connect(m_verdict, &VerdictPanel::requirementActivated, this, &MainWindow::showRequirement);
+    connect(m_constraints, &ConstraintsView::pathAsked, this, showInput);
+    connect(m_constraints, &ConstraintsView::requirementEntered, this,
+            &MainWindow::showRequirement);
+    connect(m_constraints, &ConstraintsView::requirementChosen, this,
+            [this](const ConstraintResult& requirement) {
+                if (requirement.at && m_feeds->isVisible()) { // in a window of its own
+                    m_feeds->showPlace(*requirement.at);
+                }
+            });
 }
 
 /// The field it is set in, the passes it was worst in, or the profile it was measured on.

@@ -18,6 +18,7 @@ class QLabel;
 namespace sparkout {
 
 class Actions;
+class ConstraintsView;
 class FeedsView;
 class FileCommands;
 class InputsPanel;
@@ -82,6 +83,7 @@ private:
     ViewTabs* m_tabs;
     FeedsView* m_feeds;
     ProfilesView* m_profiles;
+    ConstraintsView* m_constraints;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     QDockWidget* m_inputsDock = nullptr;

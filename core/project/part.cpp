@@ -252,7 +252,9 @@ const StructInfo& tableOf<Part>() {
                        .hint = SPARKOUT_NOOP(
                            "Input", "Out-of-roundness of the blank: ellipse "
                                     "R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, "
-                                    "or a measured profile."),
+                                    "or a measured profile. Interrupted surfaces (keyways, "
+                                    "splines) are beyond the model: the wheel is taken to meet "
+                                    "metal at every angle."),
                        .source = "MODEL-4"),
         SPARKOUT_FIELD(
             Part, lobes, .label = SPARKOUT_NOOP("Input", "Lobes"), .symbol = "n_l",

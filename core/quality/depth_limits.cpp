@@ -16,18 +16,6 @@ namespace {
 
 constexpr double milliwattsPerKilowatt = 1e6;
 
-/// Whether the wheel stands on its zone in this step.
-bool plunges(const Place& place) {
-    switch (place.zone) {
-    case Zone::rz1:
-        return place.step == Step::e1 || place.step == Step::e2 || place.step == Step::e5;
-    case Zone::rz2: return place.step == Step::e2;
-    case Zone::nz:
-    case Zone::section: break;
-    }
-    return false;
-}
-
 } // namespace
 
 std::vector<DepthLimit> depthLimits(const Project& project, double b, double stock) {
@@ -54,11 +42,22 @@ std::vector<DepthLimit> depthLimits(const Project& project, double b, double sto
     return limits;
 }
 
+bool wheelStands(const Place& place) {
+    switch (place.zone) {
+    case Zone::rz1:
+        return place.step == Step::e1 || place.step == Step::e2 || place.step == Step::e5;
+    case Zone::rz2: return place.step == Step::e2;
+    case Zone::nz:
+    case Zone::section: break;
+    }
+    return false;
+}
+
 double effectiveWidth(const Project& project, const Place& place) {
     if (project.operation == Operation::plunge) {
         return project.part.length_mm;
     }
-    if (plunges(place)) {
+    if (wheelStands(place)) {
         const ZoneLengths lengths = zoneLengths(project);
         return place.zone == Zone::rz1 ? lengths.rz1 : lengths.rz2;
     }

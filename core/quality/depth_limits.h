@@ -20,6 +20,9 @@ struct DepthLimit {
 /// limit at this stock.
 [[nodiscard]] std::vector<DepthLimit> depthLimits(const Project& project, double b, double stock);
 
+/// Whether the wheel stands on its zone in this step: plunge-in and dwells [MODEL-5].
+[[nodiscard]] bool wheelStands(const Place& place);
+
 /// The effective width b of the pass at a place of the cycle [mm]: L_p in plunge; the wheel on the
 /// reversal zone in its plunge passes, min(S_ax/n, B) in a stroke [MODEL-5].
 [[nodiscard]] double effectiveWidth(const Project& project, const Place& place);

@@ -100,9 +100,8 @@ private slots:
     void deviationsGrowWithTheMagnification();
     void theChordOfAnEllipseIsStraight();
     void theOwnMeanTakesTheSizeAway();
-    void leastSquaresFindAnEccentricCircle();
-    void leastSquaresOfLobesIsTheMeanCircle();
-    void aFittedCircleThroughItsOwnSamplesStaysOnThem();
+    void circlesAreDrawnAboutTheirCentres();
+    void aLobedSectionHasItsReferenceCircles();
 
     void magnificationsAreOneTwoFive_data();
     void magnificationsAreOneTwoFive();
@@ -334,7 +333,7 @@ void TestProfiles::theOwnMeanTakesTheSizeAway() {
     for (double& radius : larger.radii_mm) {
         radius += 0.123;
     }
-    larger.leastSquares = leastSquaresCircle(larger.radii_mm);
+    larger.mean_mm += 0.123;
     const auto drawn = [&](const Profile& p) {
         return closedLine(p.radii_mm, polarScale(s, p, RadiusReference::mean, 2000));
     };
@@ -347,41 +346,34 @@ void TestProfiles::theOwnMeanTakesTheSizeAway() {
     QVERIFY(close(mean, s.target_mm, 1e-9)); // drawn about the base circle
 }
 
-void TestProfiles::leastSquaresFindAnEccentricCircle() {
+void TestProfiles::circlesAreDrawnAboutTheirCentres() {
     // R(φ) = e·cos(φ − φ0) + √(r² − e²·sin²(φ − φ0)): a circle of radius r about a point at e.
-    const double r = 15, e = 0.003, at = 0.7;
-    std::vector<double> radii;
+    const double r = 15, e = 0.4, at = 0.7;
+    const FittedCircle circle{e * std::cos(at), e * std::sin(at), r};
     for (int k = 0; k < 36; ++k) {
         const double phi = angleOf(k, 36) - at;
-        radii.push_back(e * std::cos(phi) + std::sqrt(r * r - std::pow(e * std::sin(phi), 2)));
+        const double radius = e * std::cos(phi) + std::sqrt(r * r - std::pow(e * std::sin(phi), 2));
+        QVERIFY(close(radiusOf(circle, angleOf(k, 36)), radius));
     }
-    const FittedCircle circle = leastSquaresCircle(radii);
-    QVERIFY(close(circle.x_mm, e * std::cos(at), e * e / r));
-    QVERIFY(close(circle.y_mm, e * std::sin(at), e * e / r));
-    QVERIFY(close(circle.radius_mm, r, e * e / r));
+    // Not magnified it is the circle itself.
+    for (const ProfilePoint& p : circleLine(circle, {r, r, 1})) {
+        QVERIFY(close(std::hypot(p.x - circle.x_mm, p.y - circle.y_mm), r));
+    }
 }
 
-void TestProfiles::leastSquaresOfLobesIsTheMeanCircle() {
-    std::vector<double> radii;
-    for (int k = 0; k < 36; ++k) {
-        radii.push_back(15 + 0.01 * std::cos(3 * angleOf(k, 36)));
-    }
-    const FittedCircle circle = leastSquaresCircle(radii);
-    QVERIFY(close(circle.radius_mm, 15) && close(circle.x_mm, 0) && close(circle.y_mm, 0));
-}
-
-void TestProfiles::aFittedCircleThroughItsOwnSamplesStaysOnThem() {
-    const FittedCircle circle{0.002, -0.001, 15.01};
-    std::vector<double> radii;
-    for (int k = 0; k < 36; ++k) {
-        radii.push_back(circle.radius_mm + circle.x_mm * std::cos(angleOf(k, 36))
-                        + circle.y_mm * std::sin(angleOf(k, 36)));
-    }
-    const PolarScale scale{15, 15, 500};
-    const std::vector<ProfilePoint> samples = closedLine(radii, scale);
-    const std::vector<ProfilePoint> fitted = circleLine(leastSquaresCircle(radii), scale, 36);
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-        QVERIFY(close(samples[k].x, fitted[k].x, 1e-9) && close(samples[k].y, fitted[k].y, 1e-9));
+void TestProfiles::aLobedSectionHasItsReferenceCircles() {
+    for (const int lobes : {2, 3, 5}) {
+        Project project = plungeProject(1);
+        project.part.profile = ProfileForm::lobes;
+        project.part.lobes = lobes;
+        project.part.radii_per_section = 60;
+        const ProfileSeries s = series(project, 0);
+        const Profile& p = s.profiles[0];
+        const double form = project.part.initial_runout_mm;
+        QVERIFY(close(p.leastSquares.deviation(), form, 1e-9));
+        QVERIFY(close(p.minimumZone.deviation(), form, 1e-9));
+        QVERIFY(close(p.leastSquares.reference_mm, p.mean_mm, 1e-9));
+        QVERIFY(std::hypot(p.leastSquares.x_mm, p.leastSquares.y_mm) < 1e-9);
     }
 }
 

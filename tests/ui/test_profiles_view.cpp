@@ -9,6 +9,7 @@
 #include "ui/views/profiles_layers.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_view.h"
+#include "ui/views/spectrum_plot.h"
 
 #include "tests/registry.h"
 
@@ -28,6 +29,7 @@
 #include <QTranslator>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
 
@@ -189,6 +191,11 @@ private slots:
     void theOwnMeanShowsTheFormLarger();
     void aClickInTheLegendHidesInBothPlots();
     void theLeastSquaresCircleFollowsTheProfile();
+    void theMinimumZoneTouchesInTurn();
+    void theCirclesAreChosen();
+    void aLobedBlankIsOneBar();
+    void theSpectrumDecaysWithTheCycle();
+    void spectraMoveTogetherAndAreSaved();
     void radiiUpToThirtySixAreMarked();
 
     void theSliderShowsAnyStroke();
@@ -447,12 +454,172 @@ void TestProfilesView::theLeastSquaresCircleFollowsTheProfile() {
     ProfilesView view;
     show(view, m_plunge);
     const auto circle = view.across()->curve(0, ProfileLine::leastSquares)->data();
-    const FittedCircle& fitted = view.across()->series().profiles[0].leastSquares;
+    const RoundnessZone& fitted = view.across()->series().profiles[0].leastSquares;
     const double target = view.across()->series().target_mm;
-    const double drawn =
-        target + view.across()->magnification() * (fitted.radius_mm + fitted.x_mm - target);
+    const double times = view.across()->magnification();
+    const FittedCircle about{fitted.x_mm, fitted.y_mm, fitted.reference_mm};
+    const double drawn = target + times * (radiusOf(about, 0) - target);
     QVERIFY(std::abs(circle->at(0)->key - drawn) < 1e-9);
     QVERIFY(std::abs(circle->at(0)->value) < 1e-9);
+    const auto centre = view.across()->centreMark(0)->data();
+    QCOMPARE(centre->at(0)->key, times * fitted.x_mm);
+    QCOMPARE(centre->at(0)->value, times * fitted.y_mm);
+}
+
+/// A part with some form left: lobes, and an eccentricity besides by its measured profile.
+Project outOfRound() {
+    Project p = plungeProject(2);
+    p.part.profile = ProfileForm::measured;
+    p.part.radii_per_section = 48;
+    std::vector<double> radii;
+    for (int k = 0; k < 48; ++k) {
+        const double phi = angleOf(k, 48);
+        radii.push_back(-20 + 8 * std::cos(phi - 0.4) + 7 * std::cos(3 * phi) + k % 5);
+    }
+    const double highest = *std::ranges::max_element(radii);
+    for (double& radius : radii) {
+        radius -= highest;
+    }
+    p.part.radii_um = radii;
+    return p;
+}
+
+void TestProfilesView::theMinimumZoneTouchesInTurn() {
+    ProfilesView view;
+    show(view, run(outOfRound()));
+    part<QComboBox>(view, "circles")->setCurrentIndex(1);
+    settle();
+    for (const int stroke : {0, view.stroke() / 2, view.stroke()}) {
+        view.setStroke(stroke);
+        for (int cell = 0; cell < 2; ++cell) {
+            const ProfilesPlot& plot = *view.across();
+            const Profile& p = plot.series().profiles[static_cast<std::size_t>(cell)];
+            const auto line = plot.curve(cell, ProfileLine::profile)->data();
+            const auto outer = plot.curve(cell, ProfileLine::minimumZone)->data();
+            const auto inner = plot.innerCircle(cell)->data();
+            const int each = (outer->size() - 1) / plot.series().radii();
+            const auto reach = [](const QCPCurveDataContainer& curve, int i) {
+                return std::hypot(curve.at(i)->key, curve.at(i)->value);
+            };
+            const double near = 1e-9 * plot.magnification(); // of a radius
+            QList<bool> outside;                             // which circle is touched, by rising k
+            for (int k = 0; k < plot.series().radii(); ++k) {
+                const double here = reach(*line, k);
+                QVERIFY(here <= reach(*outer, k * each) + near);
+                QVERIFY(here >= reach(*inner, k * each) - near);
+                const bool touches =
+                    std::ranges::find(p.minimumZone.contacts, static_cast<std::size_t>(k))
+                    != p.minimumZone.contacts.end();
+                if (touches) {
+                    outside << (std::abs(here - reach(*outer, k * each)) <= near);
+                    QVERIFY(outside.back() || std::abs(here - reach(*inner, k * each)) <= near);
+                }
+            }
+            QCOMPARE(outside.size(), 4);
+            QVERIFY(outside[0] != outside[1] && outside[1] != outside[2]
+                    && outside[2] != outside[3]);
+            QCOMPARE(plot.contacts(cell)->data()->size(), 4);
+            QVERIFY(p.minimumZone.deviation() <= p.leastSquares.deviation());
+        }
+    }
+}
+
+void TestProfilesView::theCirclesAreChosen() {
+    ProfilesView view;
+    show(view, run(outOfRound()));
+    auto* circles = part<QComboBox>(view, "circles");
+    const auto seen = [&](ProfileLine line) { return view.across()->curve(0, line)->visible(); };
+    const auto lines = [&] { return view.across()->numbers(0).count(u'\n') + 1; };
+    QVERIFY(seen(ProfileLine::leastSquares) && !seen(ProfileLine::minimumZone));
+    const QString square = view.across()->numbers(0);
+    QCOMPARE(lines(), 3);
+    circles->setCurrentIndex(1);
+    QVERIFY(!seen(ProfileLine::leastSquares) && seen(ProfileLine::minimumZone));
+    QVERIFY(view.across()->numbers(0) != square);
+    const RoundnessZone& zone = view.across()->series().profiles[0].minimumZone;
+    const double ron_um = std::round(zone.deviation() * 1e5) / 100;
+    QVERIFY(view.across()->numbers(0).contains(QLocale().toString(ron_um, 'f', 2).chopped(1)));
+    clickLegend(view, QStringLiteral("circles of the minimum zone"));
+    QVERIFY(!seen(ProfileLine::minimumZone) && !view.across()->contacts(0)->visible());
+    circles->setCurrentIndex(2);
+    QVERIFY(!seen(ProfileLine::leastSquares) && !seen(ProfileLine::minimumZone));
+    QCOMPARE(lines(), 2);
+}
+
+void TestProfilesView::aLobedBlankIsOneBar() {
+    for (const int lobes : {2, 3, 7}) {
+        Project project = plungeProject(3);
+        project.part.profile = ProfileForm::lobes;
+        project.part.lobes = lobes;
+        project.part.radii_per_section = 42;
+        ProfilesView view;
+        show(view, run(project));
+        part<QComboBox>(view, "parts")->setCurrentIndex(3);
+        QCOMPARE(view.spectrum()->cellCount(), 3);
+        const auto blank = view.spectrum()->bars(1, ProfileLine::blank)->data();
+        QCOMPARE(blank->size(), 21);
+        for (const QCPBarsData& bar : *blank) {
+            const bool one = qRound(bar.key) == lobes;
+            const double amplitude = one ? project.part.initial_runout_mm * 1000 / 2 : 0;
+            QVERIFY(std::abs(bar.value - amplitude) < 1e-8);
+        }
+        view.setStroke(0); // what is left is the blank still
+        const auto left = view.spectrum()->bars(1, ProfileLine::profile)->data();
+        for (int i = 0; i < left->size(); ++i) {
+            QVERIFY(std::abs(left->at(i)->value - blank->at(i)->value) < 1e-8);
+        }
+    }
+}
+
+void TestProfilesView::theSpectrumDecaysWithTheCycle() {
+    ProfilesView view;
+    show(view, m_plunge); // an ellipse
+    part<QComboBox>(view, "parts")->setCurrentIndex(4);
+    QVERIFY(view.spectrum()->isVisible() && !view.across()->isVisible());
+    const auto oval = [&] {
+        return view.spectrum()->bars(0, ProfileLine::profile)->data()->at(1)->value;
+    };
+    const double end = oval();
+    view.setStroke(view.stroke() / 2);
+    const double middle = oval();
+    view.setStroke(0);
+    const double before = oval();
+    QVERIFY(end < middle && middle < before);
+    QCOMPARE(before, view.spectrum()->bars(0, ProfileLine::blank)->data()->at(1)->value);
+    const std::vector<double>& radii = view.across()->series().profiles[0].radii_mm;
+    const std::vector<Harmonic> spectrum = harmonics(radii, Directions(radii.size()));
+    QVERIFY(std::abs(before - spectrum[2].amplitude_mm * 1000) < 1e-9);
+}
+
+void TestProfilesView::spectraMoveTogetherAndAreSaved() {
+    ProfilesView view;
+    show(view, m_traverse);
+    part<QComboBox>(view, "parts")->setCurrentIndex(3);
+    settle();
+    SpectrumPlot& plot = *view.spectrum();
+    QCOMPARE(plot.cellCount(), 3);
+    const auto range = [&](int cell, QCPAxis::AxisType side) {
+        return plot.cell(cell)->axis(side)->range();
+    };
+    const QCPRange before = range(2, QCPAxis::atBottom);
+    view.spectrumTools()->navigation().zoom(0.5);
+    QVERIFY(range(2, QCPAxis::atBottom).size() < before.size());
+    QCOMPARE(range(2, QCPAxis::atBottom), range(0, QCPAxis::atBottom));
+    view.spectrumTools()->fit->trigger();
+    QCOMPARE(range(1, QCPAxis::atBottom), before);
+    QVERIFY(range(0, QCPAxis::atLeft).lower > 0); // logarithmic at first
+    part<QCheckBox>(view, "logarithmicSpectrum")->click();
+    QCOMPARE(range(0, QCPAxis::atLeft).lower, 0.0);
+    const bool blankShown = part<QCheckBox>(view, "blank")->isChecked();
+    QCOMPARE(plot.bars(0, ProfileLine::blank)->visible(), blankShown);
+    const CsvTable table = plot.table();
+    QCOMPARE(table.header.size(), 1 + 3 + (blankShown ? 1 : 0));
+    QCOMPARE(table.rows.size(), 18u);
+    const auto bar = plot.bars(2, ProfileLine::profile)->data()->at(1)->value;
+    QCOMPARE(std::get<double>(table.rows[1].back()), bar);
+    QSignalSpy pointed(&plot, &SpectrumPlot::pointed);
+    QTest::mouseMove(&plot, plot.cell(1)->center());
+    QTRY_VERIFY(pointed.count() > 0 && !pointed.last().first().toString().isEmpty());
 }
 
 void TestProfilesView::radiiUpToThirtySixAreMarked() {
@@ -664,7 +831,7 @@ void TestProfilesView::theEntryAtTheTailstockIsDrawnAtTheRight() {
     const auto mean = view.along()->graph(LengthLine::mean)->data();
     const double rz1 = view.along()->graph(LengthLine::mean)->data()->at(5)->value;
     const ProfileSeries& s = view.across()->series();
-    QVERIFY(std::abs(rz1 - (s.profiles[0].leastSquares.radius_mm - s.target_mm) * 1000) < 1e-9);
+    QVERIFY(std::abs(rz1 - (s.profiles[0].mean_mm - s.target_mm) * 1000) < 1e-9);
     QVERIFY(mean->at(0)->key < mean->at(5)->key);
 }
 

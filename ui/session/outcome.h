@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/quality/constraints.h"
+#include "core/quality/limit_series.h"
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/result.h"
@@ -22,6 +23,7 @@ struct Outcome {
     FeedSeries feeds;      ///< the trajectory summed up for the view "Feeds by stage"
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
+    LimitSeries limits; ///< the cuts against the limits of the feed, for the view "Constraints"
     ShopNumbers shop;
 
     [[nodiscard]] bool ran() const { return !hasErrors(issues); }

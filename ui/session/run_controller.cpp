@@ -27,6 +27,7 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
     }
     outcome->accuracy = accuracyOf(outcome->result);
     outcome->constraints = evaluateConstraints(outcome->result, outcome->accuracy);
+    outcome->limits = makeLimitSeries(outcome->result, outcome->trajectory);
     outcome->shop = shopNumbers(outcome->result);
     const Issues remarks = remarksOn(outcome->result);
     outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());

@@ -24,6 +24,8 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
     horizontalHeader()->setSectionsClickable(false);
     connect(this, &QTableView::clicked, this,
             [this](const QModelIndex& index) { emit rowChosen(index.row()); });
+    connect(this, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { emit rowEntered(index.row()); });
 }
 
 void CopyTable::copy() const {
@@ -43,6 +45,7 @@ void CopyTable::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && currentIndex().isValid()) {
         emit rowChosen(currentIndex().row());
+        emit rowEntered(currentIndex().row());
         event->accept();
         return;
     }

@@ -20,7 +20,8 @@ public:
 
 signals:
     void resized();
-    void rowChosen(int row); ///< by a click, or Enter on the row
+    void rowChosen(int row);  ///< by a click, or Enter on the row
+    void rowEntered(int row); ///< by a double click, or Enter on the row
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

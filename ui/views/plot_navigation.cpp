@@ -18,8 +18,9 @@ constexpr qint64 sameGesture_ms = 700;
 
 enum Gesture { wheelKind = 1, zoomKind = 2, keyKind = 1000 };
 
-/// Moves an axis by a share of its range.
+/// Moves an axis by a share of its range, to the right or up.
 void panAxis(QCPAxis& axis, double share) {
+    share = axis.rangeReversed() ? -share : share;
     const QCPRange range = axis.range();
     if (axis.scaleType() == QCPAxis::stLogarithmic) {
         const double factor = std::pow(range.upper / range.lower, share);

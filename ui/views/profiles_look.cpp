@@ -16,7 +16,8 @@ Hue hueOf(ProfileLine line) {
     case ProfileLine::blank: return Hue::orange;
     case ProfileLine::target:
     case ProfileLine::gauge: return Hue::blue;
-    case ProfileLine::leastSquares: return Hue::purple;
+    case ProfileLine::leastSquares:
+    case ProfileLine::minimumZone: return Hue::purple;
     case ProfileLine::field: break;
     }
     return Hue::green;
@@ -31,7 +32,8 @@ QPen ProfileLook::pen(ProfileLine line, const QPalette& palette, bool dim) {
     case ProfileLine::spread: return {colour, 0.8, Qt::SolidLine};
     case ProfileLine::blank: return {colour, 1.4, Qt::DotLine};
     case ProfileLine::target: return {colour, 1.3, Qt::DashLine};
-    case ProfileLine::leastSquares: return {colour, 1.3, Qt::DashDotDotLine};
+    case ProfileLine::leastSquares:
+    case ProfileLine::minimumZone: return {colour, 1.3, Qt::DashDotDotLine};
     case ProfileLine::gauge: return {colour, 1.2, Qt::DashDotLine};
     case ProfileLine::field: break;
     }
@@ -52,6 +54,7 @@ QString ProfileLook::name(ProfileLine line) {
     case ProfileLine::blank: return tr("blank");
     case ProfileLine::target: return tr("target radius");
     case ProfileLine::leastSquares: return tr("least-squares circle");
+    case ProfileLine::minimumZone: return tr("circles of the minimum zone");
     case ProfileLine::field: return tr("tolerance field");
     case ProfileLine::gauge: return tr("gauge");
     }

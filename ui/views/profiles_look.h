@@ -17,10 +17,14 @@ enum class ProfileLine {
     blank,        ///< before the first touch
     target,       ///< R_t
     leastSquares, ///< least-squares circle, across the axis
+    minimumZone,  ///< the two circles of the minimum zone, across the axis
     field,        ///< tolerance field of the drawing
     gauge,        ///< where the gauge stands, along the axis
 };
 using ProfileLines = std::set<ProfileLine>;
+
+/// The reference circles of the roundness that are drawn and told.
+enum class ReferenceCircles { leastSquares, minimumZone, none };
 
 /// Colours, dashes and names of those lines.
 class ProfileLook {

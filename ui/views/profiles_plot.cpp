@@ -16,7 +16,8 @@ constexpr double leastReach = 1.15; ///< of the base circle
 constexpr double mostField = 2;     ///< a field that reaches further is cut off
 constexpr double border = 1.12;     ///< room for the names of the angles inside the rim
 constexpr double edge = 3;          ///< around the drawing [px]
-constexpr int mostMarkers = 36;     ///< more radii are not marked one by one
+constexpr int leastCirclePoints = 180;
+constexpr int mostMarkers = 36; ///< more radii are not marked one by one
 
 QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
     QVector<QCPCurveData> data;
@@ -62,6 +63,12 @@ void ProfilesPlot::setMagnification(std::optional<double> wanted) {
 void ProfilesPlot::setHidden(ProfileLines hidden) {
     m_hidden = std::move(hidden);
     fit();
+}
+
+void ProfilesPlot::setCircles(ReferenceCircles circles) {
+    m_circles = circles;
+    m_sight.reset();
+    rebuild(); // the numbers may take a line more
 }
 
 void ProfilesPlot::setDimmed(bool dim) {
@@ -129,7 +136,7 @@ void ProfilesPlot::fillCell(std::size_t index) {
     cell.polar->setScale(scale, m_reach);
     cell.profile->data()->set(toData(closedLine(p.radii_mm, scale)), true);
     cell.blank->data()->set(toData(closedLine(m_series.blank_mm, scale)), true);
-    cell.leastSquares->data()->set(toData(circleLine(p.leastSquares, scale)), true);
+    fillCircles(cell, p, scale);
     const bool marked = m_series.radii() <= mostMarkers;
     cell.profile->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
                                          : QCPScatterStyle());
@@ -140,7 +147,35 @@ void ProfilesPlot::fillCell(std::size_t index) {
                             && scale.at(m_series.target_mm) <= m_reach);
     cell.profile->setVisible(visible(ProfileLine::profile));
     cell.blank->setVisible(visible(ProfileLine::blank));
-    cell.leastSquares->setVisible(visible(ProfileLine::leastSquares));
+}
+
+/// The circles go through the angles of the samples, so that they are seen to touch.
+void ProfilesPlot::fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale) {
+    const int radii = m_series.radii();
+    const int points = radii * std::max(leastCirclePoints / radii, 1);
+    const RoundnessZone &square = p.leastSquares, &zone = p.minimumZone;
+    const auto line = [&](const RoundnessZone& about, double radius) {
+        return toData(circleLine({about.x_mm, about.y_mm, radius}, scale, points));
+    };
+    cell.leastSquares->data()->set(line(square, square.reference_mm), true);
+    cell.inner->data()->set(line(zone, zone.inner_mm), true);
+    cell.outer->data()->set(line(zone, zone.outer_mm), true);
+    std::vector<ProfilePoint> touching;
+    const std::vector<ProfilePoint> samples = closedLine(p.radii_mm, scale);
+    for (const std::size_t k : zone.contacts) {
+        touching.push_back(samples[k]);
+    }
+    cell.contacts->data()->set(toData(touching), true);
+    const bool zones = m_circles == ReferenceCircles::minimumZone;
+    const bool squares = m_circles == ReferenceCircles::leastSquares;
+    cell.centre->data()->set(toData({centrePoint(zones ? zone : square, scale)}), true);
+    const bool seesZone = zones && visible(ProfileLine::minimumZone);
+    for (QCPCurve* curve : {cell.inner, cell.outer, cell.contacts}) {
+        curve->setVisible(seesZone);
+    }
+    const bool seesSquare = squares && visible(ProfileLine::leastSquares);
+    cell.leastSquares->setVisible(seesSquare);
+    cell.centre->setVisible(seesZone || seesSquare);
 }
 
 QCPCurve* ProfilesPlot::curve(int index, ProfileLine line) const {
@@ -149,6 +184,7 @@ QCPCurve* ProfilesPlot::curve(int index, ProfileLine line) const {
     case ProfileLine::profile: return cell.profile;
     case ProfileLine::blank: return cell.blank;
     case ProfileLine::leastSquares: return cell.leastSquares;
+    case ProfileLine::minimumZone: return cell.outer;
     default: return nullptr;
     }
 }

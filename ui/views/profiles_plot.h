@@ -28,6 +28,7 @@ public:
     void setReference(RadiusReference reference);
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
     void setHidden(ProfileLines hidden);
+    void setCircles(ReferenceCircles circles);
     void setDimmed(bool dim);
     void fit(); ///< all of the cells in sight
     /// What the user has moved to: left, bottom, width and height; empty: all.
@@ -43,7 +44,12 @@ public:
     [[nodiscard]] QString caption() const;
 
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
+    /// Of the minimum zone the outer circle.
     [[nodiscard]] QCPCurve* curve(int index, ProfileLine line) const;
+    [[nodiscard]] QCPCurve* innerCircle(int index) const { return at(index).inner; }
+    [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centre; }
+    [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts; }
+    [[nodiscard]] ReferenceCircles circles() const { return m_circles; }
     [[nodiscard]] PolarRing* field(int index) const { return at(index).field; }
     [[nodiscard]] PolarCircle* target(int index) const { return at(index).target; }
     [[nodiscard]] PolarGrid* grid(int index) const { return at(index).polar; }
@@ -70,7 +76,11 @@ private:
         PolarPointer* pointer = nullptr;
         QCPCurve* blank = nullptr;
         QCPCurve* leastSquares = nullptr;
+        QCPCurve* inner = nullptr; ///< circles of the minimum zone
+        QCPCurve* outer = nullptr;
+        QCPCurve* centre = nullptr; ///< of the circles shown
         QCPCurve* profile = nullptr;
+        QCPCurve* contacts = nullptr; ///< where the minimum zone touches
     };
     /// How many cells stand in a row, and whether their numbers stand beside them.
     struct Arrangement {
@@ -94,7 +104,9 @@ private:
     void chooseMagnification();
     void fill();
     void fillCell(std::size_t index);
+    void fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale);
     void setTexts();
+    [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
     [[nodiscard]] QString headerOf(const Profile& p, int room) const;
     void keepScales();
     void onRangeChanged(QCPAxisRect* rect);
@@ -112,6 +124,7 @@ private:
     double m_magnification = 1;
     double m_reach = 1; ///< radius of the drawing
     ProfileLines m_hidden;
+    ReferenceCircles m_circles = ReferenceCircles::leastSquares;
     bool m_dim = false;
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all

@@ -12,7 +12,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr int numberLines = 2;
+constexpr int numberLines = 2; ///< and one of the roundness
+constexpr double markSize_px = 8;
 constexpr int besideLetters = 26; ///< room for numbers beside a cell
 
 int widthOf(const QString& lines, const QFontMetrics& metrics) {
@@ -31,13 +32,14 @@ ProfilesPlot::Arrangement ProfilesPlot::arrangement() const {
     const int line = metrics.height();
     const int beside = metrics.averageCharWidth() * besideLetters;
     const int count = std::max(static_cast<int>(m_shown.size()), 1);
+    const int lines = numberLines + (m_circles == ReferenceCircles::none ? 0 : 1);
     Arrangement best;
     int largest = 0;
     for (int columns = count; columns >= 1; --columns) {
         const int rows = (count + columns - 1) / columns;
         const int width = this->width() / columns;
         const int height = (this->height() - line) / rows - line;
-        const int below = std::min(width, height - numberLines * line);
+        const int below = std::min(width, height - lines * line);
         const int aside = std::min(width - beside, height);
         if (below > largest) {
             largest = below;
@@ -126,11 +128,14 @@ void ProfilesPlot::buildCell(Cell& cell, QCPLayoutGrid* into) {
 }
 
 void ProfilesPlot::addCurves(Cell& cell) {
-    for (QCPCurve** curve : {&cell.blank, &cell.leastSquares, &cell.profile}) {
+    for (QCPCurve** curve : {&cell.blank, &cell.leastSquares, &cell.inner, &cell.outer,
+                             &cell.centre, &cell.profile, &cell.contacts}) {
         *curve = new QCPCurve(cell.rect->axis(QCPAxis::atBottom), cell.rect->axis(QCPAxis::atLeft));
         (*curve)->removeFromLegend();
         (*curve)->setSelectable(QCP::stNone);
     }
+    cell.centre->setLineStyle(QCPCurve::lsNone);
+    cell.contacts->setLineStyle(QCPCurve::lsNone);
 }
 
 void ProfilesPlot::setTexts() {
@@ -140,19 +145,19 @@ void ProfilesPlot::setTexts() {
         m_arrangement.beside ? metrics.averageCharWidth() * besideLetters : room;
     bool brief = false; // all alike
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        brief =
-            brief
-            || widthOf(ProfilesText::numbers(m_series, profile(i), false), metrics) > numbersRoom;
+        brief = brief || widthOf(numbersOf(profile(i), false), metrics) > numbersRoom;
     }
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Profile& p = profile(i);
         const Cell& cell = m_cells[i];
         cell.header->setText(headerOf(p, room));
-        cell.numbers->setText(ProfilesText::numbers(m_series, p, brief));
+        cell.numbers->setText(numbersOf(p, brief));
         const QString name = Names::zone(p.zone, p.section);
         cell.profile->setName(tr("%1: profile").arg(name));
         cell.blank->setName(tr("%1: blank").arg(name));
         cell.leastSquares->setName(tr("%1: least-squares circle").arg(name));
+        cell.inner->setName(tr("%1: inner circle of the minimum zone").arg(name));
+        cell.outer->setName(tr("%1: outer circle of the minimum zone").arg(name));
     }
     if (m_caption) {
         QString text = caption();
@@ -161,6 +166,18 @@ void ProfilesPlot::setTexts() {
         }
         m_caption->setText(text);
     }
+}
+
+QString ProfilesPlot::numbersOf(const Profile& p, bool brief) const {
+    const QString numbers = ProfilesText::numbers(m_series, p, brief);
+    switch (m_circles) {
+    case ReferenceCircles::leastSquares:
+        return numbers + u'\n' + ProfilesText::roundness(p.leastSquares, brief);
+    case ReferenceCircles::minimumZone:
+        return numbers + u'\n' + ProfilesText::roundness(p.minimumZone, brief);
+    case ReferenceCircles::none: break;
+    }
+    return numbers;
 }
 
 /// The longest of the names that fits.
@@ -208,6 +225,14 @@ void ProfilesPlot::restyle() {
         cell.target->setPen(pen(ProfileLine::target));
         cell.blank->setPen(pen(ProfileLine::blank));
         cell.leastSquares->setPen(pen(ProfileLine::leastSquares));
+        const QPen circle = pen(ProfileLine::minimumZone);
+        cell.inner->setPen(circle);
+        cell.outer->setPen(circle);
+        const QPen mark(circle.color(), 1.6);
+        cell.centre->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssPlus, mark, Qt::NoBrush, markSize_px));
+        cell.contacts->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssCircle, mark, Qt::NoBrush, markSize_px));
         cell.profile->setPen(pen(ProfileLine::profile));
     }
     if (m_caption) {

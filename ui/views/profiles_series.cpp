@@ -150,8 +150,12 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
             measure(p, series.nominal_mm, geometric);
         }
     }
+    const Directions directions(series.blank_mm.size());
     for (Profile& p : series.profiles) {
-        p.leastSquares = leastSquaresCircle(p.radii_mm);
+        p.mean_mm = std::accumulate(p.radii_mm.begin(), p.radii_mm.end(), 0.0)
+                    / static_cast<double>(p.radii_mm.size());
+        p.leastSquares = leastSquaresCircle(p.radii_mm, directions);
+        p.minimumZone = minimumZoneCircles(p.radii_mm, directions, p.leastSquares);
     }
     return series;
 }
@@ -175,19 +179,10 @@ bool outOfField(const ProfileSeries& series, const Profile& profile) {
            || profile.diameterMax_mm > upper + fieldTolerance_mm;
 }
 
-FittedCircle leastSquaresCircle(const std::vector<double>& radii_mm) {
-    const int K = static_cast<int>(radii_mm.size());
-    FittedCircle circle;
-    if (K == 0) {
-        return circle;
-    }
-    circle.radius_mm = std::accumulate(radii_mm.begin(), radii_mm.end(), 0.0) / K;
-    for (int k = 0; k < K; ++k) {
-        const double deviation = radii_mm[static_cast<std::size_t>(k)] - circle.radius_mm;
-        circle.x_mm += 2 * deviation * std::cos(angleOf(k, K)) / K;
-        circle.y_mm += 2 * deviation * std::sin(angleOf(k, K)) / K;
-    }
-    return circle;
+double radiusOf(const FittedCircle& circle, double angle) {
+    const double across = circle.x_mm * std::sin(angle) - circle.y_mm * std::cos(angle);
+    return circle.x_mm * std::cos(angle) + circle.y_mm * std::sin(angle)
+           + std::sqrt(circle.radius_mm * circle.radius_mm - across * across);
 }
 
 double angleOf(int k, int radii) {
@@ -210,8 +205,7 @@ double diameterAt(const Profile& profile, int k) {
 PolarScale polarScale(const ProfileSeries& series, const Profile& profile,
                       RadiusReference reference, double magnification) {
     const bool mean = reference == RadiusReference::mean;
-    return {series.target_mm, mean ? profile.leastSquares.radius_mm : series.target_mm,
-            magnification};
+    return {series.target_mm, mean ? profile.mean_mm : series.target_mm, magnification};
 }
 
 std::vector<ProfilePoint> closedLine(const std::vector<double>& radii_mm, const PolarScale& scale) {
@@ -230,11 +224,13 @@ std::vector<ProfilePoint> circleLine(const FittedCircle& circle, const PolarScal
                                      int points) {
     std::vector<double> radii;
     for (int k = 0; k < points; ++k) {
-        const double phi = angleOf(k, points);
-        radii.push_back(circle.radius_mm + circle.x_mm * std::cos(phi)
-                        + circle.y_mm * std::sin(phi));
+        radii.push_back(radiusOf(circle, angleOf(k, points)));
     }
     return closedLine(radii, scale);
+}
+
+ProfilePoint centrePoint(const RoundnessZone& zone, const PolarScale& scale) {
+    return {scale.magnification * zone.x_mm, scale.magnification * zone.y_mm};
 }
 
 void Reach::include(double deviation_mm) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/roundness.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -14,7 +15,7 @@ struct ProfilePoint {
     double x = 0, y = 0;
 };
 
-/// A circle fitted to a profile; its centre is counted from the axis of rotation.
+/// A circle of a cross-section; its centre is counted from the axis of rotation.
 struct FittedCircle {
     double x_mm = 0;
     double y_mm = 0;
@@ -33,7 +34,9 @@ struct Profile {
     double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
     double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
-    FittedCircle leastSquares;
+    double mean_mm = 0;           ///< of the radii
+    RoundnessZone leastSquares;
+    RoundnessZone minimumZone;
 };
 
 /// All profiles of a run after one double stroke or revolution.
@@ -69,9 +72,9 @@ struct ProfileSeries {
 /// Whether a diameter of the profile leaves the drawing's field by more than 1e-9 mm.
 [[nodiscard]] bool outOfField(const ProfileSeries& series, const Profile& profile);
 
-/// Least-squares circle of radii at equal angles, as a limaçon about the axis (centre offset small
-/// against the radius): x = 2/K·ΣR·cos φ, y = 2/K·ΣR·sin φ, radius = mean R [ISO12181].
-[[nodiscard]] FittedCircle leastSquaresCircle(const std::vector<double>& radii_mm);
+/// Where the ray at an angle from the axis meets a circle that holds the axis, for e = (x, y):
+/// x·cos φ + y·sin φ + √(r² − (x·sin φ − y·cos φ)²) [mm].
+[[nodiscard]] double radiusOf(const FittedCircle& circle, double angle);
 
 [[nodiscard]] double angleOf(int k, int radii);           ///< φ_k = 2πk/K [rad]
 [[nodiscard]] int nearestRadius(double angle, int radii); ///< k whose φ_k is nearest; any angle
@@ -103,9 +106,12 @@ struct PolarScale {
 [[nodiscard]] std::vector<ProfilePoint> closedLine(const std::vector<double>& radii_mm,
                                                    const PolarScale& scale);
 
-/// A fitted circle about its own centre, as the magnified drawing bends it.
+/// A circle about its own centre, as the magnified drawing bends it.
 [[nodiscard]] std::vector<ProfilePoint> circleLine(const FittedCircle& circle,
                                                    const PolarScale& scale, int points = 180);
+
+/// Its centre in the magnified drawing.
+[[nodiscard]] ProfilePoint centrePoint(const RoundnessZone& zone, const PolarScale& scale);
 
 /// How far something reaches inwards and outwards from the reference, both ≥ 0.
 struct Reach {

@@ -4,8 +4,6 @@
 #include "core/units.h"
 #include "ui/views/names.h"
 
-#include <cmath>
-
 namespace sparkout {
 
 CsvTable ProfilesTable::across(const ProfileSeries& series, const std::vector<int>& shown,
@@ -28,6 +26,10 @@ CsvTable ProfilesTable::across(const ProfileSeries& series, const std::vector<in
         if (on(ProfileLine::leastSquares)) {
             table.header << tr("%1: least-squares circle from target, µm").arg(name);
         }
+        if (on(ProfileLine::minimumZone)) {
+            table.header << tr("%1: inner circle of the minimum zone from target, µm").arg(name)
+                         << tr("%1: outer circle of the minimum zone from target, µm").arg(name);
+        }
     }
     for (int k = 0; k < series.radii(); ++k) {
         const auto i = static_cast<std::size_t>(k);
@@ -38,13 +40,18 @@ CsvTable ProfilesTable::across(const ProfileSeries& series, const std::vector<in
         }
         for (const int index : shown) {
             const Profile& p = series.profiles[static_cast<std::size_t>(index)];
-            const FittedCircle& circle = p.leastSquares;
+            const auto circle = [&](const RoundnessZone& about, double radius) {
+                return fromTarget_um(radiusOf({about.x_mm, about.y_mm, radius}, phi));
+            };
             if (on(ProfileLine::profile)) {
                 row.emplace_back(fromTarget_um(p.radii_mm[i]));
             }
             if (on(ProfileLine::leastSquares)) {
-                row.emplace_back(fromTarget_um(circle.radius_mm + circle.x_mm * std::cos(phi)
-                                               + circle.y_mm * std::sin(phi)));
+                row.emplace_back(circle(p.leastSquares, p.leastSquares.reference_mm));
+            }
+            if (on(ProfileLine::minimumZone)) {
+                row.emplace_back(circle(p.minimumZone, p.minimumZone.inner_mm));
+                row.emplace_back(circle(p.minimumZone, p.minimumZone.outer_mm));
             }
         }
         table.rows.push_back(std::move(row));

@@ -62,17 +62,25 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
            + u'\n' + tr("Radial runout %1 µm").arg(runout);
 }
 
+QString ProfilesText::roundness(const RoundnessZone& zone, bool brief) {
+    const int decimals = brief ? 2 : 3;
+    const QString deviation = um(zone.deviation(), decimals);
+    const QString eccentricity = um(std::hypot(zone.x_mm, zone.y_mm), decimals);
+    return (brief ? tr("RONt %1, e %2 µm") : tr("RONt %1 µm, eccentricity %2 µm"))
+        .arg(deviation, eccentricity);
+}
+
 QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile, int k,
                              bool withBlank) {
     const double angle = k * 360.0 / series.radii();
     const double radius = profile.radii_mm[static_cast<std::size_t>(k)];
     const double across = diameterAt(profile, k);
-    QString text = tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
-                      "diameter across %6 mm, %7 µm from nominal")
-                       .arg(Names::zone(profile.zone, profile.section), number(angle, 1),
-                            QString::number(k), signedUm(radius - series.target_mm),
-                            signedUm(radius - profile.leastSquares.radius_mm), number(across, 5),
-                            signedUm(across - series.nominal_mm));
+    QString text =
+        tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
+           "diameter across %6 mm, %7 µm from nominal")
+            .arg(Names::zone(profile.zone, profile.section), number(angle, 1), QString::number(k),
+                 signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm),
+                 number(across, 5), signedUm(across - series.nominal_mm));
     return withBlank ? text + blankText(series, k) : text;
 }
 

@@ -17,6 +17,8 @@ public:
     static QString magnification(double value); ///< "×2000"
     /// Deviations of the diameter, runout, and whether the drawing holds, one a line.
     static QString numbers(const ProfileSeries& series, const Profile& profile, bool brief);
+    /// Roundness deviation and eccentricity about reference circles, one line.
+    static QString roundness(const RoundnessZone& zone, bool brief);
     /// The sample at angle φ_k, and the diameter across it.
     static QString sample(const ProfileSeries& series, const Profile& profile, int k,
                           bool withBlank);

@@ -8,6 +8,7 @@
 #include "ui/views/plot_tools.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_text.h"
+#include "ui/views/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,16 +23,6 @@
 #include <algorithm>
 
 namespace sparkout {
-
-namespace {
-
-using enum ProfileLine;
-
-const std::vector<ProfileLine> acrossLines{profile, target, leastSquares, field, blank};
-const std::vector<ProfileLine> alongLines{profile, spread, target, field, blank, gauge};
-const std::vector<ProfileLine> allLines{profile, spread, target, leastSquares, field, blank, gauge};
-
-} // namespace
 
 void ProfilesView::showOutcome() {
     QElapsedTimer clock;
@@ -52,12 +43,15 @@ void ProfilesView::showOutcome() {
     }
     m_across->setDimmed(m_good && !ran);
     m_along->setDimmed(m_good && !ran);
+    m_spectrum->setDimmed(m_good && !ran);
     showState();
     showLegend();
     m_across->replot();
     m_along->replot();
-    m_acrossTools->navigation().amendView();
-    m_alongTools->navigation().amendView();
+    m_spectrum->replot();
+    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
+        tools->navigation().amendView();
+    }
     m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
     emit updated();
 }
@@ -80,6 +74,7 @@ void ProfilesView::showSeries() {
     const std::vector<int> shown = shownProfiles();
     m_across->setSeries(series, shown);
     m_along->setSeries(series, shaftSteps(m_good->result.project), shown);
+    m_spectrum->setSeries(series, shown);
     fillMagnifications();
     showStroke();
     showDescription();
@@ -108,26 +103,46 @@ void ProfilesView::showState() {
         w->setVisible(m_good != nullptr);
     }
     for (QWidget* tool : std::initializer_list<QWidget*>{m_parts, m_section, m_magnification,
-                                                         m_reference, m_blank, m_fit}) {
+                                                         m_reference, m_circles, m_blank, m_fit}) {
         tool->setEnabled(m_good != nullptr);
     }
     m_acrossTools->setEnabled(m_good != nullptr);
     m_alongTools->setEnabled(m_good != nullptr);
+    m_spectrumTools->setEnabled(m_good != nullptr);
     showParts();
 }
 
-/// Cross-sections, length, or both; the tools of what is not in sight go with it.
+ProfilesView::Parts ProfilesView::parts() const {
+    return static_cast<Parts>(std::max(m_parts->currentIndex(), 0));
+}
+
+bool ProfilesView::showsAcross() const {
+    return parts() != Parts::length && parts() != Parts::spectrum;
+}
+
+bool ProfilesView::showsAlong() const {
+    return parts() == Parts::sectionsAndLength || parts() == Parts::length;
+}
+
+bool ProfilesView::showsSpectrum() const {
+    return parts() == Parts::sectionsAndSpectrum || parts() == Parts::spectrum;
+}
+
+/// The tools of what is not in sight go with it.
 void ProfilesView::showParts() {
-    const int part = m_parts->currentIndex();
     m_splitter->setVisible(m_good != nullptr);
-    m_across->setVisible(part != 2);
-    m_along->setVisible(part != 1);
-    m_acrossExport->setVisible(part != 2);
-    m_alongExport->setVisible(part != 1);
-    m_magnification->setVisible(part != 2);
-    m_reference->setVisible(part != 2);
-    m_quantity->setVisible(part != 1);
-    m_toScale->setVisible(part != 1);
+    for (QWidget* w : std::initializer_list<QWidget*>{m_across, m_acrossExport, m_magnification,
+                                                      m_reference, m_circles}) {
+        w->setVisible(showsAcross());
+    }
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_along, m_alongExport, m_quantity, m_toScale}) {
+        w->setVisible(showsAlong());
+    }
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_spectrum, m_spectrumExport, m_logarithmic}) {
+        w->setVisible(showsSpectrum());
+    }
     m_quantity->setEnabled(m_good && !m_toScale->isChecked());
 }
 
@@ -194,25 +209,46 @@ void ProfilesView::onStroke(int number) {
 // --- drawing ------------------------------------------------------------------------------------
 
 void ProfilesView::fit() {
-    m_acrossTools->navigation().fit();
-    m_alongTools->navigation().fit();
+    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
+        tools->navigation().fit();
+    }
 }
 
 void ProfilesView::replotAll() {
     m_across->replot(QCustomPlot::rpQueuedReplot);
     m_along->replot(QCustomPlot::rpQueuedReplot);
-    m_acrossTools->navigation().amendView();
-    m_alongTools->navigation().amendView();
+    m_spectrum->replot(QCustomPlot::rpQueuedReplot);
+    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
+        tools->navigation().amendView();
+    }
 }
 
 // --- texts --------------------------------------------------------------------------------------
 
-std::vector<ProfileLine> ProfilesView::legendLines() const {
-    switch (m_parts->currentIndex()) {
-    case 1: return acrossLines;
-    case 2: return alongLines;
-    default: return allLines;
+std::vector<ProfileLine> ProfilesView::acrossLines() const {
+    using enum ProfileLine;
+    switch (m_across->circles()) {
+    case ReferenceCircles::leastSquares: return {profile, target, leastSquares, field, blank};
+    case ReferenceCircles::minimumZone: return {profile, target, minimumZone, field, blank};
+    case ReferenceCircles::none: break;
     }
+    return {profile, target, field, blank};
+}
+
+std::vector<ProfileLine> ProfilesView::legendLines() const {
+    using enum ProfileLine;
+    std::vector<ProfileLine> lines;
+    switch (parts()) {
+    case Parts::sections:
+    case Parts::sectionsAndSpectrum: return acrossLines();
+    case Parts::length: return {profile, spread, target, field, blank, gauge};
+    case Parts::spectrum: return {profile, blank};
+    case Parts::sectionsAndLength:
+        lines = acrossLines();
+        lines.insert(lines.begin() + 1, spread);
+        lines.push_back(gauge);
+    }
+    return lines;
 }
 
 LegendEntries ProfilesView::entriesOf(const std::vector<ProfileLine>& lines,
@@ -242,6 +278,7 @@ void ProfilesView::showDescription() {
     setAccessibleDescription(text);
     m_across->setAccessibleDescription(text + QStringLiteral(". ") + m_across->caption());
     m_along->setAccessibleDescription(text);
+    m_spectrum->setAccessibleDescription(text);
 }
 
 QString ProfilesView::title() const {
@@ -251,6 +288,7 @@ QString ProfilesView::title() const {
 void ProfilesView::retranslate() {
     m_acrossTools->retranslate();
     m_alongTools->retranslate();
+    m_spectrumTools->retranslate();
     m_legend->retranslate();
     buildLabels();
     if (m_good) {
@@ -258,6 +296,7 @@ void ProfilesView::retranslate() {
     }
     m_across->retranslate();
     m_along->retranslate();
+    m_spectrum->retranslate();
     if (m_good) {
         fillMagnifications();
         showStroke();
@@ -271,7 +310,7 @@ void ProfilesView::retranslate() {
 
 void ProfilesView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (!m_toScale) {
+    if (!m_spectrumTools) {
         return;
     }
     if (event->type() == QEvent::LanguageChange) {

@@ -22,11 +22,13 @@ class LongitudinalPlot;
 class PlotTools;
 class ProfilesPlot;
 class Settings;
+class SpectrumPlot;
 struct LegendEntry;
 struct ProfileSeries;
 
 /// The view "Zone profiles": cross-sections with magnified deviations above, the part along its
-/// axis below, both after any double stroke or revolution of the cycle.
+/// axis or the spectra of the cross-sections below, all after any double stroke or revolution of
+/// the cycle.
 class ProfilesView : public View {
     Q_OBJECT
 public:
@@ -34,9 +36,11 @@ public:
 
     [[nodiscard]] ProfilesPlot* across() const { return m_across; }
     [[nodiscard]] LongitudinalPlot* along() const { return m_along; }
+    [[nodiscard]] SpectrumPlot* spectrum() const { return m_spectrum; }
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
     [[nodiscard]] PlotTools* acrossTools() const { return m_acrossTools; }
     [[nodiscard]] PlotTools* alongTools() const { return m_alongTools; }
+    [[nodiscard]] PlotTools* spectrumTools() const { return m_spectrumTools; }
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -56,7 +60,15 @@ protected:
     void showOutcome() override;
 
 private:
+    /// What the view shows of its three plots, as the box of parts lists it.
+    enum class Parts { sectionsAndLength, sections, length, sectionsAndSpectrum, spectrum };
+    [[nodiscard]] Parts parts() const;
+    [[nodiscard]] bool showsAcross() const;
+    [[nodiscard]] bool showsAlong() const;
+    [[nodiscard]] bool showsSpectrum() const;
+
     void buildPlotTools(Settings* settings);
+    void buildSpectrumTools(Settings* settings);
     void buildToolBar(QWidget* bar);
     void buildStrokeBar(QWidget* bar);
     void nameObjects();
@@ -84,6 +96,9 @@ private:
     void replotAll();
     [[nodiscard]] std::vector<int> shownProfiles() const;
     [[nodiscard]] std::vector<ProfileLine> legendLines() const;
+    [[nodiscard]] std::vector<ProfileLine> acrossLines() const;
+    /// What the user hid, and the circles that were not chosen.
+    [[nodiscard]] ProfileLines hiddenAcross() const;
     [[nodiscard]] std::vector<LegendEntry> entriesOf(const std::vector<ProfileLine>& lines,
                                                      const QPalette& palette) const;
     [[nodiscard]] QStringList headingOf(const QString& plot) const;
@@ -91,10 +106,13 @@ private:
 
     ProfilesPlot* m_across = nullptr;
     LongitudinalPlot* m_along = nullptr;
+    SpectrumPlot* m_spectrum = nullptr;
     PlotTools* m_acrossTools = nullptr;
     PlotTools* m_alongTools = nullptr;
+    PlotTools* m_spectrumTools = nullptr;
     QWidget* m_acrossExport = nullptr;
     QWidget* m_alongExport = nullptr;
+    QWidget* m_spectrumExport = nullptr;
     QSplitter* m_splitter = nullptr;
     LegendStrip* m_legend = nullptr;
     QLabel* m_notice = nullptr;
@@ -104,6 +122,7 @@ private:
     QToolButton* m_alone = nullptr;
     QComboBox* m_magnification = nullptr;
     QComboBox* m_reference = nullptr;
+    QComboBox* m_circles = nullptr;
     QCheckBox* m_blank = nullptr;
     QToolButton* m_fit = nullptr;
     QWidget* m_strokeBar = nullptr;
@@ -114,6 +133,7 @@ private:
     QSpinBox* m_number = nullptr;
     QComboBox* m_quantity = nullptr;
     QCheckBox* m_toScale = nullptr;
+    QCheckBox* m_logarithmic = nullptr;
 
     OutcomePtr m_good;           ///< what the plots show
     std::optional<int> m_stroke; ///< none: the end of the cycle

@@ -6,6 +6,7 @@
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_text.h"
 #include "ui/views/profiles_view.h"
+#include "ui/views/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -88,6 +89,17 @@ void ProfilesView::onMagnification(int index) {
     replotAll();
 }
 
+ProfileLines ProfilesView::hiddenAcross() const {
+    ProfileLines hidden = m_hidden;
+    if (m_across->circles() != ReferenceCircles::leastSquares) {
+        hidden.insert(ProfileLine::leastSquares);
+    }
+    if (m_across->circles() != ReferenceCircles::minimumZone) {
+        hidden.insert(ProfileLine::minimumZone);
+    }
+    return hidden;
+}
+
 void ProfilesView::toggle(ProfileLine line) {
     if (!m_hidden.erase(line)) {
         m_hidden.insert(line);
@@ -110,6 +122,7 @@ void ProfilesView::showHidden() {
     m_blank->setChecked(!m_hidden.contains(ProfileLine::blank));
     m_across->setHidden(m_hidden);
     m_along->setHidden(m_hidden);
+    m_spectrum->setHidden(m_hidden);
     fillMagnifications();
     showLegend();
     replotAll();

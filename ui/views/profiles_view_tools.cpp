@@ -9,6 +9,7 @@
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_table.h"
 #include "ui/views/profiles_text.h"
+#include "ui/views/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -38,13 +39,16 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     m_splitter = new QSplitter(Qt::Vertical, this);
     m_across = new ProfilesPlot(m_splitter);
     m_along = new LongitudinalPlot(m_splitter);
+    m_spectrum = new SpectrumPlot(m_splitter);
     m_across->setMinimumSize(200, 120);
     m_along->setMinimumSize(200, 110);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setStretchFactor(0, 5);
     m_splitter->setStretchFactor(1, 3);
-    m_splitter->setSizes({500, 300});
+    m_splitter->setStretchFactor(2, 3);
+    m_splitter->setSizes({500, 300, 300});
     buildPlotTools(settings);
+    buildSpectrumTools(settings);
     buildToolBar(bar);
     buildStrokeBar(m_strokeBar);
     for (QLabel* label : {m_notice, m_values}) {
@@ -64,6 +68,7 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     nameObjects();
     m_across->setHidden(m_hidden);
     m_along->setHidden(m_hidden);
+    m_spectrum->setHidden(m_hidden);
     connectTools();
     connectPlots();
     retranslate();
@@ -86,12 +91,9 @@ void ProfilesView::buildPlotTools(Settings* settings) {
     along.name = [] { return tr("along the axis"); };
     along.icon = u"export_length";
     across.heading = [this] { return headingOf(tr("cross-sections")); };
-    across.legend = [this] {
-        using enum ProfileLine;
-        return entriesOf({profile, target, leastSquares, field, blank}, m_across->palette());
-    };
+    across.legend = [this] { return entriesOf(acrossLines(), m_across->palette()); };
     across.table = [this] {
-        return ProfilesTable::across(m_across->series(), m_across->shown(), m_hidden);
+        return ProfilesTable::across(m_across->series(), m_across->shown(), hiddenAcross());
     };
     across.navigation.fit = [this] { m_across->fit(); };
     across.navigation.state = [this] { return m_across->sight(); };
@@ -113,6 +115,18 @@ void ProfilesView::buildPlotTools(Settings* settings) {
     m_alongTools->setSettings(settings);
 }
 
+void ProfilesView::buildSpectrumTools(Settings* settings) {
+    PlotSubject subject;
+    subject.heading = [this] { return headingOf(tr("spectra of the cross-sections")); };
+    subject.legend = [this] {
+        return entriesOf({ProfileLine::profile, ProfileLine::blank}, m_spectrum->palette());
+    };
+    subject.table = [this] { return m_spectrum->table(); };
+    subject.navigation.fit = [this] { m_spectrum->fit(); };
+    m_spectrumTools = new PlotTools(*m_spectrum, std::move(subject));
+    m_spectrumTools->setSettings(settings);
+}
+
 void ProfilesView::buildToolBar(QWidget* bar) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
@@ -122,6 +136,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     m_alone = new QToolButton(bar);
     m_magnification = new QComboBox(bar);
     m_reference = new QComboBox(bar);
+    m_circles = new QComboBox(bar);
     m_fit = new QToolButton(bar);
     m_alone->setCheckable(true);
     m_fit->setIcon(themeIcon(u"fit"));
@@ -129,7 +144,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     for (QToolButton* button : {m_alone, m_fit}) {
         button->setFocusPolicy(Qt::TabFocus);
     }
-    for (QComboBox* box : {m_parts, m_section, m_magnification, m_reference}) {
+    for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
@@ -137,8 +152,8 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     }
     row->addStretch();
     m_acrossExport = m_acrossTools->exportButton(bar);
-    for (QWidget* w :
-         std::initializer_list<QWidget*>{m_reference, m_magnification, m_fit, m_acrossExport}) {
+    for (QWidget* w : std::initializer_list<QWidget*>{m_circles, m_reference, m_magnification,
+                                                      m_fit, m_acrossExport}) {
         row->addWidget(w);
     }
 }
@@ -155,6 +170,8 @@ void ProfilesView::buildStrokeBar(QWidget* bar) {
     m_blank = new QCheckBox(bar);
     m_quantity = new QComboBox(bar);
     m_toScale = new QCheckBox(bar);
+    m_logarithmic = new QCheckBox(bar);
+    m_logarithmic->setChecked(true);
     m_strokeLabel->setTextFormat(Qt::PlainText);
     m_previous->setArrowType(Qt::LeftArrow);
     m_next->setArrowType(Qt::RightArrow);
@@ -169,12 +186,14 @@ void ProfilesView::buildStrokeBar(QWidget* bar) {
         row->addWidget(w);
     }
     row->addWidget(m_slider, 1);
-    for (QWidget* w :
-         std::initializer_list<QWidget*>{m_next, m_number, m_blank, m_quantity, m_toScale}) {
+    for (QWidget* w : std::initializer_list<QWidget*>{m_next, m_number, m_blank, m_quantity,
+                                                      m_toScale, m_logarithmic}) {
         row->addWidget(w);
     }
     m_alongExport = m_alongTools->exportButton(bar);
     row->addWidget(m_alongExport);
+    m_spectrumExport = m_spectrumTools->exportButton(bar);
+    row->addWidget(m_spectrumExport);
 }
 
 void ProfilesView::nameObjects() {
@@ -184,6 +203,8 @@ void ProfilesView::nameObjects() {
         {m_alone, "alone"},
         {m_blank, "blank"},
         {m_reference, "reference"},
+        {m_circles, "circles"},
+        {m_logarithmic, "logarithmicSpectrum"},
         {m_magnification, "magnification"},
         {m_fit, "fit"},
         {m_slider, "strokeSlider"},
@@ -216,15 +237,19 @@ void ProfilesView::buildLabels() {
     setAccessibleName(tr("Zone profiles"));
     m_across->setAccessibleName(tr("Cross-sections with magnified deviations"));
     m_along->setAccessibleName(tr("Profile along the axis"));
+    m_spectrum->setAccessibleName(tr("Spectra of the cross-sections"));
     m_legend->setAccessibleName(tr("Legend of the curves"));
     m_notice->setAccessibleName(tr("State of the profiles"));
     m_values->setAccessibleName(tr("Values under the pointer"));
-    fillChoice(m_parts, {tr("Sections and length"), tr("Sections only"), tr("Length only")});
+    fillChoice(m_parts, {tr("Sections and length"), tr("Sections only"), tr("Length only"),
+                         tr("Sections and spectrum"), tr("Spectrum only")});
+    fillChoice(m_circles, {tr("LSCI"), tr("MZCI"), tr("none")});
     fillChoice(m_reference, {tr("from target"), tr("from own mean")});
     fillChoice(m_quantity, {tr("Radii"), tr("Diameters")});
     m_alone->setText(tr("Only this"));
     m_blank->setText(tr("Blank"));
     m_toScale->setText(tr("To scale"));
+    m_logarithmic->setText(tr("Logarithmic"));
     const auto tell = [](QWidget* widget, const QString& name) {
         widget->setAccessibleName(name);
         widget->setToolTip(name);
@@ -236,6 +261,9 @@ void ProfilesView::buildLabels() {
                              "×1 is the true shape"));
     tell(m_reference, tr("Radius the deviations are counted from: the target shows size and "
                          "form, the own mean shows form alone"));
+    tell(m_circles, tr("Reference circles of the roundness (ISO 12181): LSCI, the least-squares "
+                       "circle, or MZCI, the two circles of the minimum zone"));
+    tell(m_logarithmic, tr("Amplitudes on a logarithmic axis"));
     tell(m_blank, tr("The profile before the first touch"));
     tell(m_fit, tr("Show all in both plots; in one of them: Home, or a double click in it. "
                    "Wheel: zoom. Drag: move."));
@@ -264,6 +292,17 @@ void ProfilesView::connectTools() {
         showDescription();
         replotAll();
     });
+    connect(m_circles, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_across->setCircles(static_cast<ReferenceCircles>(index));
+        fillMagnifications();
+        showLegend();
+        replotAll();
+    });
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
+        m_spectrum->setLogarithmic(on);
+        m_spectrum->replot();
+        m_spectrumTools->navigation().forgetViews(); // ranges of the other scale
+    });
     connect(m_blank, &QCheckBox::toggled, this, [this] { toggle(ProfileLine::blank); });
     connect(m_fit, &QToolButton::clicked, this, &ProfilesView::fit);
     connect(m_slider, &QSlider::valueChanged, this, &ProfilesView::onStroke);
@@ -291,6 +330,7 @@ void ProfilesView::connectPlots() {
     };
     connect(m_across, &ProfilesPlot::pointed, this, tell);
     connect(m_along, &LongitudinalPlot::pointed, this, tell);
+    connect(m_spectrum, &SpectrumPlot::pointed, this, tell);
     connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
 }
 

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/limit_series.h"
+
+#include "core/process/coupled_sections.h"
+#include "core/process/profile.h"
+#include "core/quality/burn.h"
+#include "core/quality/burn_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int burnPoints = 161;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool isPower(ConstraintKind kind) {
+    return kind == ConstraintKind::wheelPower || kind == ConstraintKind::workPower;
+}
+
+/// Of the limits that bind every cut the least; infinite without any.
+double leastOf(const std::vector<DepthLimit>& limits) {
+    double least = infinite;
+    for (const DepthLimit& limit : limits) {
+        if (limit.kind != ConstraintKind::roughness) {
+            least = std::min(least, limit.depth_mm);
+        }
+    }
+    return least;
+}
+
+bool isWorse(const LimitedCut& a, const LimitedCut& b) {
+    return std::pair(a.usage, a.depth_mm) > std::pair(b.usage, b.depth_mm);
+}
+
+class LimitSeriesBuilder {
+public:
+    LimitSeriesBuilder(const SimulationResult& result, const Trajectory& trajectory)
+        : m_project(result.project), m_trajectory(trajectory), m_blank(makeBlank(m_project.part)) {
+        m_series.deepest_mm = m_blank.totalInfeed_mm;
+        if (const auto& U = m_project.material.burn_rise_k) {
+            m_burn.emplace(BurnModel(m_project), *U, m_blank.totalInfeed_mm);
+        }
+    }
+
+    LimitSeries build() {
+        for (const DepthLimit& limit : depthLimits(m_project, m_project.part.length_mm, 0)) {
+            m_series.on.push_back(limit.kind);
+        }
+        for (const Pass& pass : m_trajectory.passes) {
+            addPass(pass);
+        }
+        for (LimitGroup& group : m_series.groups) {
+            thin(group);
+            placeStages(group);
+        }
+        std::ranges::stable_sort(m_series.groups, {}, [](const LimitGroup& group) {
+            return std::tuple(group.zone, group.section, !group.standing);
+        });
+        addBurn();
+        return std::move(m_series);
+    }
+
+private:
+    void addPass(const Pass& pass) {
+        LimitGroup& group = groupOf(pass.place);
+        const double fixed = leastOf(stageOf(group, pass).fixed);
+        LimitedCut worst{pass.place, 0, 0, 0, pass.effectiveWidth_mm, -1};
+        for (int k = 0; k < m_trajectory.radii; ++k) {
+            const Visit& visit = m_trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
+            const double a = visit.actual_mm;
+            if (!(a > 0) || !std::isfinite(a) || !std::isfinite(visit.radius_mm)) {
+                continue;
+            }
+            const double stock = m_sign * (visit.radius_mm - m_blank.targetRadius_mm);
+            double usage = fixed > 0 ? a / fixed : infinite;
+            if (m_burn) {
+                const double root = m_burn->usage(std::sqrt(a), stock);
+                usage = std::max(usage, root * root);
+            }
+            const LimitedCut cut{pass.place, k, stock, a, pass.effectiveWidth_mm, usage};
+            worst = isWorse(cut, worst) ? cut : worst;
+        }
+        if (worst.depth_mm > 0) {
+            m_series.least_mm = std::min(m_series.least_mm, worst.stock_mm);
+            group.worst = isWorse(worst, group.worst) ? worst : group.worst;
+            group.cuts.push_back(worst);
+        }
+    }
+
+    LimitGroup& groupOf(const Place& place) {
+        const int found = limitGroupAt(m_series, place);
+        if (found >= 0) {
+            return m_series.groups[static_cast<std::size_t>(found)];
+        }
+        LimitGroup group;
+        group.zone = place.zone;
+        group.section = place.zone == Zone::section ? place.section : 0;
+        group.standing = wheelStands(place);
+        m_series.groups.push_back(std::move(group));
+        return m_series.groups.back();
+    }
+
+    LimitedStage& stageOf(LimitGroup& group, const Pass& pass) {
+        if (group.stages.empty() || group.stages.back().stage != pass.place.stage) {
+            LimitedStage stage{pass.place.stage, pass.effectiveWidth_mm, m_series.deepest_mm, {}};
+            const bool coupled = isCoupled(m_project);
+            for (const DepthLimit& limit : depthLimits(m_project, stage.width_mm, 0)) {
+                if (limit.kind != ConstraintKind::burn && !(coupled && isPower(limit.kind))) {
+                    stage.fixed.push_back(limit);
+                }
+            }
+            group.stages.push_back(std::move(stage));
+        }
+        return group.stages.back();
+    }
+
+    /// Each stage ends at the least stock its cuts leave, and none before the one ahead of it.
+    static void placeStages(LimitGroup& group) {
+        double end = infinite;
+        for (LimitedStage& stage : group.stages) {
+            for (const LimitedCut& cut : group.cuts) {
+                end = cut.place.stage == stage.stage ? std::min(end, cut.stock_mm) : end;
+            }
+            stage.end_mm = std::min(end, stage.end_mm);
+        }
+    }
+
+    static void thin(LimitGroup& group) {
+        const std::size_t count = group.cuts.size();
+        if (count <= mostLimitedCuts) {
+            return;
+        }
+        std::vector<LimitedCut> kept;
+        for (std::size_t i = 0; i < mostLimitedCuts; ++i) {
+            const auto first =
+                group.cuts.begin() + static_cast<std::ptrdiff_t>(i * count / mostLimitedCuts);
+            const auto last =
+                group.cuts.begin() + static_cast<std::ptrdiff_t>((i + 1) * count / mostLimitedCuts);
+            kept.push_back(*std::min_element(first, last, isWorse));
+        }
+        group.cuts = std::move(kept);
+    }
+
+    /// Denser towards the target, where the limit rises fastest; below it as at 0.
+    void addBurn() {
+        const auto& U = m_project.material.burn_rise_k;
+        if (!U) {
+            return;
+        }
+        const BurnModel model(m_project);
+        const double free = model.limitDepth(*U, 0);
+        if (m_series.least_mm < 0) {
+            m_series.burn.push_back({m_series.least_mm, free});
+        }
+        for (int i = 0; i < burnPoints; ++i) {
+            const double share = static_cast<double>(i) / (burnPoints - 1);
+            const double stock = m_series.deepest_mm * share * share;
+            m_series.burn.push_back({stock, model.limitDepth(*U, stock)});
+        }
+    }
+
+    const Project& m_project;
+    const Trajectory& m_trajectory;
+    Blank m_blank;
+    double m_sign = m_project.part.surface == Surface::external ? 1 : -1;
+    std::optional<BurnTable> m_burn;
+    LimitSeries m_series;
+};
+
+/// Each stage's limit from the stock it begins at to its end, by rising stock.
+template <typename AddStage>
+LimitPoints overStages(const LimitSeries& series, const LimitGroup& group, AddStage addStage) {
+    LimitPoints points;
+    double from = series.least_mm;
+    for (std::size_t i = group.stages.size(); i-- > 0;) {
+        const double to = i > 0 ? group.stages[i - 1].end_mm : series.deepest_mm;
+        if (to > from) {
+            addStage(points, group.stages[i], from, to);
+            from = to;
+        }
+    }
+    return points;
+}
+
+double burnAt(const LimitPoints& burn, double stock) {
+    const auto after = std::ranges::upper_bound(burn, stock, {}, &LimitPoint::stock_mm);
+    if (after == burn.begin() || after == burn.end()) {
+        return after == burn.begin() ? burn.front().depth_mm : burn.back().depth_mm;
+    }
+    const LimitPoint &a = *(after - 1), &b = *after;
+    return a.depth_mm
+           + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
+}
+
+/// The lower of burn and a constant from one stock to another, with the corner between them.
+void addLower(LimitPoints& points, const LimitPoints& burn, double fixed, double from, double to) {
+    if (burn.empty()) {
+        points.insert(points.end(), {{from, fixed}, {to, fixed}});
+        return;
+    }
+    LimitPoints inside{{from, burnAt(burn, from)}};
+    for (const LimitPoint& point : burn) {
+        if (point.stock_mm > from && point.stock_mm < to) {
+            inside.push_back(point);
+        }
+    }
+    inside.push_back({to, burnAt(burn, to)});
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        const LimitPoint& b = inside[i];
+        if (i > 0 && inside[i - 1].depth_mm < fixed && b.depth_mm > fixed) {
+            const LimitPoint& a = inside[i - 1];
+            const double share = (fixed - a.depth_mm) / (b.depth_mm - a.depth_mm);
+            points.push_back({a.stock_mm + share * (b.stock_mm - a.stock_mm), fixed});
+        }
+        points.push_back({b.stock_mm, std::min(b.depth_mm, fixed)});
+    }
+}
+
+} // namespace
+
+LimitSeries makeLimitSeries(const SimulationResult& result, const Trajectory& trajectory) {
+    return LimitSeriesBuilder(result, trajectory).build();
+}
+
+int limitGroupAt(const LimitSeries& series, const Place& place) {
+    const bool standing = wheelStands(place);
+    for (std::size_t i = 0; i < series.groups.size(); ++i) {
+        const LimitGroup& group = series.groups[i];
+        if (group.zone == place.zone && group.standing == standing
+            && (place.zone != Zone::section || group.section == place.section)) {
+            return static_cast<int>(i);
+        }
+    }
+    return -1;
+}
+
+std::optional<LimitedCut> limitedCutOf(const SimulationResult& result, const Trajectory& trajectory,
+                                       const ConstraintResult& requirement) {
+    if (!requirement.at) {
+        return std::nullopt;
+    }
+    const Place& at = *requirement.at;
+    const auto isIt = [&at](const Pass& pass) {
+        const Place& p = pass.place;
+        return p.zone == at.zone && (p.zone != Zone::section || p.section == at.section)
+               && p.cycleCount == at.cycleCount && p.step == at.step
+               && p.revolution == at.revolution;
+    };
+    const auto pass = std::ranges::find_if(trajectory.passes, isIt);
+    if (pass == trajectory.passes.end()) {
+        return std::nullopt;
+    }
+    const auto first = trajectory.visits.begin() + static_cast<std::ptrdiff_t>(pass->firstVisit);
+    auto visit =
+        std::max_element(first, first + trajectory.radii,
+                         [](const Visit& a, const Visit& b) { return a.actual_mm < b.actual_mm; });
+    if (requirement.kind == ConstraintKind::burn && result.burn) {
+        visit = first + result.burn->radius;
+    }
+    const Part& part = result.project.part;
+    const double over = visit->radius_mm - targetRadius(part);
+    return LimitedCut{pass->place,
+                      static_cast<int>(visit - first),
+                      part.surface == Surface::external ? over : -over,
+                      visit->actual_mm,
+                      pass->effectiveWidth_mm,
+                      1 - requirement.relativeMargin};
+}
+
+LimitPoints limitCurve(const LimitSeries& series, const LimitGroup& group, ConstraintKind kind) {
+    if (kind == ConstraintKind::burn) {
+        return series.burn;
+    }
+    return overStages(
+        series, group,
+        [kind](LimitPoints& points, const LimitedStage& stage, double from, double to) {
+            for (const DepthLimit& limit : stage.fixed) {
+                if (limit.kind == kind) {
+                    points.push_back({from, limit.depth_mm});
+                    points.push_back({to, limit.depth_mm});
+                }
+            }
+        });
+}
+
+LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
+    return overStages(
+        series, group,
+        [&series](LimitPoints& points, const LimitedStage& stage, double from, double to) {
+            const double fixed = leastOf(stage.fixed);
+            if (!series.burn.empty() || fixed < infinite) {
+                addLower(points, series.burn, fixed, from, to);
+            }
+        });
+}
+
+} // namespace sparkout

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/csv_table.h"
+#include "ui/session/outcome.h"
+#include "ui/views/legend_drawing.h"
+
+#include <qcustomplot.h>
+
+#include <map>
+#include <optional>
+
+namespace sparkout {
+
+/// The actual feed of one zone or section over the stock left, the cycle from left to right, under
+/// the curves of all limits that are on. The least of them, the stepless limit, stands out; above
+/// it is forbidden. Drawn in µm.
+class ConstraintsPlot : public QCustomPlot {
+    Q_OBJECT
+public:
+    static constexpr int actualKey = 100, steplessKey = 101; ///< else the kind of the limit
+
+    explicit ConstraintsPlot(QWidget* parent = nullptr);
+
+    void setRun(OutcomePtr outcome, int group); ///< no replot
+    void setLogarithmic(bool on);
+    void setDimmed(bool dim);
+    /// Marks where a requirement was worst; nothing: where the group comes nearest to its limit.
+    void setMarked(const std::optional<ConstraintResult>& requirement);
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void retranslate();
+    void restyle();
+
+    [[nodiscard]] int group() const { return m_group; }
+    [[nodiscard]] bool hasCuts() const { return m_actual->data()->size() > 0; }
+    [[nodiscard]] QCPAxis* stockAxis() const { return m_rect->axis(QCPAxis::atBottom); }
+    [[nodiscard]] QCPAxis* feedAxis() const { return m_rect->axis(QCPAxis::atLeft); }
+    [[nodiscard]] QCPCurve* actual() const { return m_actual; }
+    [[nodiscard]] QCPCurve* exceeded() const { return m_exceeded; } ///< cuts above their limit
+    [[nodiscard]] QCPGraph* stepless() const { return m_stepless; }
+    [[nodiscard]] QCPGraph* limit(ConstraintKind kind) const; ///< null: off
+    [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_markedCut; }
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const; ///< the cuts in sight
+    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 160}; }
+
+signals:
+    void pointed(const QString& text); ///< values under the mouse, empty outside
+    void contentChanged();             ///< hence the legend
+
+protected:
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void fill();
+    void fillCuts(const LimitGroup& group);
+    void fillMark();
+    void placeMark();
+    void show();
+    void onMouse(QMouseEvent* event);
+    void choose(int key, bool only);
+    [[nodiscard]] const LimitGroup* shownGroup() const;
+    [[nodiscard]] QString markText() const;
+    [[nodiscard]] QString valuesAt(const LimitedCut& cut) const;
+    [[nodiscard]] QPen penOf(int key) const;
+    [[nodiscard]] QCPGraph* addLine();
+    [[nodiscard]] double highestCut() const;
+    /// Limits of a cut as the engine gives them, not read off the curves [µm].
+    [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
+
+    OutcomePtr m_outcome;
+    int m_group = -1;
+    std::optional<ConstraintResult> m_requirement;
+    std::optional<LimitedCut> m_markedCut;
+    CurveChoice m_choice;
+    QCPAxisRect* m_rect = nullptr;
+    QCPGraph* m_ceiling = nullptr; ///< upper edge of what is forbidden
+    QCPGraph* m_stepless = nullptr;
+    std::map<ConstraintKind, QCPGraph*> m_limits;
+    QCPCurve* m_actual = nullptr;
+    QCPCurve* m_exceeded = nullptr;
+    QCPCurve* m_mark = nullptr;
+    QCPItemText* m_markText = nullptr;
+    bool m_dim = false;
+};
+
+} // namespace sparkout

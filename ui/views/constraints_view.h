@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+#include "ui/views/view.h"
+
+#include <optional>
+#include <string>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+class QSplitter;
+
+namespace sparkout {
+
+class ConstraintsPlot;
+class CopyTable;
+class LegendStrip;
+class MarginModel;
+class PlotTools;
+class Settings;
+
+/// The view "Constraints": the actual feed over the stock left under all limits, the requirements
+/// by how much of their limit they use up, and how the chosen one's number came about.
+class ConstraintsView : public View {
+    Q_OBJECT
+public:
+    explicit ConstraintsView(QWidget* parent = nullptr, Settings* settings = nullptr);
+
+    [[nodiscard]] ConstraintsPlot* plot() const { return m_plot; }
+    [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] MarginModel* margins() const { return m_model; }
+    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+
+    [[nodiscard]] QString title() const override;
+    void retranslate() override;
+
+signals:
+    /// Chosen: other views may follow; entered: it wants to be seen where it came about.
+    void requirementChosen(const sparkout::ConstraintResult& requirement);
+    void requirementEntered(const sparkout::ConstraintResult& requirement);
+    void pathAsked(const std::string& path); ///< the input that turns a limit on
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showOutcome() override;
+
+private:
+    void build(Settings* settings);
+    void buildTools(QWidget* bar, Settings* settings);
+    QWidget* buildMargins();
+    QWidget* buildSheet();
+    void connectParts();
+    void nameParts();
+    void fillGroups();
+    void showGroup(int group);
+    void choose(int row);
+    void selectChosen();
+    void showState();
+    void showSheet();
+    void drawIcons();
+    [[nodiscard]] QString offText() const;
+    [[nodiscard]] int wantedGroup() const;
+    [[nodiscard]] std::optional<ConstraintResult> chosen() const;
+
+    ConstraintsPlot* m_plot;
+    LegendStrip* m_legend;
+    QComboBox* m_zone;
+    QCheckBox* m_logarithmic;
+    QCheckBox* m_places;
+    QSplitter* m_splitter;
+    CopyTable* m_table = nullptr;
+    MarginModel* m_model;
+    QPlainTextEdit* m_sheet;
+    QPushButton* m_goTo;
+    QLabel* m_notice;
+    QLabel* m_off;
+    QLabel* m_values;
+    PlotTools* m_tools = nullptr;
+    OutcomePtr m_good;                        ///< what is shown
+    std::optional<Place> m_place;             ///< the group the user chose, by one of its cuts
+    std::optional<ConstraintResult> m_chosen; ///< by the user, maybe of an earlier run
+};
+
+} // namespace sparkout

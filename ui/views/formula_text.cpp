@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/formula_text.h"
+
+#include "ui/session/source_names.h"
+#include "ui/session/texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace sparkout {
+
+namespace {
+
+/// Units that formulas have and no input has.
+[[maybe_unused]] constexpr const char* formulaUnits[] = {
+    QT_TRANSLATE_NOOP("Unit", "N"),        QT_TRANSLATE_NOOP("Unit", "N/mm"),
+    QT_TRANSLATE_NOOP("Unit", "N/mm^1.5"), QT_TRANSLATE_NOOP("Unit", "K·mm^1.25/N"),
+    QT_TRANSLATE_NOOP("Unit", "mW"),       QT_TRANSLATE_NOOP("Unit", "mW/mm²"),
+    QT_TRANSLATE_NOOP("Unit", "mm/s"),     QT_TRANSLATE_NOOP("Unit", "mm²"),
+    QT_TRANSLATE_NOOP("Unit", "mm^0.25"),  QT_TRANSLATE_NOOP("Unit", "mm^0.5"),
+    QT_TRANSLATE_NOOP("Unit", "mm^0.75"),  QT_TRANSLATE_NOOP("Unit", "mm^1.5"),
+};
+
+constexpr int sheetDigits = 5; ///< as many as a reader can check the next line with
+
+QString sheetNumber(double value) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', sheetDigits);
+}
+
+QString stepText(const FormulaStep& step) {
+    const TermWriter write = [](const FormulaTerm& term) {
+        return sheetNumber(term.value).toStdString();
+    };
+    const QString symbols = QString::fromStdString(formulaInSymbols(step, write));
+    const QString numbers = QString::fromStdString(formulaInNumbers(step, write));
+    QString result = sheetNumber(step.result.value);
+    if (step.result.unit && *step.result.unit) {
+        result += QChar::Nbsp + unitText(step.result.unit);
+    }
+    // A step without terms states a number: it has no numbers to put in.
+    return step.terms.empty() ? symbols + QStringLiteral(" = ") + result
+                              : QStringList{symbols, numbers, result}.join(QStringLiteral(" = "));
+}
+
+} // namespace
+
+QString formulaText(const FormulaSheet& sheet) {
+    QString head = QCoreApplication::translate("Formula", sheet.name);
+    const QString source = sourceText(sheet.source);
+    if (!source.isEmpty()) {
+        head += QStringLiteral(" (%1)").arg(source);
+    }
+    QStringList paragraphs{head};
+    for (const FormulaStep& step : sheet.steps) {
+        paragraphs << stepText(step);
+    }
+    return paragraphs.join(u'\n');
+}
+
+} // namespace sparkout

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/limit_names.h"
+
+#include "ui/views/names.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double mostPercent = 999;
+
+/// The first strength of grain or bond that is missing; empty: all are given.
+std::string missingStrength(const Wheel& wheel) {
+    const std::pair<bool, const char*> strengths[] = {
+        {wheel.grain_surface_energy_j_m2.has_value(), "/wheel/grain_surface_energy_j_m2"},
+        {wheel.grain_modulus_gpa.has_value(), "/wheel/grain_modulus_gpa"},
+        {wheel.bond_surface_energy_j_m2.has_value(), "/wheel/bond_surface_energy_j_m2"},
+        {wheel.bond_modulus_gpa.has_value(), "/wheel/bond_modulus_gpa"},
+    };
+    for (const auto& [given, path] : strengths) {
+        if (!given) {
+            return path;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+QString LimitNames::limit(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::burn: return tr("burn");
+    case ConstraintKind::selfSharpening: return tr("self-sharpening");
+    case ConstraintKind::wheelPower: return tr("wheel drive");
+    case ConstraintKind::workPower: return tr("work drive");
+    case ConstraintKind::roughness: return tr("roughness of the last cut");
+    default: break;
+    }
+    return Names::constraint(kind);
+}
+
+QString LimitNames::group(const LimitGroup& group) {
+    const QString zone = Names::zone(group.zone, group.section);
+    if (group.zone == Zone::section || group.zone == Zone::nz) {
+        return zone;
+    }
+    return group.standing ? tr("%1, wheel standing").arg(zone) : tr("%1, strokes").arg(zone);
+}
+
+QString LimitNames::percent(double share) {
+    QLocale numbers;
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double percent = 100 * share;
+    return percent > mostPercent || std::isnan(percent)
+               ? tr("over %1 %").arg(numbers.toString(mostPercent, 'f', 0))
+               : tr("%1 %").arg(numbers.toString(percent, 'f', percent < 10 ? 1 : 0));
+}
+
+std::vector<OffLimit> LimitNames::off(const Project& project) {
+    using enum ConstraintKind;
+    const Tolerance& tolerance = project.part.tolerance;
+    const std::string strength = missingStrength(project.wheel);
+    const std::tuple<bool, ConstraintKind, std::string> all[] = {
+        {project.material.burn_rise_k.has_value(), burn, "/material/burn_rise_k"},
+        {strength.empty(), selfSharpening, strength},
+        {project.machine.wheel_drive_kw.has_value(), wheelPower, "/machine/wheel_drive_kw"},
+        {project.machine.work_drive_kw.has_value(), workPower, "/machine/work_drive_kw"},
+        {tolerance.roughness_ra_um.has_value(), roughness, "/part/tolerance/roughness_ra_um"},
+        {tolerance.roundness_um.has_value(), roundness, "/part/tolerance/roundness_um"},
+        {tolerance.radial_runout_um.has_value(), radialRunout, "/part/tolerance/radial_runout_um"},
+        {tolerance.cylindricity_um.has_value(), cylindricity, "/part/tolerance/cylindricity_um"},
+        {tolerance.total_runout_um.has_value(), totalRunout, "/part/tolerance/total_runout_um"},
+    };
+    std::vector<OffLimit> off;
+    for (const auto& [on, kind, path] : all) {
+        if (!on) {
+            off.push_back({kind, path});
+        }
+    }
+    return off;
+}
+
+} // namespace sparkout

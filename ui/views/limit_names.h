@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/limit_series.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+/// A requirement that is not held against anything, and the input that turns it on.
+struct OffLimit {
+    ConstraintKind kind;
+    std::string path;
+};
+
+/// Words of the view "Constraints".
+class LimitNames {
+    Q_DECLARE_TR_FUNCTIONS(LimitNames)
+public:
+    static QString limit(ConstraintKind kind);     ///< of the feed: "burn", "wheel drive"
+    static QString group(const LimitGroup& group); ///< "RZ1, wheel standing"
+    static QString percent(double share);          ///< "87 %"; above 999 % so
+    /// What is off of the limits of the feed and of the drawing's tolerances.
+    static std::vector<OffLimit> off(const Project& project);
+};
+
+} // namespace sparkout

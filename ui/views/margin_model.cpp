@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/margin_model.h"
+
+#include "ui/session/texts.h"
+#include "ui/theme.h"
+#include "ui/views/limit_names.h"
+#include "ui/views/names.h"
+#include "ui/views/verdict_model.h"
+
+#include <QApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double fullBar = 1.25; ///< usage at the end of a bar
+constexpr int barWidth = 76;
+constexpr int air = 4;
+
+Tone toneOf(Light light) {
+    switch (light) {
+    case Light::holds: return Tone::green;
+    case Light::close: return Tone::orange;
+    case Light::fails: break;
+    }
+    return Tone::vermilion;
+}
+
+/// What fails first; settings of the machine last, which hold up to the ends of their ranges.
+std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
+    return {!c.holds, scopeOf(c.kind) != ConstraintScope::setting, usageOf(c)};
+}
+
+} // namespace
+
+double usageOf(const ConstraintResult& requirement) {
+    return std::max(1 - requirement.relativeMargin, 0.0);
+}
+
+void MarginModel::setOutcome(OutcomePtr outcome) {
+    m_outcome = std::move(outcome);
+    fill();
+}
+
+void MarginModel::setAllPlaces(bool all) {
+    m_all = all;
+    fill();
+}
+
+void MarginModel::setIcons(const std::array<QIcon, 3>& icons) {
+    m_icons = icons;
+    retranslate();
+}
+
+void MarginModel::retranslate() {
+    if (!m_rows.empty()) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
+    }
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
+}
+
+void MarginModel::fill() {
+    beginResetModel();
+    m_rows.clear();
+    if (m_outcome) {
+        m_rows = m_all ? m_outcome->constraints : worstByKind(m_outcome->constraints);
+        std::ranges::stable_sort(m_rows, [](const ConstraintResult& a, const ConstraintResult& b) {
+            return rankOf(a) > rankOf(b);
+        });
+    }
+    endResetModel();
+}
+
+int MarginModel::rowOf(const ConstraintResult& wanted) const {
+    const auto same = std::ranges::find_if(m_rows, [&](const ConstraintResult& c) {
+        return c.kind == wanted.kind && c.section == wanted.section && c.stage == wanted.stage;
+    });
+    const auto found = same != m_rows.end()
+                           ? same
+                           : std::ranges::find(m_rows, wanted.kind, &ConstraintResult::kind);
+    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
+}
+
+int MarginModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int MarginModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnCount_;
+}
+
+QString MarginModel::text(const ConstraintResult& c, int column) {
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    switch (column) {
+    case requirement:
+        return QStringLiteral("%1, %2").arg(Names::constraint(c.kind), Names::where(c));
+    case usage: return LimitNames::percent(usageOf(c));
+    case value:
+        return QStringLiteral("%1 / %2 %3")
+            .arg(Names::amount(c.kind, c.value, deviation),
+                 Names::amount(c.kind, c.limit, deviation), unitText(constraintUnit(c.kind)))
+            .trimmed();
+    default: return {};
+    }
+}
+
+QVariant MarginModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const ConstraintResult& c = at(index.row());
+    const int column = index.column();
+    const Light light = lightOf(c);
+    switch (role) {
+    case Qt::DisplayRole: return text(c, column);
+    case Qt::DecorationRole:
+        return column == requirement ? QVariant(m_icons[static_cast<std::size_t>(light)])
+                                     : QVariant();
+    case Qt::TextAlignmentRole:
+        return static_cast<int>((column == value ? Qt::AlignRight : Qt::AlignLeft)
+                                | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return tr("%1, %2 used, %3: %4")
+            .arg(text(c, requirement), text(c, usage), text(c, value), lightName(light));
+    case usageRole: return usageOf(c);
+    case lightRole: return static_cast<int>(light);
+    default: return {};
+    }
+}
+
+QVariant MarginModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((section == value ? Qt::AlignRight : Qt::AlignLeft)
+                                | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+    case requirement: return tr("Requirement");
+    case usage: return tr("Used up");
+    case value: return tr("Value / limit");
+    default: return {};
+    }
+}
+
+QString MarginModel::asTsv() const {
+    QStringList lines{QStringList{tr("Requirement"), tr("Used up, %"), tr("Value"), tr("Limit"),
+                                  tr("Margin"), tr("Unit"), tr("Verdict")}
+                          .join(u'\t')};
+    for (const ConstraintResult& c : m_rows) {
+        const auto number = [&c](double v) { return Names::amount(c.kind, v, false); };
+        lines << QStringList{text(c, requirement), Names::significant(100 * usageOf(c)),
+                             number(c.value),      number(c.limit),
+                             number(c.margin),     unitText(constraintUnit(c.kind)),
+                             lightName(lightOf(c))}
+                     .join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+// --- the bar ------------------------------------------------------------------------------------
+
+void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                      const QModelIndex& index) const {
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const QString text = std::exchange(option.text, QString());
+    const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+    const double usage = index.data(MarginModel::usageRole).toDouble();
+    const auto light = static_cast<Light>(index.data(MarginModel::lightRole).toInt());
+    const QRectF area = QRectF(option.rect).adjusted(air, air, -air, -air);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    const QColor ink = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
+    QColor fill = tone(toneOf(light), option.palette);
+    fill.setAlphaF(selected ? 0.6F : 0.45F);
+    painter->save();
+    painter->fillRect(QRectF(area.left(), area.top(), area.width() * std::min(usage / fullBar, 1.0),
+                             area.height()),
+                      fill);
+    painter->setPen(QPen(ink, 1));
+    const double limit = area.left() + area.width() / fullBar;
+    painter->drawLine(QLineF(limit, area.top() - 2, limit, area.bottom() + 2));
+    painter->drawText(area.adjusted(air, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter->restore();
+}
+
+QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+    return {barWidth, option.fontMetrics.height() + 2 * air};
+}
+
+} // namespace sparkout

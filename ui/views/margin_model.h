@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/outcome.h"
+
+#include <QAbstractTableModel>
+#include <QIcon>
+#include <QStyledItemDelegate>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// How much of its field or limit a requirement uses up: 1 at the limit.
+[[nodiscard]] double usageOf(const ConstraintResult& requirement);
+
+/// The requirements by how much of their limit they use up, the most first and settings of the
+/// machine last: of each kind the worst, or all.
+class MarginModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { requirement, usage, value, columnCount_ };
+    static constexpr int usageRole = Qt::UserRole;     ///< double
+    static constexpr int lightRole = Qt::UserRole + 1; ///< Light
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setOutcome(OutcomePtr outcome);
+    void setAllPlaces(bool all);
+    void setIcons(const std::array<QIcon, 3>& icons);
+    void retranslate();
+
+    [[nodiscard]] const ConstraintResult& at(int row) const {
+        return m_rows[static_cast<std::size_t>(row)];
+    }
+    /// The row of the same requirement at the same place, else of its kind; −1: none.
+    [[nodiscard]] int rowOf(const ConstraintResult& wanted) const;
+    [[nodiscard]] QString asTsv() const;
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+
+private:
+    void fill();
+    [[nodiscard]] static QString text(const ConstraintResult& c, int column);
+
+    OutcomePtr m_outcome;
+    std::vector<ConstraintResult> m_rows;
+    std::array<QIcon, 3> m_icons;
+    bool m_all = false;
+};
+
+/// Draws the usage as a bar with its percentage; a line marks the limit.
+class MarginBar : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const override;
+};
+
+} // namespace sparkout

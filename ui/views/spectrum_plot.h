@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/harmonics.h"
+#include "ui/session/csv_table.h"
+#include "ui/views/profiles_look.h"
+#include "ui/views/profiles_series.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace sparkout {
+
+/// Amplitudes of a profile over the undulations per revolution: 1 is the eccentricity, 2 an oval.
+/// One axis rect a zone or section side by side, blank and profile as bars, all moved together.
+class SpectrumPlot : public QCustomPlot {
+    Q_OBJECT
+public:
+    explicit SpectrumPlot(QWidget* parent = nullptr);
+
+    void setSeries(const ProfileSeries& series, const std::vector<int>& shown); ///< no replot
+    void setHidden(ProfileLines hidden);
+    void setLogarithmic(bool on);
+    void setDimmed(bool dim);
+    void fit();
+    void retranslate();
+    void restyle();
+
+    [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
+    [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
+    [[nodiscard]] QCPBars* bars(int index, ProfileLine line) const;
+    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 110}; }
+
+signals:
+    void pointed(const QString& text); ///< empty: at nothing
+
+protected:
+    void leaveEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Cell {
+        QString name;
+        QCPTextElement* header = nullptr;
+        QCPAxisRect* rect = nullptr;
+        QCPBars* blank = nullptr;
+        QCPBars* profile = nullptr;
+        std::vector<Harmonic> left; ///< of the profile
+        Zone zone = Zone::section;
+        int section = 0;
+    };
+    [[nodiscard]] const Cell& at(int index) const {
+        return m_cells[static_cast<std::size_t>(index)];
+    }
+    void rebuild(std::size_t count);
+    void buildCell(Cell& cell, int column);
+    void setScale(Cell& cell) const;
+    void link(QCPAxis* moved);
+    void show();
+    void onMouse(QMouseEvent* event);
+
+    std::vector<Harmonic> m_blank;
+    std::vector<Cell> m_cells;
+    ProfileLines m_hidden;
+    bool m_logarithmic = true;
+    bool m_dim = false;
+    bool m_linking = false;
+};
+
+} // namespace sparkout
