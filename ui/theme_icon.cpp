@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double disabledOpacity = 0.4;
+constexpr double fadedOpacity = 0.4;
 
 QByteArray coloured(QByteArray svg, const QPalette& palette) {
     // Through names no theme can contain: one theme's colour may be another's written one.
@@ -98,7 +98,7 @@ private:
         QPixmap pixmap(full.size());
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
-        painter.setOpacity(disabledOpacity);
+        painter.setOpacity(fadedOpacity);
         painter.drawPixmap(0, 0, full);
         return pixmap;
     }

@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 constexpr int sample = 22;
-constexpr int gap = 5;
+constexpr int entryGap = 5;
 constexpr int between = 14;
 constexpr int swatchHeight = 10;
 constexpr double faint = 0.45; ///< opacity of what is hidden
@@ -21,7 +21,7 @@ std::vector<QRect> legendRects(const LegendEntries& entries, const QFontMetrics&
     const int height = metrics.height() + 2;
     int x = 0, y = 0;
     for (const LegendEntry& e : entries) {
-        const int w = std::min(sample + gap + metrics.horizontalAdvance(e.text) + 2, width);
+        const int w = std::min(sample + entryGap + metrics.horizontalAdvance(e.text) + 2, width);
         if (x > 0 && x + w > width) {
             x = 0;
             y += height;
@@ -55,7 +55,7 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
     QFont font = painter.font();
     font.setStrikeOut(!entry.shown);
     painter.setFont(font);
-    const QRect text = rect.adjusted(sample + gap, 0, 0, 0);
+    const QRect text = rect.adjusted(sample + entryGap, 0, 0, 0);
     const QFontMetrics metrics(font);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
                      metrics.elidedText(entry.text, Qt::ElideRight, text.width()));
