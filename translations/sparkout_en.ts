@@ -29,6 +29,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::CatalogueDialog</name>
+        <message numerus="yes">
+            <source>%n inputs change (in bold); the others stay as they are.</source>
+            <translation>
+                <numerusform>%n input changes (in bold); the others stay as they are.</numerusform>
+                <numerusform>%n inputs change (in bold); the others stay as they are.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::MainWindow</name>
         <message numerus="yes">
             <source>Saved; %n fields hold a refused text, their last good values were saved.</source>

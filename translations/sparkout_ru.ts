@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru" sourcelanguage="en_US">
     <context>
+        <name>Catalogue</name>
+        <message>
+            <source>There are too many damaged files already.</source>
+            <translation>Повреждённых файлов уже слишком много.</translation>
+        </message>
+        <message>
+            <source>not given</source>
+            <translation>не задано</translation>
+        </message>
+        <message>
+            <source>own value</source>
+            <translation>своё значение</translation>
+        </message>
+        <message>
+            <source>estimate, to be calibrated</source>
+            <translation>оценка, подлежит калибровке</translation>
+        </message>
+        <message>
+            <source>own values</source>
+            <translation>свои значения</translation>
+        </message>
+        <message>
+            <source>estimates</source>
+            <translation>оценки</translation>
+        </message>
+    </context>
+    <context>
         <name>Choice</name>
         <message>
             <source>nominal part</source>
@@ -97,6 +124,57 @@
         </message>
     </context>
     <context>
+        <name>CouplingCurves</name>
+        <message>
+            <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.</source>
+            <translation>Разность связанных и независимых не более %1 мкм по диаметру, на %2 мм. Разброс по длине: независимые %3 мкм, связанные %4 мкм. Время %5 и %6 мин.</translation>
+        </message>
+        <message>
+            <source>Independent: %1</source>
+            <translation>Независимые: %1</translation>
+        </message>
+        <message>
+            <source>Coupled: %1</source>
+            <translation>Связанные: %1</translation>
+        </message>
+        <message>
+            <source>sections independent</source>
+            <translation>сечения независимы</translation>
+        </message>
+        <message>
+            <source>sections coupled</source>
+            <translation>сечения связаны</translation>
+        </message>
+        <message>
+            <source>coupled less independent</source>
+            <translation>разность: связаны минус независимы</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
+        </message>
+        <message>
+            <source>Position, mm</source>
+            <translation>Место, мм</translation>
+        </message>
+        <message>
+            <source>Independent, mean diameter from the middle, µm</source>
+            <translation>Независимые, средний диаметр от середины поля, мкм</translation>
+        </message>
+        <message>
+            <source>Coupled, mean diameter from the middle, µm</source>
+            <translation>Связанные, средний диаметр от середины поля, мкм</translation>
+        </message>
+        <message>
+            <source>Difference, µm</source>
+            <translation>Разность, мкм</translation>
+        </message>
+        <message>
+            <source>%1 at %2 mm: independent %3 µm, coupled %4 µm, difference %5 µm</source>
+            <translation>%1, %2 мм: независимые %3 мкм, связанные %4 мкм, разность %5 мкм</translation>
+        </message>
+    </context>
+    <context>
         <name>Default</name>
         <message>
             <source>yes</source>
@@ -143,6 +221,30 @@
         <message>
             <source>Reload the file</source>
             <translation>Перезагрузка файла</translation>
+        </message>
+        <message>
+            <source>Put the gauge in the best place</source>
+            <translation>Прибор в лучшее место</translation>
+        </message>
+        <message>
+            <source>Material from the catalogue</source>
+            <translation>Материал из каталога</translation>
+        </message>
+        <message>
+            <source>Wheel from the catalogue</source>
+            <translation>Круг из каталога</translation>
+        </message>
+        <message>
+            <source>Machine from the catalogue</source>
+            <translation>Станок из каталога</translation>
+        </message>
+        <message>
+            <source>Wheel from its marking</source>
+            <translation>Круг по маркировке</translation>
+        </message>
+        <message>
+            <source>Limits from the tolerance class</source>
+            <translation>Отклонения по полю допуска</translation>
         </message>
     </context>
     <context>
@@ -531,6 +633,69 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Cylindricity deviation</source>
             <translation>Отклонение от цилиндричности</translation>
+        </message>
+    </context>
+    <context>
+        <name>GaugeCurves</name>
+        <message>
+            <source>farthest from the middle</source>
+            <translation>дальше всего от середины</translation>
+        </message>
+        <message>
+            <source>best place</source>
+            <translation>лучшее место</translation>
+        </message>
+        <message>
+            <source>present place</source>
+            <translation>нынешнее место</translation>
+        </message>
+        <message>
+            <source>all diameters</source>
+            <translation>все диаметры</translation>
+        </message>
+        <message>
+            <source>Gauge at, mm</source>
+            <translation>Место прибора, мм</translation>
+        </message>
+        <message>
+            <source>Compliance there, mm/N</source>
+            <translation>Податливость там, мм/Н</translation>
+        </message>
+        <message>
+            <source>Smallest diameter, µm</source>
+            <translation>Наименьший диаметр, мкм</translation>
+        </message>
+        <message>
+            <source>Largest diameter, µm</source>
+            <translation>Наибольший диаметр, мкм</translation>
+        </message>
+        <message>
+            <source>Farthest from the middle, µm</source>
+            <translation>Дальше всего от середины, мкм</translation>
+        </message>
+        <message>
+            <source>Margin to the limits, µm</source>
+            <translation>Запас до границ, мкм</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>End of the cycle</source>
+            <translation>Чем окончен цикл</translation>
+        </message>
+        <message>
+            <source>%1, mean diameter, µm</source>
+            <translation>%1, средний диаметр, мкм</translation>
+        </message>
+        <message>
+            <source>Gauge at %1 mm: %2</source>
+            <translation>Прибор на %1 мм: %2</translation>
+        </message>
+        <message>
+            <source>Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from the middle of the field</source>
+            <translation>Прибор на %1 мм: диаметры от %2 (%3) до %4 мкм (%5), не дальше %6 мкм от середины поля</translation>
         </message>
     </context>
     <context>
@@ -1895,6 +2060,17 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>LengthCurves</name>
+        <message>
+            <source>Diameter from the middle of the field, µm</source>
+            <translation>Диаметр от середины поля, мкм</translation>
+        </message>
+        <message>
+            <source>limits of the field, ±%1 µm</source>
+            <translation>границы поля, ±%1 мкм</translation>
+        </message>
+    </context>
+    <context>
         <name>Limit</name>
         <message>
             <source>number</source>
@@ -2009,6 +2185,81 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1 %2</source>
             <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>Marking</name>
+        <message>
+            <source>black silicon carbide</source>
+            <translation>чёрный карбид кремния</translation>
+        </message>
+        <message>
+            <source>green silicon carbide</source>
+            <translation>зелёный карбид кремния</translation>
+        </message>
+        <message>
+            <source>silicon carbide</source>
+            <translation>карбид кремния</translation>
+        </message>
+        <message>
+            <source>normal fused alumina</source>
+            <translation>нормальный электрокорунд</translation>
+        </message>
+        <message>
+            <source>white fused alumina</source>
+            <translation>белый электрокорунд</translation>
+        </message>
+        <message>
+            <source>fused alumina</source>
+            <translation>электрокорунд</translation>
+        </message>
+        <message>
+            <source>vitrified bond</source>
+            <translation>керамическая связка</translation>
+        </message>
+        <message>
+            <source>resin bond</source>
+            <translation>бакелитовая связка</translation>
+        </message>
+        <message>
+            <source>rubber bond</source>
+            <translation>вулканитовая связка</translation>
+        </message>
+        <message>
+            <source>shellac bond</source>
+            <translation>шеллаковая связка</translation>
+        </message>
+        <message>
+            <source>magnesite bond</source>
+            <translation>магнезитовая связка</translation>
+        </message>
+        <message>
+            <source>plastic bond</source>
+            <translation>пластмассовая связка</translation>
+        </message>
+        <message>
+            <source>∅%1 mm, width %2 mm, bore %3 mm</source>
+            <translation>∅%1 мм, высота %2 мм, отверстие %3 мм</translation>
+        </message>
+        <message>
+            <source>∅%1 mm, width %2 mm</source>
+            <translation>∅%1 мм, высота %2 мм</translation>
+        </message>
+        <message>
+            <source>F%1 – grain %2 mm</source>
+            <translation>F%1 – зерно %2 мм</translation>
+        </message>
+        <message>
+            <source>%1 – hardness (A softest, Z hardest)</source>
+            <translation>%1 – твёрдость (A самый мягкий, Z самый твёрдый)</translation>
+        </message>
+        <message>
+            <source>structure %1 – grain share %2</source>
+            <translation>структура %1 – доля зерна %2</translation>
+        </message>
+        <message>
+            <source>at most %1 m/s</source>
+            <translation>не более %1 м/с</translation>
         </message>
     </context>
     <context>
@@ -2598,6 +2849,29 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>SizeField</name>
+        <message>
+            <source>Not a size with its tolerance class; write it like 30h6.</source>
+            <translation>Это не размер с полем допуска; пишите, например, 30h6.</translation>
+        </message>
+        <message>
+            <source>Small letters are for shafts; this surface is a bore.</source>
+            <translation>Строчные буквы — для валов, а эта поверхность — отверстие.</translation>
+        </message>
+        <message>
+            <source>Capital letters are for bores; this surface is a shaft.</source>
+            <translation>Прописные буквы — для отверстий, а эта поверхность — вал.</translation>
+        </message>
+        <message>
+            <source>ISO 286 has no such class here: sizes to 500 mm, grades 4 to 14, letters d to p.</source>
+            <translation>Такого поля здесь нет: по ISO 286 размеры до 500 мм, квалитеты 4–14, буквы от d до p.</translation>
+        </message>
+        <message>
+            <source>∅%1 mm, upper %2 µm, lower %3 µm</source>
+            <translation>∅%1 мм, верхнее %2 мкм, нижнее %3 мкм</translation>
+        </message>
+    </context>
+    <context>
         <name>Source</name>
         <message>
             <source>model page, section 1: symbols and units</source>
@@ -2690,6 +2964,54 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>the marking on the wheel itself</source>
             <translation>маркировка на самом круге</translation>
+        </message>
+        <message>
+            <source>Zaporozhabrasive, marking of abrasive tools</source>
+            <translation>«Запорожабразив», маркировка абразивного инструмента</translation>
+        </message>
+        <message>
+            <source>aloro.org, steel 40Х</source>
+            <translation>aloro.org, сталь 40Х</translation>
+        </message>
+        <message>
+            <source>aloro.org, steel 38ХМА</source>
+            <translation>aloro.org, сталь 38ХМА</translation>
+        </message>
+        <message>
+            <source>allmetals.ru, steel 38ХМА</source>
+            <translation>allmetals.ru, сталь 38ХМА</translation>
+        </message>
+        <message>
+            <source>altermet.ru, steel 12ХН3А</source>
+            <translation>altermet.ru, сталь 12ХН3А</translation>
+        </message>
+        <message>
+            <source>uralprokatmetiz.ru, steel 40</source>
+            <translation>uralprokatmetiz.ru, сталь 40</translation>
+        </message>
+        <message>
+            <source>uralprokatmetiz.ru, steel 45</source>
+            <translation>uralprokatmetiz.ru, сталь 45</translation>
+        </message>
+        <message>
+            <source>ferrotrade.org, steel ШХ15</source>
+            <translation>ferrotrade.org, сталь ШХ15</translation>
+        </message>
+        <message>
+            <source>metall.life, steel 18ХГТ</source>
+            <translation>metall.life, сталь 18ХГТ</translation>
+        </message>
+        <message>
+            <source>scraptraffic.com, grey iron СЧ25</source>
+            <translation>scraptraffic.com, серый чугун СЧ25</translation>
+        </message>
+        <message>
+            <source>steel-lib, representative values</source>
+            <translation>steel-lib, типичные значения</translation>
+        </message>
+        <message>
+            <source>GOST 1412, appendix 2, grey iron</source>
+            <translation>ГОСТ 1412, приложение 2, серый чугун</translation>
         </message>
     </context>
     <context>
@@ -3250,6 +3572,208 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>sparkout::CatalogueBar</name>
+        <message>
+            <source>Save as mine</source>
+            <translation>Сохранить как своё</translation>
+        </message>
+        <message>
+            <source>Your own catalogue cannot be read. “From catalogue…” says why.</source>
+            <translation>Ваш каталог не читается. Почему — сказано в окне «Из каталога…».</translation>
+        </message>
+        <message>
+            <source>Your entry of this name will be replaced.</source>
+            <translation>Ваша запись с этим именем будет заменена.</translation>
+        </message>
+        <message>
+            <source>It will be shown in place of the shipped entry of this name.</source>
+            <translation>Она будет показана вместо поставляемой записи с этим именем.</translation>
+        </message>
+        <message>
+            <source>The values of this page will be kept as an entry of your own.</source>
+            <translation>Значения этой страницы сохранятся как ваша собственная запись.</translation>
+        </message>
+        <message>
+            <source>Not kept: %1</source>
+            <translation>Не сохранено: %1</translation>
+        </message>
+        <message>
+            <source>From catalogue…</source>
+            <translation>Из каталога…</translation>
+        </message>
+        <message>
+            <source>Take values from the catalogue; what changes is shown first</source>
+            <translation>Взять значения из каталога; сначала показано, что изменится</translation>
+        </message>
+        <message>
+            <source>Save as mine…</source>
+            <translation>Сохранить как своё…</translation>
+        </message>
+        <message>
+            <source>Keep the values of this page as an entry of your own catalogue</source>
+            <translation>Сохранить значения этой страницы в своём каталоге</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CatalogueDialog</name>
+        <message>
+            <source>Put it a&amp;side and begin a new one</source>
+            <translation>Отло&amp;жить его и начать новый</translation>
+        </message>
+        <message>
+            <source>&amp;Rename…</source>
+            <translation>Пере&amp;именовать…</translation>
+        </message>
+        <message>
+            <source>&amp;Delete…</source>
+            <translation>&amp;Удалить…</translation>
+        </message>
+        <message>
+            <source>Catalogue of materials</source>
+            <translation>Каталог материалов</translation>
+        </message>
+        <message>
+            <source>Catalogue of wheels</source>
+            <translation>Каталог кругов</translation>
+        </message>
+        <message>
+            <source>Catalogue of machines</source>
+            <translation>Каталог станков</translation>
+        </message>
+        <message>
+            <source>&amp;Take over</source>
+            <translation>&amp;Взять</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>State of your catalogue</source>
+            <translation>Состояние вашего каталога</translation>
+        </message>
+        <message>
+            <source>Why the inputs would be refused</source>
+            <translation>Почему исходные данные были бы отклонены</translation>
+        </message>
+        <message>
+            <source>Name, grade, marking, use or source</source>
+            <translation>Имя, марка, маркировка, применение или источник</translation>
+        </message>
+        <message>
+            <source>Search the catalogue</source>
+            <translation>Поиск по каталогу</translation>
+        </message>
+        <message>
+            <source>&amp;Search:</source>
+            <translation>&amp;Поиск:</translation>
+        </message>
+        <message>
+            <source>Entries found</source>
+            <translation>Найдено записей</translation>
+        </message>
+        <message>
+            <source>Entries</source>
+            <translation>Записи</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Имя</translation>
+        </message>
+        <message>
+            <source>Whose</source>
+            <translation>Чьё</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>What it would change</source>
+            <translation>Что изменится</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Сейчас</translation>
+        </message>
+        <message>
+            <source>Then</source>
+            <translation>Станет</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Источник</translation>
+        </message>
+        <message>
+            <source>The chosen entry</source>
+            <translation>Выбранная запись</translation>
+        </message>
+        <message>
+            <source>mine</source>
+            <translation>своя</translation>
+        </message>
+        <message>
+            <source>shipped</source>
+            <translation>из поставки</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+        <message>
+            <source>No entry has all these words.</source>
+            <translation>Ни в одной записи нет всех этих слов.</translation>
+        </message>
+        <message>
+            <source>It changes nothing.</source>
+            <translation>Ничего не изменится.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n inputs change (in bold); the others stay as they are.</source>
+            <translation>
+                <numerusform>Изменится %n величина (выделена); остальные останутся как есть.</numerusform>
+                <numerusform>Изменятся %n величины (выделены); остальные останутся как есть.</numerusform>
+                <numerusform>Изменятся %n величин (выделены); остальные останутся как есть.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The compliance is given on this page, so the stiffness is not read.</source>
+            <translation>Податливость на этой странице задана, поэтому жёсткость не используется.</translation>
+        </message>
+        <message>
+            <source>With it the inputs would be refused: %1</source>
+            <translation>С ней исходные данные были бы отклонены: %1</translation>
+        </message>
+        <message>
+            <source>Your own entries cannot be read and are left as they are in %1: %2</source>
+            <translation>Ваши записи не читаются и оставлены как есть в %1: %2</translation>
+        </message>
+        <message>
+            <source>The unreadable file is kept as %1.</source>
+            <translation>Нечитаемый файл сохранён как %1.</translation>
+        </message>
+        <message>
+            <source>Rename the entry</source>
+            <translation>Переименовать запись</translation>
+        </message>
+        <message>
+            <source>You have an entry of this name already.</source>
+            <translation>У вас уже есть запись с этим именем.</translation>
+        </message>
+        <message>
+            <source>Delete “%1” from your catalogue? Projects that use it keep their values.</source>
+            <translation>Удалить «%1» из вашего каталога? Проекты, где она взята, сохранят свои значения.</translation>
+        </message>
+        <message>
+            <source>Nothing was changed in your catalogue: %1</source>
+            <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::ComplianceBox</name>
         <message>
             <source>Section %1</source>
@@ -3343,6 +3867,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>At %1 mm: γ %2 nm/N = %3</source>
             <translation>На %1 мм: γ %2 нм/Н = %3</translation>
         </message>
+        <message>
+            <source>Place of the gauge from the headstock end of the ground length, mm</source>
+            <translation>Место прибора от конца шлифуемой длины у передней бабки, мм</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ComplianceView</name>
@@ -3397,6 +3925,62 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Equal all along.</source>
             <translation>Одинакова по всей длине.</translation>
+        </message>
+        <message>
+            <source>Stages end by the position of the wheel head: the gauge has no say, and all its places are alike.</source>
+            <translation>Ступени заканчиваются по положению шлифовальной бабки: прибор не участвует, и все его места равноценны.</translation>
+        </message>
+        <message>
+            <source>In traverse grinding the gauge stands in the middle of %1. The curves say what it would do in another zone.</source>
+            <translation>При шлифовании с осевой подачей прибор стоит посередине %1. Кривые показывают, что было бы в другой зоне.</translation>
+        </message>
+        <message>
+            <source>Sections are coupled in plunge grinding only: there the wheel touches all of them at once.</source>
+            <translation>Сечения связаны только при врезном шлифовании: там круг касается всех сразу.</translation>
+        </message>
+        <message>
+            <source>The compliance is given section by section, which does not say how one section moves another. Leave it to stiffness and shaft on the page Machine.</source>
+            <translation>Податливость задана по сечениям, и неизвестно, как одно сечение смещает другое. Оставьте её жёсткости и валу на странице «Станок».</translation>
+        </message>
+        <message>
+            <source>Computing… %1 of %2</source>
+            <translation>Идёт расчёт… %1 из %2</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Идёт расчёт…</translation>
+        </message>
+        <message>
+            <source>From no place of the gauge does the cycle reach size.</source>
+            <translation>Ни с одного места прибора цикл не выходит на размер.</translation>
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 мм</translation>
+        </message>
+        <message>
+            <source>Best place: %1; there no diameter is farther than %2 µm from the middle of the field. At present, at %3 mm: %4 µm.</source>
+            <translation>Лучшее место: %1; там ни один диаметр не дальше %2 мкм от середины поля. Сейчас, на %3 мм: %4 мкм.</translation>
+        </message>
+        <message>
+            <source>Where to put the gauge</source>
+            <translation>Где поставить прибор</translation>
+        </message>
+        <message>
+            <source>Coupled against independent sections</source>
+            <translation>Связанные и независимые сечения</translation>
+        </message>
+        <message>
+            <source>What stands below the part</source>
+            <translation>Что показано под деталью</translation>
+        </message>
+        <message>
+            <source>Put the gauge there</source>
+            <translation>Поставить прибор туда</translation>
+        </message>
+        <message>
+            <source>Make the best place the gauge's free position; can be undone</source>
+            <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
     </context>
     <context>
@@ -3590,6 +4174,29 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Copy the table</source>
             <translation>Копировать таблицу</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::EntryNameDialog</name>
+        <message>
+            <source>&amp;Name in your catalogue:</source>
+            <translation>&amp;Имя в вашем каталоге:</translation>
+        </message>
+        <message>
+            <source>Name in your catalogue</source>
+            <translation>Имя в вашем каталоге</translation>
+        </message>
+        <message>
+            <source>What becomes of it</source>
+            <translation>Что из этого выйдет</translation>
+        </message>
+        <message>
+            <source>&amp;Keep</source>
+            <translation>&amp;Сохранить</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Отмена</translation>
         </message>
     </context>
     <context>
@@ -4455,6 +5062,33 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::MarkingHelper</name>
+        <message>
+            <source>To fill in: %1.</source>
+            <translation>Будет заполнено: %1.</translation>
+        </message>
+        <message>
+            <source>The machine's wheel speed is above what the marking allows.</source>
+            <translation>Скорость круга на станке выше допускаемой маркировкой.</translation>
+        </message>
+        <message>
+            <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel's values.</source>
+            <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет величины круга.</translation>
+        </message>
+        <message>
+            <source>What the marking means</source>
+            <translation>Что значит маркировка</translation>
+        </message>
+        <message>
+            <source>Fill in from the marking</source>
+            <translation>Заполнить по маркировке</translation>
+        </message>
+        <message>
+            <source>Take grain, grain share and sizes as far as the marking gives them</source>
+            <translation>Взять зерно, долю зерна и размеры, насколько они указаны в маркировке</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::MessagesPanel</name>
         <message>
             <source>%1; the last good value is used</source>
@@ -5189,6 +5823,33 @@ target, µm</source>
         <message>
             <source>What lies outside the usual</source>
             <translation>Что выходит за обычное</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SizeHelper</name>
+        <message>
+            <source>Tolerance class</source>
+            <translation>Поле допуска</translation>
+        </message>
+        <message>
+            <source>Size with its tolerance class</source>
+            <translation>Размер с полем допуска</translation>
+        </message>
+        <message>
+            <source>ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter</source>
+            <translation>ГОСТ 25346: 30h6 заполняет диаметр и отклонения; h6 оставляет диаметр</translation>
+        </message>
+        <message>
+            <source>What the tolerance class means</source>
+            <translation>Что значит поле допуска</translation>
+        </message>
+        <message>
+            <source>Fill in</source>
+            <translation>Заполнить</translation>
+        </message>
+        <message>
+            <source>Take diameter and limits from the tolerance class</source>
+            <translation>Взять диаметр и отклонения по полю допуска</translation>
         </message>
     </context>
     <context>

@@ -64,7 +64,7 @@ void nameQtButtons(const QWidget& window) {
 MainWindow::MainWindow(Settings& settings, Language& language, RunController::Runner runner)
     : m_settings(settings)
     , m_language(language)
-    , m_inputs(new InputsPanel(m_document, this))
+    , m_inputs(new InputsPanel(m_document, this, &m_settings))
     , m_tabs(new ViewTabs(this))
     , m_feeds(new FeedsView(this, &m_settings))
     , m_profiles(new ProfilesView(this, &m_settings))
@@ -98,11 +98,23 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildViews() {
-    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints,
-                                                   new ComplianceView(this, &m_settings)}) {
+    auto* compliance = new ComplianceView(this, &m_settings);
+    connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
+    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));
+}
+
+/// Its compliance is that of the place, so a given one goes.
+void MainWindow::putGauge(double position_mm) {
+    Project project = m_document.project();
+    project.gauge.position_mm = position_mm;
+    project.gauge.section.reset();
+    project.gauge.compliance_mm_per_n.reset();
+    m_document.endMerge();
+    m_document.edit(std::move(project),
+                    {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});
 }
 
 QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {

@@ -57,6 +57,7 @@ protected:
 
 private:
     void buildViews();
+    void putGauge(double position_mm); ///< from the headstock end of the ground length
     void buildDocks();
     QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
     void connectActions();

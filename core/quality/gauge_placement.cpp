@@ -2,6 +2,7 @@
 #include "core/quality/gauge_placement.h"
 
 #include "core/process/system_compliance.h"
+#include "core/quality/coupling_comparison.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 
@@ -63,9 +64,8 @@ GaugePosition summary(const SimulationResult& result) {
             at.deviationMax_mm = section.diameterDeviationMax_mm;
             at.sectionOfMax = i;
         }
-        const double sum = std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0);
-        meanRadii.push_back(sum / static_cast<double>(section.radii_mm.size()));
-        at.meanDeviations_mm.push_back(2 * meanRadii.back() - part.diameter_mm);
+        at.meanDeviations_mm.push_back(meanDiameterDeviation(section, part));
+        meanRadii.push_back((at.meanDeviations_mm.back() + part.diameter_mm) / 2);
     }
     at.taper_mm = straightRise(result.sections, meanRadii);
     at.margin_mm = std::min(part.upper_deviation_um / units::umPerMm - at.deviationMax_mm,
@@ -117,6 +117,26 @@ private:
     std::array<std::optional<GaugePosition>, 3> m_byZone; ///< runs differ by zone only
 };
 
+/// Whole revolutions make steps of equal margins: the middle of one is the safest place on it.
+std::optional<std::size_t> bestOf(const std::vector<GaugePosition>& positions) {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (positions[i].status == RunStatus::completed
+            && (!first || positions[i].margin_mm > positions[*first].margin_mm)) {
+            first = i;
+        }
+    }
+    if (!first) {
+        return {};
+    }
+    std::size_t last = *first;
+    while (last + 1 < positions.size() && positions[last + 1].status == RunStatus::completed
+           && positions[last + 1].margin_mm == positions[*first].margin_mm) {
+        ++last;
+    }
+    return *first + (last - *first) / 2;
+}
+
 } // namespace
 
 std::vector<double> gaugeCandidates(const Project& project, int count) {
@@ -147,15 +167,11 @@ GaugePlacement placeGauge(const Project& project, const std::vector<double>& pos
         }
         auto& all = placement.positions;
         all.push_back(std::move(found));
-        const bool better =
-            !placement.best || all.back().margin_mm > all[*placement.best].margin_mm;
-        if (all.back().status == RunStatus::completed && better) {
-            placement.best = all.size() - 1;
-        }
         if (progress) {
             progress(all.size(), positions_mm.size());
         }
     }
+    placement.best = bestOf(placement.positions);
     return placement;
 }
 

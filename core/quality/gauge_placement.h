@@ -33,7 +33,7 @@ struct GaugePosition {
 struct GaugePlacement {
     std::vector<GaugePosition> positions; ///< in the order asked for, as far as they were run
     bool stopped = false;                 ///< by a stop request
-    /// The one with the largest margin among the completed; the first of equals.
+    /// The one with the largest margin among the completed; of equal neighbours the middle one.
     std::optional<std::size_t> best;
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/form_page.h"
 
+#include "ui/inputs/catalogue_bar.h"
 #include "ui/inputs/compliance_box.h"
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/reason_label.h"
+#include "ui/inputs/row_helper.h"
 #include "ui/inputs/section_box.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/metrics.h"
@@ -15,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 
 namespace sparkout {
 
@@ -33,7 +36,7 @@ QGridLayout* newGrid(QVBoxLayout& into, int depth) {
 
 } // namespace
 
-FormPage::FormPage(Page page, Document& document, QWidget* parent)
+FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
     : QScrollArea(parent), m_page(page), m_document(document) {
     auto* body = new QWidget(this);
     auto* layout = new QVBoxLayout(body);
@@ -43,6 +46,7 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    addCatalogue(settings, {*layout, 0});
     addStruct(tableOf<Project>(), {}, {*layout, 0});
     addProjectTexts({*layout, 0});
     layout->addStretch(1);
@@ -65,6 +69,32 @@ bool FormPage::shows(const StructInfo& table) const {
         }
     }
     return false;
+}
+
+void FormPage::addCatalogue(Settings* settings, Place into) {
+    const auto kind = m_page == Page::material  ? std::optional(CatalogueKind::materials)
+                      : m_page == Page::wheel   ? std::optional(CatalogueKind::wheels)
+                      : m_page == Page::machine ? std::optional(CatalogueKind::machines)
+                                                : std::nullopt;
+    if (!kind) {
+        return;
+    }
+    m_catalogue = new CatalogueBar(*kind, m_document, settings, into.rows.parentWidget());
+    const int inset = SectionBox::inset(into.depth);
+    m_catalogue->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(m_catalogue);
+}
+
+void FormPage::addHelper(const std::string& path, Place into) {
+    RowHelper* helper = makeRowHelper(path, m_document, into.rows.parentWidget());
+    if (!helper) {
+        return;
+    }
+    const int inset = SectionBox::inset(into.depth);
+    helper->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(helper);
+    m_helpers.push_back(helper);
+    m_grid = nullptr;
 }
 
 void FormPage::addStruct(const StructInfo& table, const std::string& path, Place into) {
@@ -109,6 +139,7 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     auto* row = new FormRow(std::move(editor), *m_grid, parent);
     row->setParent(this);
     connectRow(*row);
+    addHelper(path, into);
 }
 
 void FormPage::addList(const Field& field, const std::string& path, Place into) {
@@ -218,6 +249,12 @@ void FormPage::setOutcome(const OutcomePtr& outcome) {
 }
 
 void FormPage::retranslate() {
+    if (m_catalogue) {
+        m_catalogue->retranslate();
+    }
+    for (RowHelper* helper : m_helpers) {
+        helper->retranslate();
+    }
     for (FormRow* row : m_rows) {
         row->retranslate();
     }

@@ -15,12 +15,15 @@ class QVBoxLayout;
 
 namespace sparkout {
 
+class CatalogueBar;
 class ComplianceBox;
 class Document;
 class FormRow;
 class ListTable;
 class ReasonLabel;
+class RowHelper;
 class SectionBox;
+class Settings;
 class StageTable;
 
 /// A text the forms did not take: where, and why.
@@ -34,7 +37,9 @@ class FormPage : public QScrollArea {
     Q_OBJECT
 
 public:
-    FormPage(Page page, Document& document, QWidget* parent = nullptr);
+    /// Without settings the user's own catalogues are kept as long as the page lives.
+    FormPage(Page page, Document& document, QWidget* parent = nullptr,
+             Settings* settings = nullptr);
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
@@ -64,6 +69,8 @@ private:
         int depth;
     };
 
+    void addCatalogue(Settings* settings, Place into);
+    void addHelper(const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
     void addList(const Field& field, const std::string& path, Place into);
@@ -81,6 +88,8 @@ private:
     QGridLayout* m_grid = nullptr; ///< where the next plain row goes
     std::vector<FormRow*> m_rows;
     std::vector<Box> m_boxes;
+    CatalogueBar* m_catalogue = nullptr; ///< on pages that have one
+    std::vector<RowHelper*> m_helpers;
     ComplianceBox* m_compliance = nullptr;
     std::vector<ListTable*> m_lists;
     StageTable* m_stages = nullptr; ///< one of them

@@ -40,7 +40,7 @@ constexpr std::array pageEntries{
 
 } // namespace
 
-InputsPanel::InputsPanel(Document& document, QWidget* parent)
+InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings)
     : QWidget(parent)
     , m_group(new QButtonGroup(this))
     , m_stack(new QStackedWidget(this))
@@ -59,7 +59,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent)
         strip->addWidget(button);
         m_group->addButton(button, static_cast<int>(m_pages.size()));
         m_buttons.push_back(button);
-        auto* page = new FormPage(entry.page, document, m_stack);
+        auto* page = new FormPage(entry.page, document, m_stack, settings);
         m_stack->addWidget(page);
         m_pages.push_back(page);
         connect(page, &FormPage::refusalsChanged, this, [this] {

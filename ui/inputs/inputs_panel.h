@@ -15,13 +15,15 @@ class QToolButton;
 namespace sparkout {
 
 class HintStrip;
+class Settings;
 
 /// All inputs: a row of page buttons above the page in view.
 class InputsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit InputsPanel(Document& document, QWidget* parent = nullptr);
+    explicit InputsPanel(Document& document, QWidget* parent = nullptr,
+                         Settings* settings = nullptr);
     ~InputsPanel() override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);

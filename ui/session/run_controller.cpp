@@ -36,43 +36,24 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
 }
 
 RunController::RunController(QObject* parent, Runner runner)
-    : QObject(parent), m_runner(std::move(runner)) {
-    m_pool.setMaxThreadCount(1);
-}
-
-RunController::~RunController() {
-    m_stop.request_stop();
-    m_pool.clear();
-    m_pool.waitForDone();
-}
+    : QObject(parent), m_runner(std::move(runner)) {}
 
 void RunController::request(Project project) {
-    m_stop.request_stop();
-    m_stop = std::stop_source();
-    const quint64 number = ++m_newest;
     m_running = true;
     emit started();
-    m_pool.start([this, number, stop = m_stop.get_token(), snapshot = std::move(project)] {
-        if (stop.stop_requested()) {
-            return;
-        }
+    m_job.start([this, snapshot = std::move(project)](const std::stop_token& stop,
+                                                      const NewestJob::Post& post) {
         QElapsedTimer clock;
         clock.start();
         OutcomePtr outcome = m_runner(snapshot, stop);
         const double time_ms = double(clock.nsecsElapsed()) * 1e-6;
-        QMetaObject::invokeMethod(
-            this,
-            [this, number, outcome = std::move(outcome), time_ms] {
-                deliver(number, outcome, time_ms);
-            },
-            Qt::QueuedConnection);
+        if (outcome) {
+            post([this, outcome = std::move(outcome), time_ms] { deliver(outcome, time_ms); });
+        }
     });
 }
 
-void RunController::deliver(quint64 number, const OutcomePtr& outcome, double time_ms) {
-    if (number != m_newest || !outcome) {
-        return; // late
-    }
+void RunController::deliver(const OutcomePtr& outcome, double time_ms) {
     m_running = false;
     m_lastRun_ms = time_ms;
     emit finished(outcome);

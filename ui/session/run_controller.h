@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/newest_job.h"
 #include "ui/session/outcome.h"
 
 #include <QObject>
-#include <QThreadPool>
 
 #include <functional>
 #include <stop_token>
@@ -14,7 +14,7 @@ namespace sparkout {
 /// Checks a project, runs its cycle and holds it against the drawing. Null when stopped.
 [[nodiscard]] OutcomePtr runProject(const Project& project, const std::stop_token& stop);
 
-/// The only place that starts threads. A project is taken by value, its outcome comes back as a
+/// Runs projects off the window's thread. A project is taken by value, its outcome comes back as a
 /// signal in the thread of the controller; a newer request stops the older one, whose result is
 /// dropped. Destroying the controller stops the run and waits for it.
 class RunController : public QObject {
@@ -24,7 +24,6 @@ public:
     using Runner = std::function<OutcomePtr(const Project&, const std::stop_token&)>;
 
     explicit RunController(QObject* parent = nullptr, Runner runner = runProject);
-    ~RunController() override;
 
     void request(Project project);
     [[nodiscard]] bool running() const { return m_running; }
@@ -35,14 +34,12 @@ signals:
     void finished(sparkout::OutcomePtr outcome);
 
 private:
-    void deliver(quint64 number, const OutcomePtr& outcome, double time_ms);
+    void deliver(const OutcomePtr& outcome, double time_ms);
 
     Runner m_runner;
-    QThreadPool m_pool;
-    std::stop_source m_stop;
-    quint64 m_newest = 0;
     bool m_running = false;
     double m_lastRun_ms = 0;
+    NewestJob m_job; ///< last: stopped before what it uses is gone
 };
 
 } // namespace sparkout

@@ -16,6 +16,7 @@ const QString csvKey = QStringLiteral("csvDialect");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
+const QString dialogKey = QStringLiteral("dialog/");
 const QString stateKey = QStringLiteral("window/state");
 
 const QString english = QStringLiteral("en");
@@ -38,7 +39,9 @@ QByteArray asBytes(const QVariant& text) {
 
 Settings::Settings() : Settings(usersFile()) {}
 
-Settings::Settings(const QString& file) : m_file(std::make_unique<SettingsFile>(file)) {}
+Settings::Settings(const QString& file)
+    : m_file(std::make_unique<SettingsFile>(file))
+    , m_folder(file.isEmpty() ? QString() : QFileInfo(file).absolutePath()) {}
 
 Settings Settings::transient() {
     return Settings(QString());
@@ -119,6 +122,14 @@ QByteArray Settings::windowState() const {
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
     m_file->set(geometryKey, asText(geometry));
     m_file->set(stateKey, asText(state));
+}
+
+QByteArray Settings::dialogGeometry(const QString& name) const {
+    return asBytes(m_file->value(dialogKey + name));
+}
+
+void Settings::setDialogGeometry(const QString& name, const QByteArray& geometry) {
+    m_file->set(dialogKey + name, asText(geometry));
 }
 
 } // namespace sparkout

@@ -34,6 +34,11 @@ public:
     [[nodiscard]] QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
 
+    [[nodiscard]] QByteArray dialogGeometry(const QString& name) const;
+    void setDialogGeometry(const QString& name, const QByteArray& geometry);
+
+    /// Where the file stands, and what else is the user's own; empty when nothing is kept.
+    [[nodiscard]] const QString& folder() const { return m_folder; }
     std::optional<FileError> flush() { return m_file->flush(); } ///< writes now what is unwritten
     /// Where a damaged settings file was put aside; empty when it was in order.
     [[nodiscard]] const QString& damaged() const { return m_file->damaged(); }
@@ -44,6 +49,7 @@ private:
     [[nodiscard]] QString oneOf(const QString& key, const QStringList& allowed) const;
 
     std::unique_ptr<SettingsFile> m_file;
+    QString m_folder;
 };
 
 } // namespace sparkout

@@ -47,9 +47,23 @@ constexpr std::array names{
     SourceName{"ISO286", QT_TRANSLATE_NOOP("Source", "ISO 286-1:2010, tolerance classes")},
     SourceName{"ISO525", QT_TRANSLATE_NOOP("Source", "ISO 525, marking of grinding wheels")},
     SourceName{"GOSTR52781", QT_TRANSLATE_NOOP("Source", "GOST R 52781, grinding wheels")},
+    SourceName{"ABRASIVES",
+               QT_TRANSLATE_NOOP("Source", "Zaporozhabrasive, marking of abrasive tools")},
     SourceName{"MARKING", QT_TRANSLATE_NOOP("Source", "the marking on the wheel itself")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
+    SourceName{"ALORO40X", QT_TRANSLATE_NOOP("Source", "aloro.org, steel 40Х")},
+    SourceName{"ALORO38XMA", QT_TRANSLATE_NOOP("Source", "aloro.org, steel 38ХМА")},
+    SourceName{"ALLMETALS38XMA", QT_TRANSLATE_NOOP("Source", "allmetals.ru, steel 38ХМА")},
+    SourceName{"ALTERMET12XH3A", QT_TRANSLATE_NOOP("Source", "altermet.ru, steel 12ХН3А")},
+    SourceName{"URALPROKAT40", QT_TRANSLATE_NOOP("Source", "uralprokatmetiz.ru, steel 40")},
+    SourceName{"URALPROKAT45", QT_TRANSLATE_NOOP("Source", "uralprokatmetiz.ru, steel 45")},
+    SourceName{"FERROTRADESHX15", QT_TRANSLATE_NOOP("Source", "ferrotrade.org, steel ШХ15")},
+    SourceName{"METALLIFE18XGT", QT_TRANSLATE_NOOP("Source", "metall.life, steel 18ХГТ")},
+    SourceName{"SCRAPTRAFFICSCH25",
+               QT_TRANSLATE_NOOP("Source", "scraptraffic.com, grey iron СЧ25")},
+    SourceName{"STEELLIB", QT_TRANSLATE_NOOP("Source", "steel-lib, representative values")},
+    SourceName{"GOST1412", QT_TRANSLATE_NOOP("Source", "GOST 1412, appendix 2, grey iron")},
 };
 
 } // namespace

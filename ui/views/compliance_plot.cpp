@@ -4,6 +4,8 @@
 #include "core/units.h"
 #include "ui/session/texts.h"
 #include "ui/views/band_layer.h"
+#include "ui/views/coupling_curves.h"
+#include "ui/views/gauge_curves.h"
 #include "ui/views/longitudinal_layers.h"
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/names.h"
@@ -24,8 +26,8 @@ using style::Hue;
 
 constexpr int placesDrawn = 241;
 constexpr double nmPerMm = 1e6;    ///< γ is drawn in nm/N
-constexpr double border = 1.02;    ///< room around the drawing to scale
-constexpr double headroom = 1.1;   ///< above the highest value
+constexpr double sceneRoom = 1.02; ///< room around the drawing to scale
+constexpr double valueRoom = 1.1;  ///< above the highest value
 constexpr double shaftShare = 0.8; ///< of the height of the curves
 constexpr int opacity = 110;
 
@@ -41,15 +43,6 @@ double sumOf(const ComplianceParts& parts) {
         sum += valueOf(parts, part);
     }
     return sum;
-}
-
-/// Where the gauge stands, from the headstock end of the ground length.
-double gaugePlace(const SimulationResult& result) {
-    const Project& project = result.project;
-    if (project.operation == Operation::plunge && project.gauge.position_mm) {
-        return *project.gauge.position_mm;
-    }
-    return result.sections.at(static_cast<std::size_t>(gaugeSection(project))).position_mm;
 }
 
 } // namespace
@@ -74,6 +67,38 @@ CompliancePlot::CompliancePlot(QWidget* parent) : QCustomPlot(parent) {
     retranslate();
     connect(this, &QCustomPlot::afterLayout, this, &CompliancePlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &CompliancePlot::onMouse);
+}
+
+CompliancePlot::~CompliancePlot() = default;
+
+LengthCurves* CompliancePlot::curves() const {
+    switch (m_content) {
+    case ComplianceContent::gauge: return m_gauge.get();
+    case ComplianceContent::coupling: return m_coupling.get();
+    case ComplianceContent::compliance: break;
+    }
+    return nullptr;
+}
+
+void CompliancePlot::setContent(ComplianceContent content) {
+    m_content = content;
+    m_gauge->setShown(content == ComplianceContent::gauge);
+    m_coupling->setShown(content == ComplianceContent::coupling);
+    labelValues();
+    if (m_outcome) {
+        fill();
+        fitValues();
+    }
+    emit contentChanged();
+}
+
+double CompliancePlot::gaugePlace_mm() const {
+    const SimulationResult& result = m_outcome->result;
+    const Project& project = result.project;
+    if (project.operation == Operation::plunge && project.gauge.position_mm) {
+        return *project.gauge.position_mm;
+    }
+    return result.sections.at(static_cast<std::size_t>(gaugeSection(project))).position_mm;
 }
 
 void CompliancePlot::build() {
@@ -131,6 +156,8 @@ void CompliancePlot::build() {
     m_sum = graph();
     m_used = graph();
     m_used->setLineStyle(QCPGraph::lsNone);
+    m_gauge = std::make_unique<GaugeCurves>(*m_rect);
+    m_coupling = std::make_unique<CouplingCurves>(*m_rect);
 }
 
 void CompliancePlot::setRun(OutcomePtr outcome) {
@@ -144,7 +171,7 @@ void CompliancePlot::setRun(OutcomePtr outcome) {
     m_places = complianceAlong(project, placesDrawn);
     m_body->setBody(shaftSteps(project), project.part.length_mm, project.part.diameter_mm / 2,
                     project.part.surface == Surface::internal);
-    m_scene->setProject(project, m_body->bounds(), gaugePlace(m_outcome->result));
+    m_scene->setProject(project, m_body->bounds(), gaugePlace_mm());
     fillBands();
     fill();
     if (!same) {
@@ -171,6 +198,7 @@ void CompliancePlot::fill() {
         x[i] = place.position_mm;
         sum[i] = sumOf(place.parts) * nmPerMm;
     }
+    const bool compliance = m_content == ComplianceContent::compliance;
     m_base->setData(x, height, true);
     for (const CompliancePart part : stacked) {
         const bool shown = m_choice.shows(static_cast<int>(part));
@@ -178,10 +206,10 @@ void CompliancePlot::fill() {
             height[i] += valueOf(m_places[static_cast<std::size_t>(i)].parts, part) * nmPerMm;
         }
         stack(part)->setData(x, height, true);
-        stack(part)->setVisible(shown && has(part));
+        stack(part)->setVisible(compliance && shown && has(part));
     }
     m_sum->setData(x, sum, true);
-    m_sum->setVisible(m_choice.shows(sumKey));
+    m_sum->setVisible(compliance && m_choice.shows(sumKey));
     std::vector<const SectionResult*> sections;
     for (const SectionResult& section : m_outcome->result.sections) {
         sections.push_back(&section);
@@ -193,7 +221,7 @@ void CompliancePlot::fill() {
         gamma << section->compliance_mm_per_n * nmPerMm;
     }
     m_used->setData(at, gamma, true);
-    m_used->setVisible(m_choice.shows(usedKey));
+    m_used->setVisible(compliance && m_choice.shows(usedKey));
 }
 
 void CompliancePlot::fillBands() {
@@ -225,15 +253,35 @@ void CompliancePlot::fillBands() {
 }
 
 void CompliancePlot::fit() {
-    double high = 0;
-    for (const QCPGraph* graph :
-         {m_stack[static_cast<std::size_t>(CompliancePart::bending)], m_sum, m_used}) {
-        bool found = false;
-        const QCPRange range = graph->getValueRange(found);
-        high = found ? std::max(high, range.upper) : high;
-    }
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), 0, high > 0 ? high * headroom : 1);
+    fitValues();
     m_fitting = true;
+}
+
+void CompliancePlot::fitValues() {
+    QCPAxis& axis = *m_rect->axis(QCPAxis::atLeft);
+    if (const LengthCurves* lower = curves()) {
+        const QCPRange range = lower->values();
+        style::setSafeRange(axis, range.lower, range.upper);
+    } else {
+        double high = 0;
+        for (const QCPGraph* graph : {stack(CompliancePart::bending), m_sum, m_used}) {
+            bool found = false;
+            const QCPRange range = graph->getValueRange(found);
+            high = found ? std::max(high, range.upper) : high;
+        }
+        style::setSafeRange(axis, 0, high > 0 ? high * valueRoom : 1);
+    }
+    m_fitted = axis.range();
+}
+
+void CompliancePlot::refitValues() {
+    const QCPRange axis = m_rect->axis(QCPAxis::atLeft)->range();
+    const QCPRange drawn = curves() ? curves()->values() : axis;
+    constexpr double smallShare = 0.4;
+    const bool inside = drawn.lower >= axis.lower && drawn.upper <= axis.upper;
+    if (axis == m_fitted && (!inside || drawn.size() < smallShare * axis.size())) {
+        fitValues();
+    }
 }
 
 /// The shaft at one scale along and across, as large as its rect holds.
@@ -242,11 +290,13 @@ void CompliancePlot::afterLayouting() {
     const double width = std::max(area.width(), 1.0), height = std::max(area.height(), 1.0);
     QCPAxis* x = m_shaftRect->axis(QCPAxis::atBottom);
     const QRectF all = m_scene->bounds();
-    if (m_fitting && !all.isEmpty()) {
+    const bool untouched = m_fitting || x->range() == m_fittedAlong; // by a zoom
+    if (untouched && !all.isEmpty()) {
         m_fitting = false;
-        const double perPixel = border * std::max(all.width() / width, all.height() / height);
+        const double perPixel = sceneRoom * std::max(all.width() / width, all.height() / height);
         const double middle = all.center().x();
         style::setSafeRange(*x, middle - perPixel * width / 2, middle + perPixel * width / 2);
+        m_fittedAlong = x->range();
     }
     const double half = x->range().size() / width * height / 2;
     style::setSafeRange(*m_shaftRect->axis(QCPAxis::atLeft), all.center().y() - half,
@@ -262,6 +312,12 @@ QList<QCPAxis*> CompliancePlot::movedAxes(QCPAxisRect& rect) const {
 }
 
 void CompliancePlot::toggleCurve(int key) {
+    if (LengthCurves* lower = curves()) {
+        lower->toggle(key);
+        emit contentChanged();
+        replot();
+        return;
+    }
     m_choice.toggle(key);
     fill();
     emit contentChanged();
@@ -269,6 +325,12 @@ void CompliancePlot::toggleCurve(int key) {
 }
 
 void CompliancePlot::showOnly(int key) {
+    if (LengthCurves* lower = curves()) {
+        lower->only(key);
+        emit contentChanged();
+        replot();
+        return;
+    }
     m_choice.only(key, legendEntries());
     fill();
     emit contentChanged();
@@ -294,6 +356,11 @@ QString CompliancePlot::nameOf(CompliancePart part) {
 }
 
 LegendEntries CompliancePlot::legendEntries() const {
+    const LengthCurves* lower = curves();
+    return lower ? lower->legendEntries() : complianceEntries();
+}
+
+LegendEntries CompliancePlot::complianceEntries() const {
     LegendEntries entries;
     const QColor text = style::dimmed(palette().color(QPalette::Text), m_dim);
     for (const CompliancePart part : stacked) {
@@ -339,9 +406,20 @@ void CompliancePlot::restyle() {
     const QColor used = colourOf(CompliancePart::rests);
     m_used->setPen(QPen(used, 1));
     m_used->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, used, 8));
+    m_gauge->restyle(m_dim);
+    m_coupling->restyle(m_dim);
     if (m_outcome) {
         fillBands();
     }
+}
+
+void CompliancePlot::labelValues() {
+    m_rect->axis(QCPAxis::atBottom)
+        ->setLabel(m_content == ComplianceContent::gauge
+                       ? tr("Place of the gauge from the headstock end of the ground length, mm")
+                       : tr("From the headstock end of the ground length, mm"));
+    m_rect->axis(QCPAxis::atLeft)
+        ->setLabel(curves() ? LengthCurves::axisLabel() : tr("Compliance γ, nm/N"));
 }
 
 void CompliancePlot::setDimmed(bool dim) {
@@ -355,15 +433,18 @@ void CompliancePlot::retranslate() {
     QLocale numbers;
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     setLocale(numbers);
-    m_rect->axis(QCPAxis::atBottom)
-        ->setLabel(tr("From the headstock end of the ground length, mm"));
-    m_rect->axis(QCPAxis::atLeft)->setLabel(tr("Compliance γ, nm/N"));
+    labelValues();
     if (m_outcome) {
         fillBands();
     }
 }
 
 CsvTable CompliancePlot::table() const {
+    const LengthCurves* lower = curves();
+    return lower ? lower->table() : complianceTable();
+}
+
+CsvTable CompliancePlot::complianceTable() const {
     CsvTable table;
     table.header << tr("From the headstock end of the ground length, mm") << tr("γ, mm/N");
     for (const CompliancePart part : allParts) {
@@ -390,13 +471,17 @@ void CompliancePlot::onMouse(QMouseEvent* event) {
     const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
     const bool inside =
         m_rect->rect().contains(event->pos()) || m_shaftRect->rect().contains(event->pos());
-    if (!inside || m_places.empty() || x < m_places.front().position_mm
-        || x > m_places.back().position_mm) {
-        emit pointed({});
-        return;
+    const LengthCurves* lower = curves();
+    emit pointed(!inside ? QString() : lower ? lower->valuesAt(x) : complianceAt(x));
+}
+
+QString CompliancePlot::complianceAt(double x_mm) const {
+    if (m_places.empty() || x_mm < m_places.front().position_mm
+        || x_mm > m_places.back().position_mm) {
+        return {};
     }
     const auto nearest = std::ranges::min_element(
-        m_places, {}, [x](const CompliantPlace& p) { return std::abs(p.position_mm - x); });
+        m_places, {}, [x_mm](const CompliantPlace& p) { return std::abs(p.position_mm - x_mm); });
     const auto value = [](double gamma_mm_n) { return Names::significant(gamma_mm_n * nmPerMm); };
     QStringList parts;
     for (const CompliancePart part : allParts) {
@@ -405,9 +490,9 @@ void CompliancePlot::onMouse(QMouseEvent* event) {
                                                  value(valueOf(nearest->parts, part)));
         }
     }
-    emit pointed(tr("At %1 mm: γ %2 nm/N = %3")
-                     .arg(Names::significant(nearest->position_mm, 4), value(sumOf(nearest->parts)),
-                          parts.join(QStringLiteral(" + "))));
+    return tr("At %1 mm: γ %2 nm/N = %3")
+        .arg(Names::significant(nearest->position_mm, 4), value(sumOf(nearest->parts)),
+             parts.join(QStringLiteral(" + ")));
 }
 
 void CompliancePlot::leaveEvent(QEvent* event) {

@@ -9,11 +9,15 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace sparkout {
 
 class BandLayer;
+class CouplingCurves;
+class GaugeCurves;
+class LengthCurves;
 class ShaftLayer;
 class ShaftScene;
 
@@ -22,18 +26,33 @@ enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
 
 [[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
 
+/// What stands below the part: γ along it, the diameters over the gauge's place, or those of
+/// coupled against independent sections.
+enum class ComplianceContent { compliance, gauge, coupling };
+
 /// Above the part on its supports with wheel and gauge, to scale; below γ along it as stacked
-/// parts, its sum, and the γ each zone or section is ground with. Both over one axis.
+/// parts, its sum, and the γ each zone or section is ground with, or diameters in their place. Both
+/// over one axis.
 class CompliancePlot : public QCustomPlot {
     Q_OBJECT
 public:
     static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
 
     explicit CompliancePlot(QWidget* parent = nullptr);
+    ~CompliancePlot() override;
 
+    void setContent(ComplianceContent content); ///< no replot
+    [[nodiscard]] ComplianceContent content() const { return m_content; }
+    [[nodiscard]] GaugeCurves& gauge() const { return *m_gauge; }
+    [[nodiscard]] CouplingCurves& coupling() const { return *m_coupling; }
+    /// Where the gauge stands in the run shown, from the headstock end of the ground length [mm].
+    [[nodiscard]] double gaugePlace_mm() const;
     void setRun(OutcomePtr outcome); ///< no replot
     void setDimmed(bool dim);
     void fit();
+    void fitValues(); ///< the lower axis alone
+    /// The same where what is drawn has grown out of it or is small in it, and nobody has zoomed.
+    void refitValues();
     void toggleCurve(int key);
     void showOnly(int key);
     void retranslate();
@@ -62,6 +81,11 @@ protected:
 private:
     void build();
     void fill();
+    [[nodiscard]] LengthCurves* curves() const; ///< below the part; null: γ
+    [[nodiscard]] LegendEntries complianceEntries() const;
+    [[nodiscard]] CsvTable complianceTable() const;
+    [[nodiscard]] QString complianceAt(double x_mm) const;
+    void labelValues();
     void fillBands();
     void afterLayouting();
     void onMouse(QMouseEvent* event);
@@ -82,6 +106,11 @@ private:
     QCPGraph* m_base = nullptr;         ///< the axis, for the first fill
     QCPGraph* m_sum = nullptr;
     QCPGraph* m_used = nullptr;
+    std::unique_ptr<GaugeCurves> m_gauge;
+    std::unique_ptr<CouplingCurves> m_coupling;
+    ComplianceContent m_content = ComplianceContent::compliance;
+    QCPRange m_fitted;      ///< of the lower axis, as it was fitted last
+    QCPRange m_fittedAlong; ///< of the axis along the part, likewise
     bool m_dim = false;
     bool m_fitting = false; ///< with the next layout
 };

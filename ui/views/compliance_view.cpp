@@ -3,13 +3,17 @@
 
 #include "ui/metrics.h"
 #include "ui/views/compliance_plot.h"
+#include "ui/views/compliance_studies.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_tools.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -23,7 +27,10 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     , m_legend(new LegendStrip(this))
     , m_summary(new QLabel(this))
     , m_notice(new QLabel(this))
-    , m_values(new QLabel(this)) {
+    , m_values(new QLabel(this))
+    , m_content(new QComboBox(this))
+    , m_put(new QPushButton(this))
+    , m_studies(new ComplianceStudies(this)) {
     setObjectName(QStringLiteral("compliance"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
@@ -38,6 +45,7 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 2 + 2);
     layout->addWidget(bar);
+    layout->addWidget(m_summary);
     layout->addWidget(m_notice);
     layout->addWidget(m_legend);
     layout->addWidget(m_plot, 1);
@@ -54,7 +62,91 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     });
     connect(m_legend, &LegendStrip::toggled, m_plot, &CompliancePlot::toggleCurve);
     connect(m_legend, &LegendStrip::onlyAsked, m_plot, &CompliancePlot::showOnly);
+    buildStudies();
     retranslate();
+}
+
+void ComplianceView::buildStudies() {
+    m_content->setObjectName(QStringLiteral("complianceContent"));
+    m_put->setObjectName(QStringLiteral("putGauge"));
+    for (int i = 0; i < 3; ++i) {
+        m_content->addItem(QString());
+    }
+    connect(m_content, &QComboBox::currentIndexChanged, this, &ComplianceView::chooseContent);
+    connect(m_put, &QPushButton::clicked, this, [this] {
+        if (canPutGauge()) {
+            emit gaugeWanted(m_plot->gauge().best()->position_mm);
+        }
+    });
+    connect(m_studies, &ComplianceStudies::progressed, this, [this](int done, int total) {
+        m_done = done;
+        m_total = total;
+        m_summary->setText(summary());
+    });
+    connect(m_studies, &ComplianceStudies::gaugePlaced, this,
+            [this](const GaugePlacementPtr& placement, const OutcomePtr& of) {
+                m_plot->gauge().show(placement, of, m_plot->gaugePlace_mm());
+                showStudy(of);
+            });
+    connect(m_studies, &ComplianceStudies::couplingCompared, this,
+            [this](const CouplingPtr& comparison, const OutcomePtr& of) {
+                m_plot->coupling().show(comparison);
+                showStudy(of);
+            });
+}
+
+void ComplianceView::chooseContent() {
+    m_plot->setContent(static_cast<ComplianceContent>(m_content->currentIndex()));
+    m_fitNext = true;
+    m_studied.reset();
+    ask();
+    showState();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_tools->navigation().amendView();
+}
+
+void ComplianceView::ask() {
+    m_done = m_total = 0;
+    const ComplianceContent content = m_plot->content();
+    if (!m_good || content == ComplianceContent::compliance) {
+        m_studies->stop();
+    } else if (content == ComplianceContent::gauge) {
+        m_studies->placeGauge(m_good);
+    } else if (couplingOf(m_good->result.project) == CouplingAnswer::comparable) {
+        m_studies->compareCoupling(m_good);
+    } else {
+        m_studies->stop();
+        m_plot->coupling().show(nullptr);
+        m_legend->setEntries(m_plot->legendEntries());
+    }
+}
+
+void ComplianceView::showStudy(const OutcomePtr& of) {
+    m_studied = of;
+    if (m_fitNext) {
+        m_fitNext = false;
+        m_plot->fitValues();
+    }
+    m_plot->refitValues();
+    m_legend->setEntries(m_plot->legendEntries());
+    showState();
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_tools->navigation().amendView();
+    emit updated();
+}
+
+bool ComplianceView::studied() const {
+    return m_good && m_studied == m_good;
+}
+
+bool ComplianceView::canPutGauge() const {
+    if (m_plot->content() != ComplianceContent::gauge || !studied() || !latest()
+        || latest() != m_good || !m_plot->gauge().best()) {
+        return false;
+    }
+    const Project& project = m_good->result.project;
+    return project.operation == Operation::plunge && project.gauge.control == Control::gauge
+           && project.gauge.position_mm != m_plot->gauge().best()->position_mm;
 }
 
 void ComplianceView::buildTools(QWidget* bar, Settings* settings) {
@@ -78,7 +170,9 @@ void ComplianceView::buildTools(QWidget* bar, Settings* settings) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
-    row->addWidget(m_summary, 1);
+    row->addWidget(m_content);
+    row->addWidget(m_put);
+    row->addStretch(1);
     row->addWidget(PlotTools::button(m_tools->fit, bar));
     row->addWidget(m_tools->exportButton(bar));
 }
@@ -92,6 +186,7 @@ void ComplianceView::showOutcome() {
     if (ran) {
         m_good = latest();
         m_plot->setRun(m_good);
+        ask();
     }
     m_plot->setDimmed(m_good && !ran);
     showState();
@@ -101,34 +196,95 @@ void ComplianceView::showOutcome() {
 }
 
 void ComplianceView::showState() {
-    const bool refused = latest() && !latest()->ran();
-    QString text;
-    if (refused) {
-        text =
-            (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
-                    : tr("The inputs are refused:"))
-            + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    } else if (!m_good) {
-        text = tr("No result yet.");
-    } else if (m_plot->places().empty()) {
-        text =
-            tr("The compliance is given, zone by zone or section by section. Leave it to stiffness "
-               "and shaft on the page Machine to see what it is made of.");
-    }
+    const QString text = notice();
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
-    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values, m_summary}) {
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_plot, m_legend, m_values, m_summary, m_content}) {
         part->setVisible(m_good != nullptr);
     }
+    m_put->setVisible(m_good && m_plot->content() == ComplianceContent::gauge);
+    m_put->setEnabled(canPutGauge());
     m_summary->setText(summary());
     m_tools->setEnabled(m_good != nullptr);
 }
 
-/// The order that decides which zone stays larger.
+QString ComplianceView::notice() const {
+    if (latest() && !latest()->ran()) {
+        return (m_good
+                    ? tr("The inputs are refused; the curves are those of the last accepted ones.")
+                    : tr("The inputs are refused:"))
+               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
+    }
+    if (!m_good) {
+        return tr("No result yet.");
+    }
+    const Project& project = m_good->result.project;
+    switch (m_plot->content()) {
+    case ComplianceContent::compliance:
+        return m_plot->places().empty()
+                   ? tr("The compliance is given, zone by zone or section by section. Leave it to "
+                        "stiffness and shaft on the page Machine to see what it is made of.")
+                   : QString();
+    case ComplianceContent::gauge:
+        if (project.gauge.control == Control::position) {
+            return tr("Stages end by the position of the wheel head: the gauge has no say, and all "
+                      "its places are alike.");
+        }
+        return project.operation == Operation::traverse
+                   ? tr("In traverse grinding the gauge stands in the middle of %1. The curves say "
+                        "what it would do in another zone.")
+                         .arg(Names::zone(Zone::nz))
+                   : QString();
+    case ComplianceContent::coupling: break;
+    }
+    switch (couplingOf(project)) {
+    case CouplingAnswer::traverse:
+        return tr("Sections are coupled in plunge grinding only: there the wheel touches all of "
+                  "them at once.");
+    case CouplingAnswer::givenCompliance:
+        return tr("The compliance is given section by section, which does not say how one section "
+                  "moves another. Leave it to stiffness and shaft on the page Machine.");
+    case CouplingAnswer::comparable: break;
+    }
+    return {};
+}
+
 QString ComplianceView::summary() const {
     if (!m_good) {
         return {};
     }
+    const ComplianceContent content = m_plot->content();
+    if (content == ComplianceContent::compliance) {
+        return complianceSummary();
+    }
+    if (m_studies->running()) {
+        return m_total > 0 ? tr("Computing… %1 of %2").arg(m_done).arg(m_total) : tr("Computing…");
+    }
+    if (!studied()) {
+        return {};
+    }
+    return content == ComplianceContent::gauge ? gaugeSummary() : m_plot->coupling().summary();
+}
+
+QString ComplianceView::gaugeSummary() const {
+    const GaugeCurves& gauge = m_plot->gauge();
+    const GaugePosition* best = gauge.best();
+    if (!best) {
+        return tr("From no place of the gauge does the cycle reach size.");
+    }
+    const QString place = best->zone == Zone::section
+                              ? tr("%1 mm").arg(QLocale().toString(best->position_mm, 'f', 1))
+                              : Names::zone(best->zone);
+    return tr("Best place: %1; there no diameter is farther than %2 µm from the middle of the "
+              "field. At present, at %3 mm: %4 µm.")
+        .arg(place, Names::micrometres(gauge.farthest_um(*best)),
+             QLocale().toString(m_plot->gaugePlace_mm(), 'f', 1),
+             Names::micrometres(gauge.farthestNow_um()));
+}
+
+/// The order that decides which zone stays larger.
+QString ComplianceView::complianceSummary() const {
     const auto& sections = m_good->result.sections;
     const auto [low, high] =
         std::ranges::minmax_element(sections, {}, &SectionResult::compliance_mm_per_n);
@@ -150,6 +306,14 @@ void ComplianceView::retranslate() {
     m_values->setAccessibleName(tr("Values under the mouse"));
     m_summary->setAccessibleName(tr("Where it yields most"));
     m_values->setText(tr("Point at the curve to read the values."));
+    m_content->setItemText(0, tr("Compliance along the part"));
+    m_content->setItemText(1, tr("Where to put the gauge"));
+    m_content->setItemText(2, tr("Coupled against independent sections"));
+    m_content->setAccessibleName(tr("What stands below the part"));
+    m_content->setToolTip(m_content->accessibleName());
+    m_put->setText(tr("Put the gauge there"));
+    m_put->setAccessibleName(m_put->text());
+    m_put->setToolTip(tr("Make the best place the gauge's free position; can be undone"));
     m_tools->retranslate();
     m_legend->retranslate();
     m_plot->retranslate();

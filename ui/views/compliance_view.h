@@ -3,17 +3,20 @@
 
 #include "ui/views/view.h"
 
+class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace sparkout {
 
 class CompliancePlot;
+class ComplianceStudies;
 class LegendStrip;
 class PlotTools;
 class Settings;
 
 /// The view "Compliance": the part on its supports, to scale, and how far the system yields along
-/// it, by what yields.
+/// it, by what yields; or where to put the gauge, or what coupled sections change.
 class ComplianceView : public View {
     Q_OBJECT
 public:
@@ -26,22 +29,40 @@ public:
     [[nodiscard]] QString title() const override;
     void retranslate() override;
 
+signals:
+    void gaugeWanted(double position_mm); ///< there, from the headstock end of the ground length
+
 protected:
     void changeEvent(QEvent* event) override;
     void showOutcome() override;
 
 private:
     void buildTools(QWidget* bar, Settings* settings);
+    void buildStudies();
+    void chooseContent();
+    void ask(); ///< for what the content shows beyond the run
+    void showStudy(const OutcomePtr& of);
     void showState();
+    [[nodiscard]] QString notice() const;
     [[nodiscard]] QString summary() const;
+    [[nodiscard]] QString complianceSummary() const;
+    [[nodiscard]] QString gaugeSummary() const;
+    [[nodiscard]] bool studied() const; ///< what is shown belongs to the run shown
+    [[nodiscard]] bool canPutGauge() const;
 
     CompliancePlot* m_plot;
     LegendStrip* m_legend;
     QLabel* m_summary;
     QLabel* m_notice;
     QLabel* m_values;
+    QComboBox* m_content;
+    QPushButton* m_put;
+    ComplianceStudies* m_studies;
     PlotTools* m_tools = nullptr;
-    OutcomePtr m_good; ///< what the plot shows
+    OutcomePtr m_good;    ///< what the plot shows
+    OutcomePtr m_studied; ///< what its diameters belong to
+    int m_done = 0, m_total = 0;
+    bool m_fitNext = false; ///< with the next answer
 };
 
 } // namespace sparkout

@@ -19,11 +19,11 @@
 namespace sparkout {
 
 namespace {
-constexpr int edge = 5;        ///< how near the mouse must be to an edge [px]
+constexpr int windowEdge = 5;  ///< how near the mouse must be to an edge [px]
 constexpr int handleWidth = 4; ///< of the drawn handles
 constexpr double least = 1e-5; ///< smallest window, of the cycle
-constexpr double wheelFactor = 0.85;
-constexpr double notch = 120;
+constexpr double wheelZoom = 0.85;
+constexpr double notchOfWheel = 120;
 constexpr double keyShare = 0.1; ///< of the window, for one key press
 constexpr double headroom = 0.1;
 } // namespace
@@ -152,11 +152,11 @@ void FeedsOverview::ask(double from, double to) {
 FeedsOverview::Part FeedsOverview::partAt(double x) const {
     const QRectF inside = window();
     // In a narrow window the middle stays in reach, its edges are taken from outside.
-    const double inner = std::min<double>(edge, inside.width() / 4);
-    if (x >= inside.left() - edge && x <= inside.left() + inner) {
+    const double inner = std::min<double>(windowEdge, inside.width() / 4);
+    if (x >= inside.left() - windowEdge && x <= inside.left() + inner) {
         return Part::begin;
     }
-    if (x >= inside.right() - inner && x <= inside.right() + edge) {
+    if (x >= inside.right() - inner && x <= inside.right() + windowEdge) {
         return Part::end;
     }
     return inside.contains(QPointF(x, height() / 2.0)) ? Part::middle : Part::outside;
@@ -211,9 +211,9 @@ void FeedsOverview::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void FeedsOverview::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / notch;
+    const double steps = event->angleDelta().y() / notchOfWheel;
     const double at = event->position().x() / width() * wholeRange();
-    const double factor = std::pow(wheelFactor, steps);
+    const double factor = std::pow(wheelZoom, steps);
     const double from = m_plot.scale().at(m_plot.visibleFrom_s());
     const double to = m_plot.scale().at(m_plot.visibleTo_s());
     // About the mouse if it is within the window, else about the window's middle.

@@ -14,7 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr double mmPerInch = 25.4;
+constexpr double millimetresPerInch = 25.4;
 constexpr double pointsPerInch = 72;
 
 QString number(double value) {
@@ -273,7 +273,7 @@ QPaintEngine* SvgDevice::paintEngine() const {
 }
 
 QByteArray SvgDevice::document() const {
-    const auto mm = [this](int dots) { return number(dots * mmPerInch / m_dotsPerInch); };
+    const auto mm = [this](int dots) { return number(dots * millimetresPerInch / m_dotsPerInch); };
     return QStringLiteral("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                           "<svg xmlns=\"http://www.w3.org/2000/svg\" "
                           "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
@@ -286,7 +286,7 @@ QByteArray SvgDevice::document() const {
 }
 
 int SvgDevice::metric(PaintDeviceMetric metric) const {
-    const auto mm = [this](int dots) { return qRound(dots * mmPerInch / m_dotsPerInch); };
+    const auto mm = [this](int dots) { return qRound(dots * millimetresPerInch / m_dotsPerInch); };
     switch (metric) {
     case PdmWidth: return m_size.width();
     case PdmHeight: return m_size.height();

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/coupling_comparison.h"
+
+#include "core/simulation/simulate.h"
+
+#include <numeric>
+
+namespace sparkout {
+
+CouplingAnswer couplingOf(const Project& project) {
+    if (project.operation != Operation::plunge) {
+        return CouplingAnswer::traverse;
+    }
+    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    return given ? CouplingAnswer::givenCompliance : CouplingAnswer::comparable;
+}
+
+double meanDiameterDeviation(const SectionResult& section, const Part& part) {
+    const double sum = std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0);
+    return 2 * sum / static_cast<double>(section.radii_mm.size()) - part.diameter_mm;
+}
+
+CouplingComparison compareCoupling(const Project& project, const std::stop_token& stop) {
+    CouplingComparison both;
+    Project run = project;
+    run.sections_coupled = false;
+    both.independent = simulate(run, nullptr, stop);
+    run.sections_coupled = true;
+    both.coupled = simulate(run, nullptr, stop);
+    for (std::size_t i = 0; i < both.coupled.sections.size(); ++i) {
+        both.differences_mm.push_back(
+            meanDiameterDeviation(both.coupled.sections[i], project.part)
+            - meanDiameterDeviation(both.independent.sections[i], project.part));
+    }
+    return both;
+}
+
+} // namespace sparkout

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/row_helper.h"
+
+#include "ui/inputs/form_metrics.h"
+#include "ui/session/document.h"
+#include "ui/session/marking_text.h"
+#include "ui/session/size_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+
+QLabel* noteLabel(QWidget* parent, const char* name) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QString::fromLatin1(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setWordWrap(true);
+    QFont small = label->font();
+    small.setPointSizeF(small.pointSizeF() * noteType);
+    label->setFont(small);
+    return label;
+}
+
+void sayWhatIsDone(QPushButton& button, const QString& text, const QString& tip) {
+    button.setText(text);
+    button.setToolTip(tip);
+    button.setAccessibleName(text);
+    button.setAccessibleDescription(tip);
+}
+
+} // namespace
+
+RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
+    if (path == "/wheel/marking") {
+        return new MarkingHelper(document, parent);
+    }
+    return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
+}
+
+MarkingHelper::MarkingHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_meaning(noteLabel(this, "markingMeaning"))
+    , m_fill(new QPushButton(this)) {
+    m_fill->setObjectName(QStringLiteral("fillFromMarking"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
+    layout->setSpacing(metrics::row);
+    layout->addWidget(m_meaning);
+    layout->addWidget(m_fill);
+    connect(m_fill, &QPushButton::clicked, this, &MarkingHelper::fill);
+    connect(&document, &Document::changed, this, &MarkingHelper::showMarking);
+    retranslate();
+}
+
+void MarkingHelper::showMarking() {
+    const Project& project = m_document.project();
+    const auto marking = readWheelMarking(project.wheel.marking);
+    QString text;
+    QString changes;
+    if (marking) {
+        text = markingExplained(*marking) + u'.';
+        changes = markingChanges(*marking, project.wheel);
+        if (!changes.isEmpty()) {
+            text += u'\n' + tr("To fill in: %1.").arg(changes);
+        }
+        if (marking->speed_m_s && *marking->speed_m_s < project.machine.wheel_speed_m_s) {
+            text += u'\n' + tr("The machine's wheel speed is above what the marking allows.");
+        }
+    } else if (!project.wheel.marking.empty()) {
+        text = tr("Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills "
+                  "the wheel's values.");
+    }
+    m_meaning->setText(text);
+    m_meaning->setVisible(!text.isEmpty());
+    m_fill->setEnabled(!changes.isEmpty());
+    m_fill->setVisible(marking.has_value());
+}
+
+void MarkingHelper::fill() {
+    Project project = m_document.project();
+    if (const auto marking = readWheelMarking(project.wheel.marking)) {
+        applyMarking(*marking, project.wheel);
+        m_document.endMerge();
+        m_document.edit(std::move(project),
+                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Wheel from its marking")});
+    }
+}
+
+void MarkingHelper::retranslate() {
+    m_meaning->setAccessibleName(tr("What the marking means"));
+    sayWhatIsDone(*m_fill, tr("Fill in from the marking"),
+                  tr("Take grain, grain share and sizes as far as the marking gives them"));
+    showMarking();
+}
+
+SizeHelper::SizeHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_label(new QLabel(this))
+    , m_size(new QLineEdit(this))
+    , m_fill(new QPushButton(this))
+    , m_meaning(noteLabel(this, "sizeMeaning")) {
+    m_size->setObjectName(QStringLiteral("sizeField"));
+    m_fill->setObjectName(QStringLiteral("fillFromSize"));
+    m_size->setFixedWidth(metrics::field);
+    m_size->setMaxLength(40);
+    m_label->setTextFormat(Qt::PlainText);
+    m_label->setWordWrap(true);
+    m_label->setBuddy(m_size);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::gap);
+    row->addWidget(m_label, 1);
+    row->addWidget(m_size);
+    row->addSpacing(unitColumn);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::row);
+    layout->setSpacing(metrics::row);
+    layout->addLayout(row);
+    layout->addWidget(m_meaning);
+    layout->addWidget(m_fill);
+    connect(m_size, &QLineEdit::textChanged, this, &SizeHelper::showTyped);
+    connect(m_size, &QLineEdit::returnPressed, this, &SizeHelper::fill);
+    connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::showPart);
+    connect(m_fill, &QPushButton::clicked, this, &SizeHelper::fill);
+    connect(&document, &Document::replaced, this, [this] { m_size->clear(); });
+    connect(&document, &Document::changed, this, &SizeHelper::showPart);
+    retranslate();
+}
+
+/// What is being typed stays; else the part's own field stands there.
+void SizeHelper::showPart() {
+    const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty();
+    if (!unfinished) {
+        m_size->setText(fieldOf(m_document.project().part));
+    }
+    showTyped();
+}
+
+void SizeHelper::showTyped() {
+    const Part& part = m_document.project().part;
+    const TypedSize typed = readSize(m_size->text(), part);
+    const bool same = typed.size && typed.size->nominal_mm == part.diameter_mm
+                      && typed.deviations.upper_um == part.upper_deviation_um
+                      && typed.deviations.lower_um == part.lower_deviation_um;
+    m_meaning->setText(same ? QString() : typed.text);
+    m_meaning->setVisible(!m_meaning->text().isEmpty());
+    m_fill->setEnabled(typed.size && !same);
+    m_fill->setVisible(m_fill->isEnabled());
+}
+
+void SizeHelper::fill() {
+    Project project = m_document.project();
+    const TypedSize typed = readSize(m_size->text(), project.part);
+    if (!typed.size || !m_fill->isEnabled()) {
+        return;
+    }
+    project.part.diameter_mm = typed.size->nominal_mm;
+    project.part.upper_deviation_um = typed.deviations.upper_um;
+    project.part.lower_deviation_um = typed.deviations.lower_um;
+    m_size->setModified(false);
+    m_document.endMerge();
+    m_document.edit(std::move(project),
+                    {"Edit", QT_TRANSLATE_NOOP("Edit", "Limits from the tolerance class")});
+}
+
+void SizeHelper::retranslate() {
+    m_label->setText(tr("Tolerance class"));
+    m_size->setPlaceholderText(m_document.project().part.surface == Surface::internal
+                                   ? QStringLiteral("30H7")
+                                   : QStringLiteral("30h6"));
+    m_size->setAccessibleName(tr("Size with its tolerance class"));
+    m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
+    m_meaning->setAccessibleName(tr("What the tolerance class means"));
+    sayWhatIsDone(*m_fill, tr("Fill in"), tr("Take diameter and limits from the tolerance class"));
+    showPart();
+}
+
+} // namespace sparkout

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <memory>
+#include <string>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace sparkout {
+
+class Document;
+
+/// What stands below a row of the inputs and fills others from what is typed there.
+class RowHelper : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+    virtual void retranslate() = 0;
+};
+
+/// The helper below the row at a path; null where there is none.
+[[nodiscard]] RowHelper* makeRowHelper(const std::string& path, Document& document,
+                                       QWidget* parent);
+
+/// Says what the wheel's marking means, and fills the wheel from it.
+class MarkingHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    MarkingHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    void showMarking();
+    void fill();
+
+    Document& m_document;
+    QLabel* m_meaning;
+    QPushButton* m_fill;
+};
+
+/// Takes a size with its tolerance class, 30h6, and fills diameter and limits from it.
+class SizeHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    SizeHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    void showPart();
+    void showTyped();
+    void fill();
+
+    Document& m_document;
+    QLabel* m_label;
+    QLineEdit* m_size;
+    QPushButton* m_fill;
+    QLabel* m_meaning;
+};
+
+} // namespace sparkout
