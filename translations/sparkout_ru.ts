@@ -2172,12 +2172,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1, ходы</translation>
         </message>
         <message>
-            <source>over %1 %</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <source>%1 %</source>
             <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>&gt;%1 %</source>
+            <translation>&gt;%1 %</translation>
         </message>
     </context>
     <context>

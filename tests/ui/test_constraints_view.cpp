@@ -2,6 +2,7 @@
 // The view "Constraints": what it draws is the engine's, a row leads to its place and its formula.
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/formula.h"
+#include "core/quality/power.h"
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
@@ -10,6 +11,7 @@
 #include "ui/views/constraints_plot.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/formula_text.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/margin_model.h"
@@ -21,6 +23,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -49,6 +52,11 @@ Project unlimited(Project p) {
     p.machine.wheel_drive_kw.reset();
     p.machine.work_drive_kw.reset();
     return p;
+}
+
+/// A formula's text as a text editor gives it back.
+QString asShown(const FormulaSheet& sheet) {
+    return formulaText(sheet).replace(QChar::Nbsp, u' ');
 }
 
 /// A view as it stands in the window, with a run drawn.
@@ -223,16 +231,35 @@ private slots:
             QCOMPARE(shown.plot().group(), limitGroupAt(outcome->limits, cut.place));
             const FormulaSheet sheet =
                 constraintSheet(outcome->result, outcome->accuracy, constraint).value();
-            for (const FormulaStep& step : sheet.steps) {
-                QVERIFY2(shown.sheet().contains(QLocale().toString(step.result.value, 'g', 5)),
-                         step.text);
-            }
+            QVERIFY(shown.sheet().contains(asShown(sheet)));
         }
         QCOMPARE(chosen.count(), 3);
         QSignalSpy entered(&shown.view, &ConstraintsView::requirementEntered);
         shown.part<QPushButton>("showWhere").click();
         QTest::keyClick(&shown.part<CopyTable>("margins"), Qt::Key_Return);
         QCOMPARE(entered.count(), 2);
+    }
+
+    void aFormulaCanBeChecked() {
+        RoundnessZone zone;
+        zone.outer_mm = 15.000004;
+        zone.inner_mm = 15;
+        const auto restore = qScopeGuard([own = QLocale()] { QLocale::setDefault(own); });
+        QLocale::setDefault(QLocale::C);
+        const QString text = formulaText(roundnessSheet(zone));
+        QVERIFY2(text.contains(QStringLiteral("15.000004 − 15 = 4·10⁻⁶")), qPrintable(text));
+        // Each step: symbols, the numbers in their places, the result with its unit.
+        const FormulaSheet sheet = wheelPowerSheet(limitedProject(), 10, 0.004);
+        const QStringList lines = formulaText(sheet).split(u'\n');
+        QCOMPARE(lines.size(), static_cast<qsizetype>(sheet.steps.size()) + 1);
+        for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
+            const FormulaStep& step = sheet.steps[i];
+            const QString& line = lines[static_cast<qsizetype>(i) + 1];
+            QVERIFY2(line.startsWith(QString::fromUtf8(step.result.symbol) + u' '),
+                     qPrintable(line));
+            QVERIFY2(line.contains(QStringLiteral(" = ")), qPrintable(line));
+            QVERIFY2(line.endsWith(unitText(step.result.unit)), qPrintable(line));
+        }
     }
 
     void theChoiceOutlivesANewRun() {
@@ -248,7 +275,7 @@ private slots:
             constraintSheet(outcome->result, outcome->accuracy,
                             shown.view.margins()->at(shown.rowOf(ConstraintKind::wheelPower)))
                 .value();
-        QVERIFY(shown.sheet().contains(QLocale().toString(sheet.result().value, 'g', 5)));
+        QVERIFY(shown.sheet().contains(asShown(sheet)));
     }
 
     void whatIsOffLeadsToItsField() {

@@ -586,6 +586,8 @@ void TestProfilesView::theSpectrumDecaysWithTheCycle() {
     const double before = oval();
     QVERIFY(end < middle && middle < before);
     QCOMPARE(before, view.spectrum()->bars(0, ProfileLine::blank)->data()->at(1)->value);
+    const QCPRange sight = view.spectrum()->cell(0)->axis(QCPAxis::atLeft)->range();
+    QVERIFY(sight.contains(before) && sight.contains(middle)); // one scale for the whole cycle
     const std::vector<double>& radii = view.across()->series().profiles[0].radii_mm;
     const std::vector<Harmonic> spectrum = harmonics(radii, Directions(radii.size()));
     QVERIFY(std::abs(before - spectrum[2].amplitude_mm * 1000) < 1e-9);

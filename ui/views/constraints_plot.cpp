@@ -230,7 +230,7 @@ void ConstraintsPlot::fit() {
         high = limit.upper;
     }
     if (feedAxis()->scaleType() == QCPAxis::stLogarithmic) {
-        double least = high;
+        double least = found ? std::min(high, limit.lower) : high;
         for (const QCPCurveData& point : *m_actual->data()) {
             least = std::min(least, point.value);
         }

@@ -44,7 +44,6 @@ public:
     [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_markedCut; }
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const; ///< the cuts in sight
-    [[nodiscard]] QSize minimumSizeHint() const override { return {320, 160}; }
 
 signals:
     void pointed(const QString& text); ///< values under the mouse, empty outside
@@ -69,7 +68,7 @@ private:
     [[nodiscard]] QPen penOf(int key) const;
     [[nodiscard]] QCPGraph* addLine();
     [[nodiscard]] double highestCut() const;
-    /// Limits of a cut as the engine gives them, not read off the curves [µm].
+    /// Limits of a cut as the engine gives them, not read off the curves.
     [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
 
     OutcomePtr m_outcome;

@@ -3,7 +3,6 @@
 
 #include "core/quality/constraint_sheet.h"
 #include "ui/metrics.h"
-#include "ui/session/texts.h"
 #include "ui/views/constraints_plot.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/formula_text.h"

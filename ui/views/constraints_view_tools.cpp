@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -65,6 +66,7 @@ void ConstraintsView::build(Settings* settings) {
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 2 + 2);
+    m_plot->setMinimumSize(240, 140);
     auto* upper = new QWidget(m_splitter);
     auto* curves = new QVBoxLayout(upper);
     curves->setContentsMargins(0, 0, 0, 0);

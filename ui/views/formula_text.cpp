@@ -8,6 +8,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <cmath>
+
 namespace sparkout {
 
 namespace {
@@ -22,21 +24,44 @@ namespace {
     QT_TRANSLATE_NOOP("Unit", "mm^0.75"),  QT_TRANSLATE_NOOP("Unit", "mm^1.5"),
 };
 
-constexpr int sheetDigits = 5; ///< as many as a reader can check the next line with
+constexpr int sheetDigits = 5;    ///< as many as a reader can check the next line with
+constexpr int lengthDecimals = 6; ///< of lengths in mm: a form error is the difference of two radii
 
-QString sheetNumber(double value) {
+/// "8.38·10⁻⁷" for "8.38e-07".
+QString withPower(QString text) {
+    const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
+    if (e < 0) {
+        return text;
+    }
+    QString power;
+    for (const QChar digit : QString::number(text.mid(e + 1).toInt())) {
+        constexpr char16_t raised[] = u"⁰¹²³⁴⁵⁶⁷⁸⁹";
+        power += digit == u'-' ? QChar(u'⁻') : QChar(raised[digit.digitValue()]);
+    }
+    return text.left(e) + QStringLiteral("·10") + power;
+}
+
+QString sheetNumber(const FormulaTerm& term) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', sheetDigits);
+    const bool length = term.unit && QLatin1StringView(term.unit) == QLatin1StringView("mm");
+    if (!length || std::abs(term.value) < 1) {
+        return withPower(locale.toString(term.value, 'g', sheetDigits));
+    }
+    QString text = locale.toString(term.value, 'f', lengthDecimals);
+    while (text.endsWith(u'0')) {
+        text.chop(1);
+    }
+    return text.endsWith(locale.decimalPoint()) ? text.chopped(1) : text;
 }
 
 QString stepText(const FormulaStep& step) {
     const TermWriter write = [](const FormulaTerm& term) {
-        return sheetNumber(term.value).toStdString();
+        return sheetNumber(term).toStdString();
     };
     const QString symbols = QString::fromStdString(formulaInSymbols(step, write));
     const QString numbers = QString::fromStdString(formulaInNumbers(step, write));
-    QString result = sheetNumber(step.result.value);
+    QString result = sheetNumber(step.result);
     if (step.result.unit && *step.result.unit) {
         result += QChar::Nbsp + unitText(step.result.unit);
     }

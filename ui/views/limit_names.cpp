@@ -6,6 +6,8 @@
 #include <QLocale>
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace sparkout {
 
@@ -56,7 +58,7 @@ QString LimitNames::percent(double share) {
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     const double percent = 100 * share;
     return percent > mostPercent || std::isnan(percent)
-               ? tr("over %1 %").arg(numbers.toString(mostPercent, 'f', 0))
+               ? tr(">%1 %").arg(numbers.toString(mostPercent, 'f', 0))
                : tr("%1 %").arg(numbers.toString(percent, 'f', percent < 10 ? 1 : 0));
 }
 

@@ -23,7 +23,7 @@ class LimitNames {
 public:
     static QString limit(ConstraintKind kind);     ///< of the feed: "burn", "wheel drive"
     static QString group(const LimitGroup& group); ///< "RZ1, wheel standing"
-    static QString percent(double share);          ///< "87 %"; above 999 % so
+    static QString percent(double share);          ///< "87 %"; ">999 %"
     /// What is off of the limits of the feed and of the drawing's tolerances.
     static std::vector<OffLimit> off(const Project& project);
 };

@@ -26,6 +26,10 @@
 
 namespace sparkout {
 
+namespace {
+constexpr int leastBoxWidth = 92;
+}
+
 ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     setObjectName(QStringLiteral("profiles"));
     auto* layout = new QVBoxLayout(this);
@@ -42,6 +46,7 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     m_spectrum = new SpectrumPlot(m_splitter);
     m_across->setMinimumSize(200, 120);
     m_along->setMinimumSize(200, 110);
+    m_spectrum->setMinimumSize(200, 110);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setStretchFactor(0, 5);
     m_splitter->setStretchFactor(1, 3);
@@ -146,6 +151,9 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     }
     for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    for (QComboBox* box : {m_parts, m_reference}) {
+        box->setMinimumWidth(leastBoxWidth); // in a narrow window its text may be cut
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
         row->addWidget(w);

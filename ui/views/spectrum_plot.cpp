@@ -18,6 +18,7 @@ namespace {
 using units::umPerMm;
 
 constexpr int undulationsInSight = 18;
+constexpr int axisTicks = 4;          ///< has room below narrow cells
 constexpr double barShare = 0.4;      ///< of the step between two bars
 constexpr double barFloor_um = 1e-12; ///< where bars stand on a logarithmic axis
 constexpr double faintest_um = 1e-4;  ///< a tenth of a nanometre: smaller is out of sight
@@ -82,23 +83,31 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
 void SpectrumPlot::rebuild(std::size_t count) {
     clearPlottables();
     plotLayout()->clear();
+    m_caption = nullptr;
     m_cells.clear();
     m_cells.resize(count);
+    if (count == 0) {
+        return;
+    }
+    auto* grid = new QCPLayoutGrid;
+    grid->setRowSpacing(0);
+    plotLayout()->setRowSpacing(0);
+    plotLayout()->addElement(0, 0, grid);
     for (std::size_t i = 0; i < count; ++i) {
-        buildCell(m_cells[i], static_cast<int>(i));
+        buildCell(m_cells[i], *grid, static_cast<int>(i));
     }
-    if (count > 0) {
-        plotLayout()->setRowStretchFactor(0, 0.001);
-    }
+    grid->setRowStretchFactor(0, 0.001);
+    m_caption = new QCPTextElement(this);
+    plotLayout()->addElement(1, 0, m_caption);
+    plotLayout()->setRowStretchFactor(1, 0.001);
     restyle();
 }
 
-void SpectrumPlot::buildCell(Cell& cell, int column) {
+void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
     cell.header = new QCPTextElement(this);
     cell.rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, column, cell.header);
-    plotLayout()->addElement(1, column, cell.rect);
-    plotLayout()->setRowSpacing(0);
+    into.addElement(0, column, cell.header);
+    into.addElement(1, column, cell.rect);
     cell.header->setMargins(QMargins(2, 2, 2, 0));
     cell.rect->setMinimumMargins(QMargins(0, 2, 6, 0));
     for (QCPAxis* axis : cell.rect->axes()) {
@@ -112,6 +121,7 @@ void SpectrumPlot::buildCell(Cell& cell, int column) {
     }
     QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
     whole->setTickStep(1);
+    whole->setTickCount(axisTicks);
     whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
     cell.rect->axis(QCPAxis::atBottom)->setTicker(whole);
     cell.rect->axis(QCPAxis::atBottom)->grid()->setVisible(false);
@@ -156,7 +166,7 @@ void SpectrumPlot::fit() {
     double highest = 0;
     for (const Cell& cell : m_cells) {
         for (const QCPBars* bars : {cell.blank, cell.profile}) {
-            highest = std::max(highest, bars->visible() ? highestOf(*bars) : 0);
+            highest = std::max(highest, highestOf(*bars)); // the blank's too: one scale for all
         }
     }
     const int last = std::clamp(static_cast<int>(m_blank.size()) - 1, 2, undulationsInSight);
@@ -205,6 +215,10 @@ void SpectrumPlot::setDimmed(bool dim) {
 
 void SpectrumPlot::restyle() {
     style::applyPalette(*this, palette());
+    if (m_caption) {
+        m_caption->setFont(font());
+        m_caption->setTextColor(palette().color(QPalette::Text));
+    }
     for (Cell& cell : m_cells) {
         cell.header->setFont(font());
         cell.header->setTextColor(palette().color(QPalette::Text));
@@ -228,9 +242,11 @@ void SpectrumPlot::retranslate() {
     for (Cell& cell : m_cells) {
         cell.name = Names::zone(cell.zone, cell.section);
         cell.header->setText(cell.name);
-        cell.rect->axis(QCPAxis::atBottom)->setLabel(tr("Undulations per revolution"));
         cell.rect->axis(QCPAxis::atLeft)
             ->setLabel(&cell == &m_cells.front() ? tr("Amplitude, µm") : QString());
+    }
+    if (m_caption) {
+        m_caption->setText(tr("Undulations per revolution"));
     }
 }
 

@@ -31,7 +31,6 @@ public:
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
     [[nodiscard]] QCPBars* bars(int index, ProfileLine line) const;
     [[nodiscard]] CsvTable table() const;
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 110}; }
 
 signals:
     void pointed(const QString& text); ///< empty: at nothing
@@ -55,7 +54,7 @@ private:
         return m_cells[static_cast<std::size_t>(index)];
     }
     void rebuild(std::size_t count);
-    void buildCell(Cell& cell, int column);
+    void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
     void setScale(Cell& cell) const;
     void link(QCPAxis* moved);
     void show();
@@ -63,6 +62,7 @@ private:
 
     std::vector<Harmonic> m_blank;
     std::vector<Cell> m_cells;
+    QCPTextElement* m_caption = nullptr;
     ProfileLines m_hidden;
     bool m_logarithmic = true;
     bool m_dim = false;
