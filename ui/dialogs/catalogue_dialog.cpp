@@ -64,11 +64,19 @@ const Field* fieldAt(const StructInfo& table, const std::string& key) {
                                                 : fieldAt(*field->nested, key.substr(slash + 1));
 }
 
+/// All contents in sight, by scrolling where they are wide; rows to the edge where they are not.
+void fitColumns(QTreeWidget& tree) {
+    tree.header()->setStretchLastSection(false);
+    for (int column = 0; column < tree.columnCount(); ++column) {
+        tree.resizeColumnToContents(column);
+    }
+    tree.header()->setStretchLastSection(tree.header()->length() < tree.viewport()->width());
+}
+
 void setUp(QTreeWidget& tree) {
     tree.setRootIsDecorated(false);
     tree.setUniformRowHeights(true);
     tree.setAllColumnsShowFocus(true);
-    tree.header()->setStretchLastSection(false); // long sources are scrolled to
     tree.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
 }
 
@@ -181,6 +189,9 @@ void CatalogueDialog::build() {
     connect(m_aside, &QPushButton::clicked, this, &CatalogueDialog::putAside);
     connect(m_rename, &QPushButton::clicked, this, &CatalogueDialog::renameOwn);
     connect(m_remove, &QPushButton::clicked, this, &CatalogueDialog::removeOwn);
+    for (QTreeWidget* tree : {m_list, m_preview}) {
+        tree->viewport()->installEventFilter(this);
+    }
     m_search->setFocus();
 }
 
@@ -261,10 +272,7 @@ void CatalogueDialog::fill(const QString& current) {
             m_list->setCurrentItem(row);
         }
     }
-    m_list->header()->setSectionResizeMode(QHeaderView::Interactive);
-    for (int column = 0; column < m_list->columnCount(); ++column) {
-        m_list->resizeColumnToContents(column);
-    }
+    fitColumns(*m_list);
     filter();
 }
 
@@ -323,9 +331,7 @@ void CatalogueDialog::showChosen() {
             ++count;
         }
     }
-    for (const int column : {0, 1, 2, 3}) {
-        m_preview->resizeColumnToContents(column);
-    }
+    fitColumns(*m_preview);
     const QString note = entryNote(item->entry);
     const QString changes =
         count == 0 ? tr("It changes nothing.")
@@ -404,8 +410,13 @@ void CatalogueDialog::finishChange(const QString& fault, const QString& name) {
     }
 }
 
-/// Arrows in the search field move in the list.
+/// Arrows in the search field move in the list; columns follow the width.
 bool CatalogueDialog::eventFilter(QObject* watched, QEvent* event) {
+    for (QTreeWidget* tree : {m_list, m_preview}) {
+        if (watched == tree->viewport() && event->type() == QEvent::Resize) {
+            fitColumns(*tree);
+        }
+    }
     if (watched == m_search && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp

@@ -163,8 +163,8 @@ void ShaftScene::drawGauge(QCPPainter* painter) const {
         ProfileLook::pen(ProfileLine::gauge, mParentPlot->palette(), false).color();
     painter->setPen(QPen(colour, 1.5, Qt::DashDotLine));
     painter->drawLine(at(m_gauge_mm, m_high_mm * 1.25), at(m_gauge_mm, -m_high_mm * 1.25));
-    const QFontMetricsF metrics(painter->font());
-    painter->drawText(at(m_gauge_mm, -m_high_mm * 1.25) + QPointF(4, metrics.ascent()),
+    // Beside the line's end: below it are the names of the supports.
+    painter->drawText(at(m_gauge_mm, -m_high_mm * 1.25) + QPointF(4, -1),
                       ProfileLook::name(ProfileLine::gauge));
 }
 
