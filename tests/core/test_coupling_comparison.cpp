@@ -77,23 +77,24 @@ private slots:
     }
 
     void onASlenderShaftTheyDiffer() {
-        QVERIFY(largest(compareCoupling(onShaft(5))) > 1e-6); // a thousand times the above }
+        QVERIFY(largest(compareCoupling(onShaft(5))) > 1e-6); // a thousand times the above
+    }
 
-        void whatCannotBeComparedIsTold() {
-            Project project = onShaft(3);
-            project.operation = Operation::traverse;
-            QVERIFY(couplingOf(project) == CouplingAnswer::traverse);
-            project.operation = Operation::plunge;
-            project.machine.compliance_mm_per_n = std::vector<double>(3, 1e-5);
-            QVERIFY(couplingOf(project) == CouplingAnswer::givenCompliance);
-        }
+    void whatCannotBeComparedIsTold() {
+        Project project = onShaft(3);
+        project.operation = Operation::traverse;
+        QVERIFY(couplingOf(project) == CouplingAnswer::traverse);
+        project.operation = Operation::plunge;
+        project.machine.compliance_mm_per_n = std::vector<double>(3, 1e-5);
+        QVERIFY(couplingOf(project) == CouplingAnswer::givenCompliance);
+    }
 
-        void aStopRequestEndsIt() {
-            std::stop_source stop;
-            stop.request_stop();
-            QVERIFY(compareCoupling(onShaft(5), stop.get_token()).stopped());
-        }
-    };
+    void aStopRequestEndsIt() {
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(compareCoupling(onShaft(5), stop.get_token()).stopped());
+    }
+};
 
 } // namespace test_coupling_comparison
 

@@ -119,7 +119,7 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     row->setSpacing(metrics::gap);
     row->addWidget(m_label, 1);
     row->addWidget(m_size);
-    row->addSpacing(unitColumn);
+    row->addSpacing(unitColumn + metrics::gap);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, metrics::row, 0, metrics::row);
     layout->setSpacing(metrics::row);

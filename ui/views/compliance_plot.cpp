@@ -296,6 +296,9 @@ void CompliancePlot::afterLayouting() {
         const double perPixel = sceneRoom * std::max(all.width() / width, all.height() / height);
         const double middle = all.center().x();
         style::setSafeRange(*x, middle - perPixel * width / 2, middle + perPixel * width / 2);
+        if (x->range() != m_fittedAlong) {
+            replot(QCustomPlot::rpQueuedReplot); // the ticks are still those of the old range
+        }
         m_fittedAlong = x->range();
     }
     const double half = x->range().size() / width * height / 2;

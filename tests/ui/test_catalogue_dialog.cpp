@@ -22,7 +22,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
-namespace test_catalogue {
+namespace test_catalogue_dialog {
 
 using namespace sparkout;
 
@@ -91,7 +91,7 @@ QString textOf(const Project& project, CatalogueKind kind) {
 
 } // namespace
 
-class TestCatalogue : public QObject {
+class TestCatalogueDialog : public QObject {
     Q_OBJECT
 
 private slots:
@@ -503,7 +503,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-} // namespace test_catalogue
+} // namespace test_catalogue_dialog
 
-SPARKOUT_TEST(test_catalogue, TestCatalogue)
-#include "test_catalogue.moc"
+SPARKOUT_TEST(test_catalogue_dialog, TestCatalogueDialog)
+#include "test_catalogue_dialog.moc"
