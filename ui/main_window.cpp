@@ -100,7 +100,8 @@ MainWindow::~MainWindow() {
 void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
-    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance}) {
+    for (View* view :
+         std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance}) {
         m_tabs->addView(view);
     }
     setCentralWidget(m_files->notices().above(m_tabs));
