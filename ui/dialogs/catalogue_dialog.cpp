@@ -261,7 +261,7 @@ void CatalogueDialog::fill(const QString& current) {
                 std::find_if(values.begin(), values.end(),
                              [&](const CatalogueChange& change) { return change.key == keys[i]; });
             row->setText(int(i) + 1, value == values.end() ? QStringLiteral("—") : value->then);
-            row->setTextAlignment(int(i) + 1, int(Qt::AlignRight | Qt::AlignVCenter));
+            row->setTextAlignment(int(i) + 1, Qt::AlignRight | Qt::AlignVCenter);
         }
         const int whose = int(keys.size()) + 1;
         row->setText(whose, item.own ? tr("mine") : tr("shipped"));
