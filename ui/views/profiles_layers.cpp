@@ -163,7 +163,8 @@ void PolarGrid::drawSpokes(QCPPainter* painter) {
         painter->drawLine(centre(), centre() + reach * direction(angle * degree));
     }
     m_names.clear();
-    // The names stand outside the rim where there is room, else just inside.
+    // The names stand outside the rim where there is room, else just inside a circle large enough.
+    constexpr double share = 0.2; ///< of the radius that a name may cover
     const QFontMetricsF metrics(mParentPlot->font());
     for (int angle = 0; angle < 360; angle += 90) {
         const QString name = mParentPlot->locale().toString(angle) + QChar(0x00B0);
@@ -173,6 +174,9 @@ void PolarGrid::drawSpokes(QCPPainter* painter) {
         QRectF box(QPointF(), size);
         box.moveCenter(centre() + reach * to + half);
         if (!QRectF(m_rect->rect()).contains(box)) {
+            if (size.width() > share * reach) {
+                continue;
+            }
             box.moveCenter(centre() + reach * to - half);
         }
         drawText(painter, box, name);

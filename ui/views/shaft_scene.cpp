@@ -103,11 +103,14 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) const {
     const double y = -m_high_mm * (1 + (below - 1) / 2);
     const QString text = tailstock ? stiffness(&Stiffness::tailstock, tr("tailstock"))
                                    : stiffness(&Stiffness::headstock, tr("headstock"));
-    if (bore) {
-        note(painter, at(end + out, 0) - QPointF(noteGap, 0), Qt::AlignRight, text);
-        return;
+    const QPointF beside = at(end + out, 0) + QPointF(tailstock ? noteGap : -noteGap, 0);
+    const QRectF all = m_rect->rect();
+    const double room = tailstock ? all.right() - beside.x() : beside.x() - all.left();
+    if (bore || painter->fontMetrics().horizontalAdvance(text) < room - 2) {
+        note(painter, beside, tailstock ? Qt::AlignLeft : Qt::AlignRight, text);
+    } else {
+        note(painter, at(end + out, y), tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
     }
-    note(painter, at(end + out, y), tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
 }
 
 void ShaftScene::drawRests(QCPPainter* painter) const {
