@@ -192,8 +192,10 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
-    for (QAction* action : {m_actions->newTraverse, m_actions->newPlunge, m_actions->open,
-                            m_actions->examples, m_actions->save, m_actions->saveAs}) {
+    for (QAction* action :
+         {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
+          m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
+          m_actions->undo, m_actions->redo}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -441,6 +443,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QString path = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
+    m_inputs->endTyping();
     if (!path.isEmpty()) { // later: the program it was dragged from shall not wait for an answer
         QMetaObject::invokeMethod(
             m_files, [this, path] { m_files->openInstead(path); }, Qt::QueuedConnection);

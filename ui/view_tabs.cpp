@@ -151,8 +151,7 @@ void ViewTabs::openMenu(const QPoint& place) {
     }
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    QAction* action = menu->addAction(themeIcon(u"detach"),
-                                      tr("&Detach into a window of its own"));
+    QAction* action = menu->addAction(themeIcon(u"detach"), tr("&Detach into a window of its own"));
     action->setEnabled(canDetach());
     connect(action, &QAction::triggered, this, [this, view] { detach(view); });
     menu->popup(tabBar()->mapToGlobal(place));

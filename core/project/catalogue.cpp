@@ -205,7 +205,7 @@ Entry entryOf(const Project& project, std::string name) {
     entry.name = std::move(name);
     entry.value = project.*Kindred<Entry>::member;
     const ordered_json value = writeByTable(valueTable<Entry>(), &entry.value);
-    eachNumber(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
+    eachValue(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
         ValueSource source;
         source.key = key;
         entry.sources.push_back(std::move(source));

@@ -14,11 +14,9 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-bool isNumbers(Kind kind) {
+bool isValue(Kind kind) {
     switch (kind) {
     case Kind::text:
-    case Kind::choice:
-    case Kind::boolean:
     case Kind::object:
     case Kind::optionalObject: return false;
     default: return true;
@@ -79,18 +77,18 @@ void checkRows(const NumberRows& rows, const std::string& path, Issues& issues) 
 
 } // namespace
 
-void eachNumber(const ordered_json& value, const StructInfo& table, const std::string& prefix,
-                const std::function<void(const std::string&, const ordered_json&)>& visit) {
+void eachValue(const ordered_json& value, const StructInfo& table, const std::string& prefix,
+               const std::function<void(const std::string&, const ordered_json&)>& visit) {
     for (const Field& field : table.fields) {
         const auto found = value.find(field.key);
         if (found == value.end() || found->is_null()) {
             continue;
         }
         const std::string key = prefix + field.key;
-        if (isNumbers(field.kind)) {
+        if (isValue(field.kind)) {
             visit(key, *found);
         } else if (field.nested && found->is_object()) {
-            eachNumber(*found, *field.nested, key + "/", visit);
+            eachValue(*found, *field.nested, key + "/", visit);
         }
     }
 }
@@ -104,7 +102,7 @@ ordered_json givenPart(const ordered_json& value, const StructInfo& table,
             continue;
         }
         const std::string key = prefix + field.key;
-        if (isNumbers(field.kind)) {
+        if (isValue(field.kind)) {
             if (sourceOf(sources, key)) {
                 given[field.key] = *found;
             }
@@ -126,7 +124,7 @@ void checkSources(const json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path,
                   Issues& issues) {
     std::vector<std::string> keys;
-    eachNumber(
+    eachValue(
         ordered_json(value), table, {}, [&](const std::string& key, const ordered_json& number) {
             keys.push_back(key);
             if (const ValueSource* source = sourceOf(sources, key)) {

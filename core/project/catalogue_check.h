@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-/// What a catalogue's reader and writer know of an entry's value: which numbers it gives, and
-/// whether each stands with its source.
+/// What a catalogue's reader and writer know of an entry's value: which numbers and choices it
+/// gives, and whether each stands with its source.
 namespace sparkout::catalogue {
 
-/// Calls visit(key, number) for each number of a value's JSON, a list or table as one.
-void eachNumber(
+/// Calls visit(key, value) for each number or choice of a value's JSON, a list or table as one.
+void eachValue(
     const nlohmann::ordered_json& value, const StructInfo& table, const std::string& prefix,
     const std::function<void(const std::string&, const nlohmann::ordered_json&)>& visit);
 
@@ -24,7 +24,7 @@ void eachNumber(
                                                const std::vector<ValueSource>& sources,
                                                const std::string& prefix = {});
 
-/// Every number its source, every source its number, and the number in the range stated for it.
+/// Every number and choice its source, every source its value, and the number in the range stated for it.
 void checkSources(const nlohmann::json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
 

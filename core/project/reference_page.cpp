@@ -153,6 +153,13 @@ std::string rangeColumn(const Range& range, const Field& field) {
     return rangeText(range, items ? "items" : "");
 }
 
+std::string allowedColumn(const Field& field) {
+    const std::string text = rangeColumn(field.stated(), field);
+    return field.read.unbounded()
+               ? text
+               : text + " where it feeds, else " + rangeColumn(field.hard, field);
+}
+
 std::string requiredColumn(const Field& field, const StructInfo& table) {
     std::string text = field.required ? conditionText(field.required, table) : "";
     const std::string relevant = field.relevant ? conditionText(field.relevant, table) : "";
@@ -220,8 +227,8 @@ private:
         text += "| `" + std::string(field.key) + "` ";
         for (const std::string& column :
              {typeColumn(field), std::string(field.unit), defaultColumn(field, table),
-              rangeColumn(field.stated(), field), rangeColumn(field.soft, field),
-              requiredColumn(field, table), meaningColumn(field)}) {
+              allowedColumn(field), rangeColumn(field.soft, field), requiredColumn(field, table),
+              meaningColumn(field)}) {
             text += column.empty() ? "| " : "| " + column + " ";
         }
         text += "|\n";

@@ -56,8 +56,8 @@ public:
             addPass(pass);
         }
         for (LimitGroup& group : m_series.groups) {
-            thin(group);
             placeStages(group);
+            thin(group);
         }
         std::ranges::stable_sort(m_series.groups, {}, [](const LimitGroup& group) {
             return std::tuple(group.zone, group.section, !group.standing);

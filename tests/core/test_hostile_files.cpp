@@ -68,9 +68,9 @@ std::string faultOfAnswer(const ReadResult& read) {
     return {};
 }
 
-/// A tenth of a count under the sanitizers, which take ten times as long.
+/// A fiftieth of a count under the sanitizers, which take ten times as long.
 std::size_t many(int count) {
-    return static_cast<std::size_t>(samples::sized(count, count / 10, count));
+    return static_cast<std::size_t>(samples::sized(count, count / 50, count));
 }
 
 /// The sample without its last brace, to go on with: `… , KEY: VALUE }`.

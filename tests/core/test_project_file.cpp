@@ -377,11 +377,12 @@ private slots:
     void everyLeafRoundTripsAwayFromItsDefault() {
         Coverage coverage;
         const auto lastSeed = static_cast<std::uint64_t>(samples::sized(4, 0, 4));
+        const auto step = static_cast<std::size_t>(samples::sized(1, 6, 1));
         for (const std::string& name : samples::names()) {
             Project project = samples::project(name);
             coverage.add(project);
             const std::size_t count = samples::spots(project).size();
-            for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t i = 0; i < count; i += step) {
                 for (std::uint64_t seed = 0; seed < 12; ++seed) {
                     Project changed = samples::project(name);
                     Mutator mutator(fromSeed(seed + 977 * i));
@@ -396,7 +397,9 @@ private slots:
                 }
             }
         }
-        QCOMPARE(coverage.missing(), std::string());
+        if (step == 1) {
+            QCOMPARE(coverage.missing(), std::string());
+        }
     }
 
     void randomProjectsRoundTripByteForByte() {
@@ -573,7 +576,9 @@ private slots:
         const std::string path = pathInEverything(place);
         const auto wrong = wrongValues(place.field->kind);
         QCOMPARE(wrong.size(), std::size_t{8});
-        for (const json& value : wrong) {
+        const auto step = static_cast<std::size_t>(samples::sized(1, 4, 1));
+        for (std::size_t i = static_cast<std::size_t>(index) % step; i < wrong.size(); i += step) {
+            const json& value = wrong[i];
             json file = samples::sample("everything");
             file[json::json_pointer(path)] = value;
             const ReadResult read = readProject(file.dump());

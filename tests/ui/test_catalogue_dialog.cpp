@@ -13,6 +13,7 @@
 #include "ui/session/search_text.h"
 #include "ui/session/settings.h"
 #include "ui/session/source_names.h"
+#include "ui/session/texts.h"
 
 #include <QDir>
 #include <QFile>
@@ -241,6 +242,26 @@ private slots:
         QCOMPARE(store->items().size(), shipped + 1);
         QCOMPARE(store->remove(QStringLiteral("N")), QString());
         QCOMPARE(store->items().size(), shipped);
+    }
+
+    void aMachineSavedAsMineKeepsItsEntrySide() {
+        Project project = newProject(Operation::traverse);
+        project.machine.entry_side = EntrySide::tailstock; // the zones' compliances count from it
+        auto store = CatalogueStore::make(CatalogueKind::machines,
+                                          m_folder.filePath(QStringLiteral("sides")));
+        QCOMPARE(store->save(project, QStringLiteral("M")), QString());
+        const auto mine = std::find_if(store->items().begin(), store->items().end(),
+                                       [](const CatalogueItem& item) { return item.own; });
+        QVERIFY(mine != store->items().end());
+        const Project other = newProject(Operation::traverse);
+        QVERIFY(withEntry(mine->entry, other).machine.entry_side == EntrySide::tailstock);
+        const auto changes = changesBy(mine->entry, other);
+        const auto side = std::find_if(changes.begin(), changes.end(), [](const auto& change) {
+            return change.key == "entry_side";
+        });
+        QVERIFY(side != changes.end());
+        QVERIFY(side->changed);
+        QCOMPARE(side->then, choiceText(choicesOf<EntrySide>()[1].label));
     }
 
     void twoWindowsKeepEachOthersEntries() {

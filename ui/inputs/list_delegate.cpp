@@ -34,14 +34,19 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     auto* editor = new NumberField(spec, parent);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     editor->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
-    connect(editor, &NumberField::valueEdited, self,
-            [self, editor] { emit self->commitData(editor); });
+    connect(editor, &NumberField::valueEdited, self, [self, editor] { self->commit(editor); });
     connect(editor, &NumberField::remarkChanged, self, // a pause in typing
-            [self, editor] { emit self->commitData(editor); });
+            [self, editor] { self->commit(editor); });
     editor->setFits([&model, cell = QPersistentModelIndex(index)](std::optional<double> value) {
         return !cell.isValid() || model.fits(cell, value);
     });
     return editor;
+}
+
+void ListDelegate::commit(QWidget* editor) {
+    if (editor->isVisible()) {
+        emit commitData(editor);
+    }
 }
 
 void ListDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {

@@ -26,6 +26,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     [[nodiscard]] Document& document() const { return m_document; }
+    void commit(QWidget* editor); ///< unless the view has let go of it, hiding it
 
 private:
     Document& m_document;

@@ -360,6 +360,9 @@ bool ListTable::takeKey(const QKeyEvent& key) {
 
 /// A number is needed in each cell: the next one is typed in place of what stood there.
 void ListTable::clearCell() {
+    if (!(m_model->flags(m_view->currentIndex()) & Qt::ItemIsEditable)) {
+        return;
+    }
     m_view->edit(m_view->currentIndex());
     if (auto* field = m_view->viewport()->findChild<NumberField*>()) {
         field->clearText();

@@ -65,8 +65,7 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
     auto* self = const_cast<StageDelegate*>(this);
     const bool traverse = document().project().operation == Operation::traverse;
     auto* editor = new SparkOutEditor(field, traverse, parent);
-    connect(editor, &SparkOutEditor::edited, self,
-            [self, editor] { emit self->commitData(editor); });
+    connect(editor, &SparkOutEditor::edited, self, [self, editor] { self->commit(editor); });
     connect(editor, &SparkOutEditor::left, self, [self, editor] {
         emit self->commitData(editor);
         emit self->closeEditor(editor);

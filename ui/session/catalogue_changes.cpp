@@ -54,6 +54,11 @@ QString shown(const ordered_json& value, const Field& field) {
     if (value.is_number()) {
         return showNumber(value.get<double>(), QLocale());
     }
+    for (const Choice& choice : field.choices) {
+        if (value == choice.key) {
+            return choiceText(choice.label);
+        }
+    }
     if (value.is_string()) {
         return QString::fromStdString(value.get<std::string>());
     }
