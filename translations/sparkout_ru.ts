@@ -2443,6 +2443,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>With the operation these inputs changed: %1.</source>
             <translation>Вместе с операцией изменены: %1.</translation>
         </message>
+        <message>
+            <source>zone by zone</source>
+            <translation>по зонам</translation>
+        </message>
+        <message>
+            <source>section by section</source>
+            <translation>по сечениям</translation>
+        </message>
     </context>
     <context>
         <name>ProfileCsv</name>
@@ -4061,6 +4069,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Actual feed, µm per revolution</source>
             <translation>Фактическая подача, мкм/об</translation>
         </message>
+        <message>
+            <source>Actual feed, µm per pass</source>
+            <translation>Фактическая подача, мкм за проход</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ConstraintsView</name>
@@ -4163,6 +4175,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Point at the curve to read the values.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>Coupled sections share the power of the drives, so it limits no section's feed by itself. The requirements below hold it against the whole length.</source>
+            <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
     </context>
     <context>

@@ -12,8 +12,9 @@ namespace {
 
 const QString operationKey = QStringLiteral("operation");
 
-QString sentence(Operation operation) {
-    return operation == Operation::plunge
+QString sentence(const Project& before, const Project& after) {
+    const bool shortened = after.part.length_mm < before.part.length_mm;
+    return after.operation == Operation::plunge && shortened
                ? QCoreApplication::translate("OperationNotice",
                                              "A plunge grinds no more than the wheel covers. With "
                                              "the operation these inputs changed: %1.")
@@ -32,7 +33,7 @@ void tellOperation(NoticeBar& notices, const Project& before, const Project& aft
         return;
     }
     const auto text = [before, after] {
-        return sentence(after.operation)
+        return sentence(before, after)
             .arg(changesOfOperation(before, after).join(QStringLiteral("; ")));
     };
     notices.add({operationKey, Mark::warning, text, {}});

@@ -297,6 +297,84 @@ private slots:
         QVERIFY(!off.text().contains(QStringLiteral("burn_rise_k")));
     }
 
+    // Power binds all of the length together, so it is no limit of one section.
+    void coupledSectionsShareThePower() {
+        Project project = unlimited(plungeProject(3));
+        const auto zone = [](const Shown& shown) {
+            return shown.part<QComboBox>("constraintsZone").itemText(0);
+        };
+        project.machine.compliance_mm_per_n = std::monostate{};
+        project.machine.stiffness_n_um.emplace();
+        project.part.shaft.ground_from_mm = 20;
+        project.part.shaft.segments = {{80, project.part.diameter_mm}};
+        project.sections_coupled = true;
+        Shown shown(run(project));
+        auto& notice = shown.part<QLabel>("constraintsNotice");
+        QVERIFY(notice.text().startsWith(QStringLiteral("No limit of the feed is on")));
+        project.machine.wheel_drive_kw = 4;
+        shown.show(run(project));
+        QVERIFY(shown.rowOf(ConstraintKind::wheelPower) >= 0);
+        QVERIFY2(notice.text().startsWith(QStringLiteral("Coupled sections share")),
+                 qPrintable(notice.text()));
+        QVERIFY(!zone(shown).contains(u'%'));
+        project.sections_coupled = false;
+        shown.show(run(project));
+        QVERIFY(!notice.isVisible());
+        QVERIFY(zone(shown).contains(u'%'));
+    }
+
+    void cutsThatOutgrowThePlotBringItAlong() {
+        Project project = unlimited(plungeProject(1));
+        Shown shown(run(project));
+        const auto feeds = [&] { return shown.plot().feedAxis()->range(); };
+        const auto highest = [&] {
+            bool found = false;
+            return shown.plot().actual()->getValueRange(found).upper;
+        };
+        const auto feedTimes = [&project](double times) {
+            for (Stage& stage : project.cycle.stages) {
+                *stage.radial_feed_mm_min *= times;
+            }
+            return run(project);
+        };
+        const QCPRange first = feeds();
+        shown.show(feedTimes(4));
+        QVERIFY(highest() > first.upper);
+        QVERIFY(feeds().upper >= highest());
+        shown.view.tools()->navigation().zoom(0.5); // by hand: that stays
+        const QCPRange zoomed = feeds();
+        shown.show(feedTimes(4));
+        QVERIFY(highest() > zoomed.upper);
+        QCOMPARE(feeds(), zoomed);
+    }
+
+    void theAxisNamesWhatACutIs() {
+        Shown shown(run(limitedProject()));
+        auto& zones = shown.part<QComboBox>("constraintsZone");
+        for (int g = 0; g < zones.count(); ++g) {
+            zones.setCurrentIndex(g);
+            const bool standing = zones.itemText(g).contains(QStringLiteral("standing"));
+            QVERIFY2(shown.plot().feedAxis()->label().endsWith(
+                         standing ? QStringLiteral("per revolution") : QStringLiteral("per pass")),
+                     qPrintable(zones.itemText(g)));
+        }
+    }
+
+    void aChosenZoneWithoutCutsStaysChosen() {
+        const OutcomePtr outcome = run(limitedProject());
+        auto bare = std::make_shared<Outcome>(*outcome);
+        const int last = static_cast<int>(bare->limits.groups.size()) - 1;
+        bare->limits.groups.back().cuts.clear();
+        bare->limits.groups.back().worst = {};
+        Shown shown(bare);
+        QVERIFY(shown.plot().group() != last);
+        shown.part<QComboBox>("constraintsZone").setCurrentIndex(last);
+        shown.show(std::make_shared<Outcome>(*bare));
+        QCOMPARE(shown.plot().group(), last);
+        shown.show(outcome);
+        QCOMPARE(shown.plot().group(), last);
+    }
+
     void emptyStatesSayWhatToDo() {
         ConstraintsView view;
         view.show();

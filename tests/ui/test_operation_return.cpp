@@ -75,12 +75,45 @@ private slots:
         const double share = shaft.wheel.width_mm / 300;
         QVERIFY(sections.front() > 1e-4 && sections.back() < 1e-4 + 2e-4 * share);
         const QStringList changes = changesOfOperation(shaft, now);
-        QCOMPARE(changes.size(), 1);
-        QVERIFY2(changes[0].contains(QStringLiteral("300 → ")), qPrintable(changes[0]));
+        QCOMPARE(changes.size(), 2); // and the compliance
+        QVERIFY2(changes[0].contains(QStringLiteral("300\u00a0mm → ")), qPrintable(changes[0]));
         switchTo(document, Operation::traverse);
         QCOMPARE(document.project().part.length_mm, 300.0);
         QCOMPARE(writeProject(document.project()), writeProject(shaft));
         QVERIFY(changesOfOperation(shaft, document.project()).isEmpty());
+    }
+
+    void allItChangesOutsideTheStagesIsTold_data() { thereAndBackIsTheProjectItWas_data(); }
+    void allItChangesOutsideTheStagesIsTold() {
+        QFETCH(QString, file);
+        Document document;
+        QVERIFY(document.open(file).opened());
+        const Project before = document.project();
+        const Project after = withOperation(before, other(before.operation));
+        const auto lines = changesOfOperation(before, after);
+        Project told = before;
+        told.operation = after.operation;
+        told.cycle = after.cycle;
+        int count = 0;
+        const auto take = [&count](auto& member, const auto& now) {
+            count += member != now ? 1 : 0;
+            member = now;
+        };
+        take(told.part.surface, after.part.surface);
+        take(told.part.length_mm, after.part.length_mm);
+        take(told.wheel.width_mm, after.wheel.width_mm);
+        take(told.machine.overrun_entry_mm, after.machine.overrun_entry_mm);
+        take(told.machine.overrun_exit_mm, after.machine.overrun_exit_mm);
+        take(told.machine.compliance_mm_per_n, after.machine.compliance_mm_per_n);
+        take(told.gauge.section, after.gauge.section);
+        take(told.gauge.position_mm, after.gauge.position_mm);
+        take(told.gauge.compliance_mm_per_n, after.gauge.compliance_mm_per_n);
+        QCOMPARE(lines.size(), count);
+        QCOMPARE(writeProject(told), writeProject(after));
+        for (const QString& line : lines) { // of both values something is said
+            QVERIFY2(!line.contains(QStringLiteral(":  →")) && !line.endsWith(u' '),
+                     qPrintable(line));
+        }
     }
 
     void whatWasChangedMeanwhileStaysAndTheRestComesBack() {

@@ -195,6 +195,7 @@ private slots:
     void theCirclesAreChosen();
     void aLobedBlankIsOneBar();
     void theSpectrumDecaysWithTheCycle();
+    void barsThatOutgrowTheSpectrumBringItAlong();
     void spectraMoveTogetherAndAreSaved();
     void radiiUpToThirtySixAreMarked();
 
@@ -591,6 +592,29 @@ void TestProfilesView::theSpectrumDecaysWithTheCycle() {
     const std::vector<double>& radii = view.across()->series().profiles[0].radii_mm;
     const std::vector<Harmonic> spectrum = harmonics(radii, Directions(radii.size()));
     QVERIFY(std::abs(before - spectrum[2].amplitude_mm * 1000) < 1e-9);
+}
+
+void TestProfilesView::barsThatOutgrowTheSpectrumBringItAlong() {
+    Project project = plungeProject(2);
+    ProfilesView view;
+    show(view, run(project));
+    part<QComboBox>(view, "parts")->setCurrentIndex(4);
+    const auto sight = [&] { return view.spectrum()->cell(1)->axis(QCPAxis::atLeft)->range(); };
+    const auto higherBlank = [&] {
+        project.part.initial_runout_mm *= 4;
+        show(view, run(project));
+        return view.spectrum()->bars(1, ProfileLine::blank)->data()->at(1)->value;
+    };
+    const QCPRange first = sight();
+    const double higher = higherBlank();
+    QVERIFY(higher > first.upper && sight().upper >= higher);
+    view.spectrum()->cell(0)->axis(QCPAxis::atLeft)->setRange(1e-3, 1); // by hand: that stays
+    QVERIFY(higherBlank() > 1);
+    QCOMPARE(sight(), QCPRange(1e-3, 1));
+    Project more = plungeProject(3); // as many groups of bars as sections, whatever was before
+    show(view, run(more));
+    QCOMPARE(view.spectrum()->cellCount(), 3);
+    QCOMPARE(view.spectrum()->findChildren<QCPBarsGroup*>().size(), 3);
 }
 
 void TestProfilesView::spectraMoveTogetherAndAreSaved() {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/catalogue_dialog.h"
 
-#include "core/project/validate.h"
 #include "ui/dialogs/entry_name_dialog.h"
 #include "ui/metrics.h"
 #include "ui/sealed_state.h"
 #include "ui/session/catalogue_changes.h"
+#include "ui/session/document.h"
 #include "ui/session/search_text.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
@@ -85,19 +85,6 @@ QLabel* plainLabel(QWidget* parent) {
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(true);
     return label;
-}
-
-/// The errors that taking an entry over would bring.
-Issues newErrors(const Project& before, const Project& after) {
-    const Issues old = validate(before);
-    Issues found = validate(after);
-    std::erase_if(found, [&old](const Issue& issue) {
-        return issue.severity != Severity::error
-               || std::any_of(old.begin(), old.end(), [&issue](const Issue& known) {
-                      return known.path == issue.path && known.code == issue.code;
-                  });
-    });
-    return found;
 }
 
 } // namespace

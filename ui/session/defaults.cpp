@@ -58,18 +58,18 @@ bool isDefault(const Field& field, const void* owner) {
 }
 
 QString defaultText(const Field& field) {
-    if (!hasDefault(field)) {
-        return {};
-    }
-    const void* const defaults = defaultsOf(field);
+    return hasDefault(field) ? valueText(field, defaultsOf(field)) : QString();
+}
+
+QString valueText(const Field& field, const void* owner) {
     if (field.kind == Kind::boolean) {
-        return field.as<bool>(defaults) ? QCoreApplication::translate("Default", "yes")
-                                        : QCoreApplication::translate("Default", "no");
+        return field.as<bool>(owner) ? QCoreApplication::translate("Default", "yes")
+                                     : QCoreApplication::translate("Default", "no");
     }
     if (field.kind == Kind::choice) {
-        return choiceText(field.choices[std::size_t(field.getChoice(defaults))].label);
+        return choiceText(field.choices[std::size_t(field.getChoice(owner))].label);
     }
-    const auto value = numberIn(field, defaults);
+    const auto value = numberIn(field, owner);
     if (!value) {
         return inputText(field.nullMeaning);
     }

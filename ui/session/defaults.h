@@ -14,6 +14,8 @@ namespace sparkout {
 [[nodiscard]] bool isDefault(const Field& field, const void* owner);
 /// "0.3", "210 GPa", "between centres", or what "not given" means.
 [[nodiscard]] QString defaultText(const Field& field);
+/// The same of the member's own value; it is a number, a choice or a yes or no.
+[[nodiscard]] QString valueText(const Field& field, const void* owner);
 void setDefault(const Field& field, void* owner);
 
 } // namespace sparkout

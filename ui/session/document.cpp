@@ -23,15 +23,20 @@ QString EditText::shown() const {
     return QCoreApplication::translate(context, text);
 }
 
-bool breaksRules(const Project& before, const Project& after) {
+Issues newErrors(const Project& before, const Project& after) {
     const Issues known = validate(before);
-    const Issues issues = validate(after);
-    return std::any_of(issues.begin(), issues.end(), [&known](const Issue& issue) {
-        return issue.severity == Severity::error
-               && std::none_of(known.begin(), known.end(), [&issue](const Issue& other) {
+    Issues issues = validate(after);
+    std::erase_if(issues, [&known](const Issue& issue) {
+        return issue.severity != Severity::error
+               || std::any_of(known.begin(), known.end(), [&issue](const Issue& other) {
                       return other.code == issue.code && other.path == issue.path;
                   });
     });
+    return issues;
+}
+
+bool breaksRules(const Project& before, const Project& after) {
+    return !newErrors(before, after).empty();
 }
 
 /// One step of the history: the whole value before and after.

@@ -31,6 +31,9 @@ struct OpenResult {
     [[nodiscard]] bool opened() const { return taken; }
 };
 
+/// The faults that a change of the inputs brings.
+[[nodiscard]] Issues newErrors(const Project& before, const Project& after);
+
 /// Whether a change of the inputs brings faults that were not there.
 [[nodiscard]] bool breaksRules(const Project& before, const Project& after);
 

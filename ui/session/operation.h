@@ -21,7 +21,8 @@ namespace sparkout {
 [[nodiscard]] Project withOperation(const Project& project, Operation operation,
                                     const Project* last);
 
-/// What another operation made of the inputs outside the stages: "Ground length L_p: 100 → 50 mm".
+/// What another operation made of the inputs outside the stages: "Ground length L_p: 100 mm → 50
+/// mm".
 [[nodiscard]] QStringList changesOfOperation(const Project& before, const Project& after);
 
 /// Whether a stage feeds, which a spark-out does not.

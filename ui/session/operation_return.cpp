@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/operation.h"
 
+#include "ui/session/defaults.h"
 #include "ui/session/member.h"
-#include "ui/session/number_text.h"
 #include "ui/session/texts.h"
+
+#include <QCoreApplication>
 
 namespace sparkout {
 
@@ -61,6 +63,20 @@ void giveBackGauge(Gauge& made, const Gauge& now, const Gauge& thence, const Gau
              last.compliance_mm_per_n);
 }
 
+/// Of a compliance what its values are given for.
+QString switchedText(const ConstMember& member) {
+    if (member.field->kind != Kind::compliance) {
+        return valueText(*member.field, member.owner);
+    }
+    const auto& given = member.field->as<GivenCompliance>(member.owner);
+    if (std::holds_alternative<std::monostate>(given)) {
+        return inputText(member.field->nullMeaning);
+    }
+    return std::holds_alternative<ZoneCompliance>(given)
+               ? QCoreApplication::translate("OperationNotice", "zone by zone")
+               : QCoreApplication::translate("OperationNotice", "section by section");
+}
+
 } // namespace
 
 Project withOperation(const Project& project, Operation operation, const Project* last) {
@@ -91,16 +107,15 @@ Project withOperation(const Project& project, Operation operation, const Project
 
 QStringList changesOfOperation(const Project& before, const Project& after) {
     QStringList changes;
-    for (const char* path : {"/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
-                             "/machine/overrun_exit_mm"}) {
+    for (const char* path :
+         {"/part/surface", "/part/length_mm", "/wheel/width_mm", "/machine/overrun_entry_mm",
+          "/machine/overrun_exit_mm", "/machine/compliance_mm_per_n", "/gauge/section",
+          "/gauge/position_mm", "/gauge/compliance_mm_per_n"}) {
         const ConstMember was = findMember(before, path);
-        const ConstMember now = findMember(after, path);
-        const double old = *numberIn(*was.field, was.owner);
-        const double made = *numberIn(*now.field, now.owner);
+        const QString old = switchedText(was);
+        const QString made = switchedText(findMember(after, path));
         if (old != made) {
-            changes += QStringLiteral("%1: %2 → %3 %4")
-                           .arg(inputText(now.field->label), showNumber(old, QLocale()),
-                                showNumber(made, QLocale()), unitText(now.field->unit));
+            changes += QStringLiteral("%1: %2 → %3").arg(inputText(was.field->label), old, made);
         }
     }
     return changes;

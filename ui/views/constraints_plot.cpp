@@ -111,7 +111,10 @@ void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
     m_outcome = std::move(outcome);
     m_group = group;
     fill();
-    if (!same) {
+    feedAxis()->setLabel(feedLabel());
+    if (same) {
+        refit();
+    } else {
         fit();
     }
     emit contentChanged();
@@ -214,21 +217,48 @@ double ConstraintsPlot::highestCut() const {
     return highest;
 }
 
+/// What is to be seen of the feeds: the cuts, and always some of the limit.
+double ConstraintsPlot::highestFeed() const {
+    const double cut = highestCut();
+    bool found = false;
+    const QCPRange limit = m_stepless->getValueRange(found);
+    if (!found) {
+        return cut > 0 ? cut : 1;
+    }
+    return cut > 0
+               ? std::max(cut, std::min(limit.upper, std::max(limitsInSight * cut, limit.lower)))
+               : limit.upper;
+}
+
 void ConstraintsPlot::fit() {
+    fitStock();
+    fitFeeds();
+}
+
+/// Each axis nobody has zoomed, where what is drawn has grown out of it.
+void ConstraintsPlot::refit() {
+    if (stockAxis()->range() == m_fittedStock
+        && m_outcome->limits.least_mm * umPerMm < m_fittedStock.lower) {
+        fitStock();
+    }
+    if (feedAxis()->range() == m_fittedFeeds && highestFeed() > m_fittedFeeds.upper) {
+        fitFeeds();
+    }
+}
+
+void ConstraintsPlot::fitStock() {
     const LimitSeries* series = m_outcome ? &m_outcome->limits : nullptr;
     const double from = series ? series->least_mm * umPerMm : 0;
     const double to = series ? series->deepest_mm * umPerMm : 1;
     const double border = 0.02 * (to - from);
     style::setSafeRange(*stockAxis(), from - border, to + border);
-    const double cut = highestCut();
+    m_fittedStock = stockAxis()->range();
+}
+
+void ConstraintsPlot::fitFeeds() {
+    const double high = highestFeed();
     bool found = false;
     const QCPRange limit = m_stepless->getValueRange(found);
-    double high = cut > 0 ? cut : 1;
-    if (found && cut > 0) { // always some of the limit
-        high = std::max(cut, std::min(limit.upper, std::max(limitsInSight * cut, limit.lower)));
-    } else if (found) {
-        high = limit.upper;
-    }
     if (feedAxis()->scaleType() == QCPAxis::stLogarithmic) {
         double least = found ? std::min(high, limit.lower) : high;
         for (const QCPCurveData& point : *m_actual->data()) {
@@ -239,6 +269,7 @@ void ConstraintsPlot::fit() {
     } else {
         style::setSafeRange(*feedAxis(), 0, high * feedHeadroom);
     }
+    m_fittedFeeds = feedAxis()->range();
 }
 
 void ConstraintsPlot::setLogarithmic(bool on) {
@@ -354,12 +385,20 @@ void ConstraintsPlot::setDimmed(bool dim) {
     }
 }
 
+/// A cut is a revolution's where the wheel plunges or stands, else a stroke's.
+QString ConstraintsPlot::feedLabel() const {
+    const LimitGroup* group = shownGroup();
+    const bool stroke =
+        group && !group->standing && m_outcome->result.project.operation == Operation::traverse;
+    return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
+}
+
 void ConstraintsPlot::retranslate() {
     QLocale numbers;
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     setLocale(numbers);
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
-    feedAxis()->setLabel(tr("Actual feed, µm per revolution"));
+    feedAxis()->setLabel(feedLabel());
     m_markText->setText(markText());
 }
 

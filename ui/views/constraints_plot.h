@@ -67,7 +67,12 @@ private:
     [[nodiscard]] QString valuesAt(const LimitedCut& cut) const;
     [[nodiscard]] QPen penOf(int key) const;
     [[nodiscard]] QCPGraph* addLine();
+    [[nodiscard]] QString feedLabel() const;
     [[nodiscard]] double highestCut() const;
+    [[nodiscard]] double highestFeed() const; ///< [µm]
+    void fitStock();
+    void fitFeeds();
+    void refit();
     /// Limits of a cut as the engine gives them, not read off the curves.
     [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
 
@@ -84,6 +89,8 @@ private:
     QCPCurve* m_exceeded = nullptr;
     QCPCurve* m_mark = nullptr;
     QCPItemText* m_markText = nullptr;
+    QCPRange m_fittedStock; ///< of the axis, as it was fitted last
+    QCPRange m_fittedFeeds; ///< likewise
     bool m_dim = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/constraints_view.h"
 
+#include "core/process/coupled_sections.h"
 #include "core/quality/constraint_sheet.h"
 #include "ui/metrics.h"
 #include "ui/views/constraints_plot.h"
@@ -28,6 +29,29 @@
 
 namespace sparkout {
 
+namespace {
+
+bool anyBut(const std::vector<ConstraintKind>& kinds, std::initializer_list<ConstraintKind> known) {
+    return std::ranges::any_of(kinds, [&known](ConstraintKind kind) {
+        return std::ranges::find(known, kind) == known.end();
+    });
+}
+
+/// Whether a limit that binds every cut is on; roughness binds the last one alone.
+bool feedIsLimited(const Outcome& outcome) {
+    return anyBut(outcome.limits.on, {ConstraintKind::roughness});
+}
+
+/// The same of the cuts of one zone or section: coupled sections share the power.
+bool groupsAreLimited(const Outcome& outcome) {
+    using enum ConstraintKind;
+    return isCoupled(outcome.result.project)
+               ? anyBut(outcome.limits.on, {roughness, wheelPower, workPower})
+               : feedIsLimited(outcome);
+}
+
+} // namespace
+
 QString ConstraintsView::title() const {
     return tr("Constraints");
 }
@@ -39,7 +63,7 @@ void ConstraintsView::showOutcome() {
             return std::pair(o->result.project.operation, o->result.sections.size());
         };
         if (!m_good || kind(m_good) != kind(latest())) {
-            m_place.reset();
+            m_group.reset();
             m_chosen.reset();
         }
         m_good = latest();
@@ -65,8 +89,7 @@ void ConstraintsView::fillGroups() {
     if (!m_good) {
         return;
     }
-    const bool limited = std::ranges::any_of(
-        m_good->limits.on, [](ConstraintKind kind) { return kind != ConstraintKind::roughness; });
+    const bool limited = groupsAreLimited(*m_good);
     for (const LimitGroup& group : m_good->limits.groups) {
         const QString name = LimitNames::group(group);
         m_zone->addItem(limited ? tr("%1 — %2").arg(name, LimitNames::percent(group.worst.usage))
@@ -75,12 +98,17 @@ void ConstraintsView::fillGroups() {
     m_zone->setCurrentIndex(std::min(current, m_zone->count() - 1));
 }
 
+ConstraintsView::GroupKey ConstraintsView::keyOf(const LimitGroup& group) {
+    return {group.zone, group.section, group.standing};
+}
+
 /// The one the user chose, else the one that comes nearest to its limit.
 int ConstraintsView::wantedGroup() const {
     const auto& groups = m_good->limits.groups;
-    const int chosen = m_place ? limitGroupAt(m_good->limits, *m_place) : -1;
-    if (chosen >= 0 || groups.empty()) {
-        return chosen;
+    const auto same = [this](const LimitGroup& group) { return keyOf(group) == m_group; };
+    const auto chosen = std::ranges::find_if(groups, same);
+    if (chosen != groups.end() || groups.empty()) {
+        return groups.empty() ? -1 : static_cast<int>(chosen - groups.begin());
     }
     const auto nearest = [](const LimitGroup& group) {
         return std::pair(group.worst.usage, group.worst.depth_mm);
@@ -120,7 +148,7 @@ void ConstraintsView::choose(int row) {
         place = m_chosen->at.value_or(place);
         const int group = limitGroupAt(m_good->limits, place);
         if (group >= 0) {
-            m_place = place;
+            m_group = keyOf(m_good->limits.groups[static_cast<std::size_t>(group)]);
             showGroup(group);
         }
     }
@@ -166,11 +194,14 @@ void ConstraintsView::showState() {
     } else if (!drawn) {
         text = tr("The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or "
                   "sections help; the requirements below are of the whole cycle.");
-    } else if (m_plot->stepless()->dataCount() == 0) {
+    } else if (!feedIsLimited(*m_good)) {
         text = tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
                   "material, or the power of a drive. The links below lead to the fields.");
     } else if (m_good->result.status != RunStatus::completed) {
         text = Names::status(m_good->result.status);
+    } else if (!groupsAreLimited(*m_good)) {
+        text = tr("Coupled sections share the power of the drives, so it limits no section's feed "
+                  "by itself. The requirements below hold it against the whole length.");
     }
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/quality/constraints.h"
+#include "core/quality/limit_series.h"
 #include "ui/views/view.h"
 
 #include <optional>
 #include <string>
+#include <tuple>
 
 class QCheckBox;
 class QComboBox;
@@ -49,6 +51,9 @@ protected:
     void showOutcome() override;
 
 private:
+    using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands
+    [[nodiscard]] static GroupKey keyOf(const LimitGroup& group);
+
     void build(Settings* settings);
     void buildTools(QWidget* bar, Settings* settings);
     QWidget* buildMargins();
@@ -81,7 +86,7 @@ private:
     QLabel* m_values;
     PlotTools* m_tools = nullptr;
     OutcomePtr m_good;                        ///< what is shown
-    std::optional<Place> m_place;             ///< the group the user chose, by one of its cuts
+    std::optional<GroupKey> m_group;          ///< the user chose
     std::optional<ConstraintResult> m_chosen; ///< by the user, maybe of an earlier run
 };
 

@@ -177,7 +177,7 @@ void ConstraintsView::connectParts() {
     connect(m_legend, &LegendStrip::onlyAsked, m_plot, &ConstraintsPlot::showOnly);
     connect(m_zone, &QComboBox::currentIndexChanged, this, [this](int group) {
         if (m_good && group >= 0) {
-            m_place = m_good->limits.groups[static_cast<std::size_t>(group)].worst.place;
+            m_group = keyOf(m_good->limits.groups[static_cast<std::size_t>(group)]);
             showGroup(group);
             m_plot->replot();
             m_tools->navigation().noteView();

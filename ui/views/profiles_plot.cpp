@@ -41,6 +41,7 @@ void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
     const bool sameCells = shown.size() == m_cells.size() && !m_cells.empty();
     m_series = std::move(series);
     m_shown = std::move(shown);
+    addZones();
     if (!sameCells || arrangement() != m_arrangement) {
         m_sight.reset();
         rebuild();
@@ -67,8 +68,15 @@ void ProfilesPlot::setHidden(ProfileLines hidden) {
 
 void ProfilesPlot::setCircles(ReferenceCircles circles) {
     m_circles = circles;
+    addZones();
     m_sight.reset();
     rebuild(); // the numbers may take a line more
+}
+
+void ProfilesPlot::addZones() {
+    if (m_circles == ReferenceCircles::minimumZone) {
+        addMinimumZones(m_series, m_shown);
+    }
 }
 
 void ProfilesPlot::setDimmed(bool dim) {

@@ -101,6 +101,7 @@ private:
     void clearCells();
     void buildCell(Cell& cell, QCPLayoutGrid* into);
     void addCurves(Cell& cell);
+    void addZones(); ///< where they are shown
     void chooseMagnification();
     void fill();
     void fillCell(std::size_t index);

@@ -155,9 +155,16 @@ ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory
         p.mean_mm = std::accumulate(p.radii_mm.begin(), p.radii_mm.end(), 0.0)
                     / static_cast<double>(p.radii_mm.size());
         p.leastSquares = leastSquaresCircle(p.radii_mm, directions);
-        p.minimumZone = minimumZoneCircles(p.radii_mm, directions, p.leastSquares);
     }
     return series;
+}
+
+void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown) {
+    const Directions directions(series.blank_mm.size());
+    for (const int index : shown) {
+        Profile& p = series.profiles[static_cast<std::size_t>(index)];
+        p.minimumZone = minimumZoneCircles(p.radii_mm, directions, p.leastSquares);
+    }
 }
 
 int gaugeProfile(const SimulationResult& result) {

@@ -36,7 +36,7 @@ struct Profile {
     double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
     double mean_mm = 0;           ///< of the radii
     RoundnessZone leastSquares;
-    RoundnessZone minimumZone;
+    RoundnessZone minimumZone; ///< once addMinimumZones() has been asked for it
 };
 
 /// All profiles of a run after one double stroke or revolution.
@@ -65,6 +65,9 @@ struct ProfileSeries {
 [[nodiscard]] ProfileSeries makeProfileSeries(const SimulationResult& result,
                                               const Trajectory& trajectory,
                                               std::optional<int> stroke = {});
+
+/// The circles of the minimum zone for the profiles with these indices: each takes a search.
+void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown);
 
 /// Index of the zone or section that carries the gauge, or stands nearest to it.
 [[nodiscard]] int gaugeProfile(const SimulationResult& result);

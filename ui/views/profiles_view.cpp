@@ -74,10 +74,17 @@ void ProfilesView::showSeries() {
     const std::vector<int> shown = shownProfiles();
     m_across->setSeries(series, shown);
     m_along->setSeries(series, shaftSteps(m_good->result.project), shown);
-    m_spectrum->setSeries(series, shown);
+    showSpectrum();
     fillMagnifications();
     showStroke();
     showDescription();
+}
+
+/// Of the profiles shown across; nothing is computed while it is not in sight.
+void ProfilesView::showSpectrum() {
+    if (m_good && showsSpectrum()) {
+        m_spectrum->setSeries(m_across->series(), m_across->shown());
+    }
 }
 
 void ProfilesView::showState() {

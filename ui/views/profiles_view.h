@@ -76,6 +76,7 @@ private:
     void connectTools();
     void connectPlots();
     void showSeries();
+    void showSpectrum();
     void showState();
     void showStroke();
     void showLegend();

@@ -288,6 +288,7 @@ void ProfilesView::buildLabels() {
 void ProfilesView::connectTools() {
     connect(m_parts, &QComboBox::currentIndexChanged, this, [this] {
         showParts();
+        showSpectrum();
         showLegend();
         replotAll();
     });

@@ -75,6 +75,8 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
     retranslate();
     if (!same) {
         fit();
+    } else if (amplitudeAxis()->range() == m_fitted && highestBar() > m_fitted.upper) {
+        fitAmplitudes(); // nobody has zoomed, and the bars have grown out of it
     }
 }
 
@@ -82,6 +84,9 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
 
 void SpectrumPlot::rebuild(std::size_t count) {
     clearPlottables();
+    for (const Cell& cell : m_cells) {
+        delete cell.sideBySide; // a child of the plot, not of its cell
+    }
     plotLayout()->clear();
     m_caption = nullptr;
     m_cells.clear();
@@ -125,13 +130,13 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
     whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
     cell.rect->axis(QCPAxis::atBottom)->setTicker(whole);
     cell.rect->axis(QCPAxis::atBottom)->grid()->setVisible(false);
-    auto* group = new QCPBarsGroup(this);
-    group->setSpacing(0);
+    cell.sideBySide = new QCPBarsGroup(this);
+    cell.sideBySide->setSpacing(0);
     for (QCPBars** bars : {&cell.blank, &cell.profile}) {
         *bars = new QCPBars(cell.rect->axis(QCPAxis::atBottom), cell.rect->axis(QCPAxis::atLeft));
         (*bars)->setWidth(barShare);
         (*bars)->setBaseValue(barFloor_um);
-        (*bars)->setBarsGroup(group);
+        (*bars)->setBarsGroup(cell.sideBySide);
         (*bars)->removeFromLegend();
         (*bars)->setSelectable(QCP::stNone);
     }
@@ -159,25 +164,39 @@ void SpectrumPlot::link(QCPAxis* moved) {
     m_linking = false;
 }
 
-void SpectrumPlot::fit() {
-    if (m_cells.empty()) {
-        return;
-    }
+QCPAxis* SpectrumPlot::amplitudeAxis() const {
+    return m_cells.front().rect->axis(QCPAxis::atLeft);
+}
+
+double SpectrumPlot::highestBar() const {
     double highest = 0;
     for (const Cell& cell : m_cells) {
         for (const QCPBars* bars : {cell.blank, cell.profile}) {
             highest = std::max(highest, highestOf(*bars)); // the blank's too: one scale for all
         }
     }
+    return highest;
+}
+
+void SpectrumPlot::fit() {
+    if (m_cells.empty()) {
+        return;
+    }
     const int last = std::clamp(static_cast<int>(m_blank.size()) - 1, 2, undulationsInSight);
     style::setSafeRange(*m_cells.front().rect->axis(QCPAxis::atBottom), 0.4, last + 0.6);
-    QCPAxis& amplitude = *m_cells.front().rect->axis(QCPAxis::atLeft);
+    fitAmplitudes();
+}
+
+void SpectrumPlot::fitAmplitudes() {
+    QCPAxis& amplitude = *amplitudeAxis();
+    const double highest = highestBar();
     if (m_logarithmic) {
         style::setSafeRange(amplitude, faintest_um,
                             std::max(highest, 10 * faintest_um) * logarithmicRoom);
     } else {
         style::setSafeRange(amplitude, 0, std::max(highest, faintest_um) * spectrumRoom);
     }
+    m_fitted = amplitude.range();
 }
 
 // --- what is shown ------------------------------------------------------------------------------

@@ -46,6 +46,7 @@ private:
         QCPAxisRect* rect = nullptr;
         QCPBars* blank = nullptr;
         QCPBars* profile = nullptr;
+        QCPBarsGroup* sideBySide = nullptr;
         std::vector<Harmonic> left; ///< of the profile
         Zone zone = Zone::section;
         int section = 0;
@@ -57,12 +58,16 @@ private:
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
     void setScale(Cell& cell) const;
     void link(QCPAxis* moved);
+    [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
+    [[nodiscard]] double highestBar() const;      ///< [µm]
+    void fitAmplitudes();
     void show();
     void onMouse(QMouseEvent* event);
 
     std::vector<Harmonic> m_blank;
     std::vector<Cell> m_cells;
     QCPTextElement* m_caption = nullptr;
+    QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
     ProfileLines m_hidden;
     bool m_logarithmic = true;
     bool m_dim = false;
