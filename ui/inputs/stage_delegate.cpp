@@ -50,7 +50,7 @@ void drawShare(QPainter& painter, const QRect& bar, double share, const QColor& 
                      percentText(share));
 }
 
-const StageModel& modelOf(const QModelIndex& index) {
+const StageModel& stagesOf(const QModelIndex& index) {
     return *static_cast<const StageModel*>(index.model());
 }
 
@@ -58,7 +58,7 @@ const StageModel& modelOf(const QModelIndex& index) {
 
 QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                      const QModelIndex& index) const {
-    const Field& field = modelOf(index).field(index);
+    const Field& field = stagesOf(index).field(index);
     if (field.kind != Kind::sparkOut) {
         return ListDelegate::createEditor(parent, option, index);
     }
@@ -70,8 +70,8 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
         emit self->commitData(editor);
         emit self->closeEditor(editor);
     });
-    if (const QString refused = modelOf(index).refusedText(index); !refused.isNull()) {
-        editor->setValue(modelOf(index).stage(index).spark_out);
+    if (const QString refused = stagesOf(index).refusedText(index); !refused.isNull()) {
+        editor->setValue(stagesOf(index).stage(index).spark_out);
         editor->showRefused(refused);
     }
     return editor;
@@ -79,7 +79,7 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
 
 void StageDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     if (auto* sparkOut = qobject_cast<SparkOutEditor*>(editor)) {
-        sparkOut->setValue(modelOf(index).stage(index).spark_out);
+        sparkOut->setValue(stagesOf(index).stage(index).spark_out);
     } else {
         ListDelegate::setEditorData(editor, index);
     }
