@@ -76,7 +76,7 @@ const char* issueTemplate(IssueCode code) {
         return SPARKOUT_NOOP("Issue", "{value} would never reach size; allowed: {limit}");
     case IssueCode::stocksDoNotSumUp:
         return SPARKOUT_NOOP("Issue", "the stages' stocks sum to {value}, the part's stock is "
-                                      "{limit}; the first stage takes the difference");
+                                      "{limit}; the first stage takes what the later ones leave");
     case IssueCode::tooManyStages:
         return SPARKOUT_NOOP("Issue", "{value} stages need more gauge commands than there are; "
                                       "allowed: {limit}");

@@ -76,6 +76,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::RowsEditor</name>
+        <message numerus="yes">
+            <source>rows of %n number(s), a semicolon between them, as in 0 50; 200 80</source>
+            <translation>
+                <numerusform>rows of one number, a semicolon between them, as in 50; 80</numerusform>
+                <numerusform>rows of %n numbers, a semicolon between them, as in 0 50; 200 80</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::StageModel</name>
         <message numerus="yes">
             <source>%n double strokes</source>

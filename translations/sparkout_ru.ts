@@ -248,6 +248,13 @@
         </message>
     </context>
     <context>
+        <name>EstimateNames</name>
+        <message>
+            <source>Rests on estimates, to be calibrated: %1.</source>
+            <translation>Опирается на оценки, подлежащие калибровке: %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>FeedText</name>
         <message>
             <source>programmed feed</source>
@@ -279,7 +286,7 @@
         </message>
         <message>
             <source>normal force</source>
-            <translation>нормальная сила</translation>
+            <translation>радиальная сила</translation>
         </message>
         <message>
             <source>pass %1</source>
@@ -954,10 +961,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>rigid contact</source>
             <translation>жёсткий контакт</translation>
-        </message>
-        <message>
-            <source>Rows of force and contact stiffness, beyond the sources.</source>
-            <translation>Строки «сила — контактная жёсткость»; дополнение к источникам.</translation>
         </message>
         <message>
             <source>Range of the radial feed</source>
@@ -1915,6 +1918,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile. Interrupted surfaces (keyways, splines) are beyond the model: the wheel is taken to meet metal at every angle.</source>
             <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
         </message>
+        <message>
+            <source>Rows of force and contact stiffness, beyond the sources: 0 50; 200 80.</source>
+            <translation>Строки «сила, жёсткость контакта», сверх источников: 0 50; 200 80.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -2019,10 +2026,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>при {value} размер не будет достигнут никогда; допускается: {limit}</translation>
         </message>
         <message>
-            <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes the difference</source>
-            <translation>сумма припусков ступеней {value}, припуск детали {limit}; разницу снимает первая ступень</translation>
-        </message>
-        <message>
             <source>{value} stages need more gauge commands than there are; allowed: {limit}</source>
             <translation>ступеней {value}, это больше числа команд прибора; допускается: {limit}</translation>
         </message>
@@ -2057,6 +2060,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>the text is not valid JSON in UTF-8: line {value}, column {limit}</source>
             <translation>текст не является правильным JSON в UTF-8: строка {value}, столбец {limit}</translation>
+        </message>
+        <message>
+            <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes what the later ones leave</source>
+            <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
         </message>
     </context>
     <context>
@@ -2771,7 +2778,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Largest normal force P_y of any pass of the stage.</source>
-            <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
+            <translation>Наибольшая радиальная сила P_y по проходам ступени.</translation>
         </message>
         <message>
             <source>Wheel rev/min to work rev/min. Within %1 of a whole number the waves of a wheel out of true print onto one another: over ten revolutions they shift by less than half of their length.</source>
@@ -2828,10 +2835,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Сила Py, Н</translation>
         </message>
         <message>
-            <source>Wheel : work</source>
-            <translation>Круг : деталь</translation>
-        </message>
-        <message>
             <source>Q′w mean, mm³/(mm·s)</source>
             <translation>Q′w среднее, мм³/(мм·с)</translation>
         </message>
@@ -2854,6 +2857,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
             <translation>Круг и деталь вращаются как %1 : 1, почти целое число: волны от круга ложатся одна на другую. Немного измените частоту вращения детали.</translation>
+        </message>
+        <message>
+            <source>Rotation ratio</source>
+            <translation>Частоты n_к : n</translation>
         </message>
     </context>
     <context>
@@ -3903,10 +3910,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Результата ещё нет.</translation>
         </message>
         <message>
-            <source>The compliance is given, zone by zone or section by section. Leave it to stiffness and shaft on the page Machine to see what it is made of.</source>
-            <translation>Податливость задана по зонам или сечениям. Чтобы увидеть, из чего она складывается, предоставьте её на странице «Станок» жёсткости и валу.</translation>
-        </message>
-        <message>
             <source>%1 yields %2 times as much as %3.</source>
             <translation>%1 поддаётся в %2 раза сильнее, чем %3.</translation>
         </message>
@@ -3947,10 +3950,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Сечения связаны только при врезном шлифовании: там круг касается всех сразу.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not say how one section moves another. Leave it to stiffness and shaft on the page Machine.</source>
-            <translation>Податливость задана по сечениям, и неизвестно, как одно сечение смещает другое. Оставьте её жёсткости и валу на странице «Станок».</translation>
-        </message>
-        <message>
             <source>Computing… %1 of %2</source>
             <translation>Идёт расчёт… %1 из %2</translation>
         </message>
@@ -3989,6 +3988,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Make the best place the gauge's free position; can be undone</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
+        </message>
+        <message>
+            <source>The compliance is given, zone by zone or section by section. Choose "from stiffness and shaft" on the page Machine to see what it is made of.</source>
+            <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
+        </message>
+        <message>
+            <source>The compliance is given section by section, which does not say how one section moves another. Choose "from stiffness and shaft" on the page Machine.</source>
+            <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
     <context>
@@ -5770,6 +5777,21 @@ target, µm</source>
         <message>
             <source>Sliders of the selected row</source>
             <translation>Ползунки выбранной строки</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RowsEditor</name>
+        <message numerus="yes">
+            <source>rows of %n number(s), a semicolon between them, as in 0 50; 200 80</source>
+            <translation>
+                <numerusform>строки по %n числу через точку с запятой, например 50; 80</numerusform>
+                <numerusform>строки по %n числа через точку с запятой, например 0 50; 200 80</numerusform>
+                <numerusform>строки по %n чисел через точку с запятой, например 0 50; 200 80</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>the forces must rise from row to row, the stiffnesses lie above 0</source>
+            <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
         </message>
     </context>
     <context>

@@ -10,6 +10,8 @@
 #include <QDataStream>
 #include <QMenu>
 #include <QTabBar>
+#include <QTimer>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -211,6 +213,7 @@ bool ViewTabs::restoreState(const QByteArray& state) {
             detach(view);
             if (QWidget* window = windowOf(view)) {
                 window->restoreGeometry(*place);
+                QTimer::singleShot(0, window, &QWidget::raise); // the main window comes after it
             }
         }
     }

@@ -57,8 +57,9 @@ const StructInfo& tableOf<WheelContact>() {
             WheelContact, n_um_at_n, .label = SPARKOUT_NOOP("Input", "Contact stiffness at force"),
             .unit = "N, N/µm", .hard = {0, 1e7},
             .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"), .count = 2,
-            .hint =
-                SPARKOUT_NOOP("Input", "Rows of force and contact stiffness, beyond the sources."),
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP(
+                "Input", "Rows of force and contact stiffness, beyond the sources: 0 50; 200 80."),
             .source = "HASHIMOTO2020"),
     };
     static const StructInfo info =
@@ -178,11 +179,11 @@ const StructInfo& tableOf<Machine>() {
         SPARKOUT_FIELD(
             Machine, wheel_drive_kw, .label = SPARKOUT_NOOP("Input", "Wheel drive power"),
             .symbol = "N_k", .unit = "kW", .hard = {0, 1000, true},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Power of the wheel drive."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, work_drive_kw, .label = SPARKOUT_NOOP("Input", "Work drive power"),
                        .symbol = "N_d", .unit = "kW", .hard = {0, 1000, true},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Power of the work drive."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
@@ -191,7 +192,7 @@ const StructInfo& tableOf<Machine>() {
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Machine, wheel_contact, .label = SPARKOUT_NOOP("Input", "Wheel contact"),
-            .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "rigid contact"), .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "Contact compliance of the wheel in series, beyond the "
                                            "sources."),
             .source = "HASHIMOTO2020"),

@@ -46,21 +46,23 @@ const StructInfo& tableOf<Material>() {
         SPARKOUT_FIELD(
             Material, conductivity_w_mk, .label = SPARKOUT_NOOP("Input", "Thermal conductivity"),
             .symbol = "λ", .unit = "W/(m·K)", .hard = {0.1, 1000}, .soft = {10, 80},
-            .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
+            .page = Page::material, .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Material, diffusivity_mm2_s, .label = SPARKOUT_NOOP("Input", "Thermal diffusivity"),
             .symbol = "Ω", .unit = "mm²/s", .hard = {0.01, 500}, .soft = {3, 20},
-            .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."), .source = "MODEL-8"),
-        SPARKOUT_FIELD(Material, burn_rise_k,
-                       .label = SPARKOUT_NOOP("Input", "Burn temperature rise"), .symbol = "U",
-                       .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"),
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Temperature rise above which the metal's structure changes."),
-                       .source = "MODEL-8"),
+            .page = Page::material, .hint = SPARKOUT_NOOP("Input", "Of the part near the surface."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Material, burn_rise_k, .label = SPARKOUT_NOOP("Input", "Burn temperature rise"),
+            .symbol = "U", .unit = "K", .hard = {10, 3000}, .soft = {200, 1000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "burn not checked"), .page = Page::material,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Temperature rise above which the metal's structure changes."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Material, heat_share, .label = SPARKOUT_NOOP("Input", "Heat into the part"),
-            .symbol = "ε_w", .hard = {0, 1, true}, .soft = {0.05, 1},
+            .symbol = "ε_w", .hard = {0, 1, true}, .soft = {0.05, 1}, .page = Page::material,
             .hint = SPARKOUT_NOOP("Input", "Share of the grinding heat that enters the part."),
             .source = "MODEL-8"),
     };

@@ -50,7 +50,7 @@ const StructInfo& tableOf<Tolerance>() {
         SPARKOUT_FIELD(
             Tolerance, roundness_um, .label = SPARKOUT_NOOP("Input", "Roundness"), .symbol = "Δ_r",
             .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Greatest roundness deviation the drawing allows."),
             .source = "ISO12181"),
         SPARKOUT_FIELD(Tolerance, radial_runout_um,
@@ -64,18 +64,18 @@ const StructInfo& tableOf<Tolerance>() {
         SPARKOUT_FIELD(
             Tolerance, cylindricity_um, .label = SPARKOUT_NOOP("Input", "Cylindricity"),
             .symbol = "Δ_c", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Greatest cylindricity deviation the drawing allows."),
             .source = "ISO12180"),
         SPARKOUT_FIELD(
             Tolerance, total_runout_um, .label = SPARKOUT_NOOP("Input", "Total radial runout"),
             .symbol = "Δ_t", .unit = "µm", .hard = {0, 1000, true}, .soft = {0.1, 100},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Greatest radial runout over the whole ground length."),
             .source = "MODEL-7"),
         SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness Ra"),
                        .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Greatest arithmetic mean roughness the drawing allows."),
                        .source = "MODEL-8"),

@@ -23,6 +23,7 @@
 #include <QTest>
 
 #include <clocale>
+#include <functional>
 
 namespace test_forms {
 
@@ -44,7 +45,8 @@ void changeByHand(QWidget* widget) {
         }
         QTest::keyClick(number, Qt::Key_Return);
     } else if (auto* line = qobject_cast<QLineEdit*>(widget)) {
-        QTest::keyClicks(line, QStringLiteral("x"));
+        const bool rows = line->objectName().endsWith(QStringLiteral("/n_um_at_n"));
+        QTest::keyClicks(line, rows ? QStringLiteral("0 50; 200 80") : QStringLiteral("x"));
         QTest::keyClick(line, Qt::Key_Return);
     } else if (auto* text = qobject_cast<QPlainTextEdit*>(widget)) {
         QTest::keyClicks(text, QStringLiteral("x"));
@@ -107,6 +109,7 @@ private slots:
         Document document;
         Project project = newProject(static_cast<Operation>(operation));
         project.machine.stiffness_n_um.emplace();
+        project.machine.wheel_contact.emplace();
         document.startUntitled(project);
         InputsPanel panel(document);
         panel.resize(360, 640);
@@ -132,6 +135,33 @@ private slots:
             }
         }
         QVERIFY2(edited > 30, qPrintable(QString::number(edited)));
+    }
+
+    // What the engine judges by can be entered: every leaf of a part's inputs is on a page.
+    void everyInputHasItsPage() {
+        Document document;
+        InputsPanel panel(document);
+        QStringList missing;
+        const std::function<void(const StructInfo&, const std::string&)> look =
+            [&](const StructInfo& table, const std::string& path) {
+                for (const Field& field : table.fields) {
+                    const std::string at = path + "/" + field.key;
+                    if (field.kind == Kind::object || field.kind == Kind::optionalObject) {
+                        look(*field.nested, at);
+                    } else if (std::none_of(
+                                   panel.pages().begin(), panel.pages().end(),
+                                   [&](const FormPage* page) { return page->holds(at); })) {
+                        missing += QString::fromStdString(at);
+                    }
+                }
+            };
+        look(tableOf<Part>(), "/part");
+        look(tableOf<Material>(), "/material");
+        look(tableOf<Wheel>(), "/wheel");
+        look(tableOf<Machine>(), "/machine");
+        look(tableOf<Gauge>(), "/gauge");
+        look(tableOf<Cycle>(), "/cycle");
+        QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
     // A field loses the focus while it goes, and its row would look at what is gone.

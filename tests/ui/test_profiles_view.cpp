@@ -792,6 +792,13 @@ void TestProfilesView::aZoneChosenIsShownLarge() {
     settle();
     QCOMPARE(view.across()->axisRectCount(), 1);
     QCOMPARE(view.across()->shown(), std::vector<int>{2});
+    for (const QSize size : {QSize(560, 620), QSize(800, 620), QSize(1300, 900)}) {
+        view.resize(size); // numbers below the circle, or beside it
+        settle();
+        const QCPAxisRect* rect = view.across()->axisRect(0);
+        QVERIFY(std::min(rect->width(), rect->height())
+                > 0.6 * std::min(view.across()->width(), view.across()->height()));
+    }
     QTest::keyClick(section, Qt::Key_Home);
     QCOMPARE(view.across()->axisRectCount(), 3);
 }

@@ -5,6 +5,7 @@
 #include "ui/inputs/number_editor.h"
 #include "ui/inputs/radii_editor.h"
 #include "ui/inputs/range_editor.h"
+#include "ui/inputs/rows_editor.h"
 #include "ui/inputs/text_editor.h"
 #include "ui/session/defaults.h"
 #include "ui/session/document.h"
@@ -90,6 +91,7 @@ std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& fi
             return std::make_unique<RangeEditor>(path, field, document, parent);
         }
         return nullptr;
+    case Kind::numberRows: return std::make_unique<RowsEditor>(path, field, document, parent);
     default: return nullptr;
     }
 }

@@ -195,14 +195,18 @@ void ComplianceView::showState() {
     const QString text = notice();
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{m_plot, m_legend, m_values, m_summary, m_content}) {
-        part->setVisible(m_good != nullptr);
+    const bool comparable =
+        m_good && couplingOf(m_good->result.project) == CouplingAnswer::comparable;
+    const bool drawn = m_good && (m_plot->content() != ComplianceContent::coupling || comparable);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values}) {
+        part->setVisible(drawn);
     }
+    m_summary->setVisible(m_good != nullptr);
+    m_content->setVisible(m_good != nullptr);
     m_put->setVisible(m_good && m_plot->content() == ComplianceContent::gauge);
     m_put->setEnabled(canPutGauge());
     m_summary->setText(summary());
-    m_tools->setEnabled(m_good != nullptr);
+    m_tools->setEnabled(drawn);
 }
 
 QString ComplianceView::notice() const {
@@ -218,10 +222,10 @@ QString ComplianceView::notice() const {
     const Project& project = m_good->result.project;
     switch (m_plot->content()) {
     case ComplianceContent::compliance:
-        return m_plot->places().empty()
-                   ? tr("The compliance is given, zone by zone or section by section. Leave it to "
-                        "stiffness and shaft on the page Machine to see what it is made of.")
-                   : QString();
+        return m_plot->places().empty() ? tr(
+                   "The compliance is given, zone by zone or section by section. Choose \"from "
+                   "stiffness and shaft\" on the page Machine to see what it is made of.")
+                                        : QString();
     case ComplianceContent::gauge:
         if (project.gauge.control == Control::position) {
             return tr("Stages end by the position of the wheel head: the gauge has no say, and all "
@@ -240,7 +244,7 @@ QString ComplianceView::notice() const {
                   "them at once.");
     case CouplingAnswer::givenCompliance:
         return tr("The compliance is given section by section, which does not say how one section "
-                  "moves another. Leave it to stiffness and shaft on the page Machine.");
+                  "moves another. Choose \"from stiffness and shaft\" on the page Machine.");
     case CouplingAnswer::comparable: break;
     }
     return {};

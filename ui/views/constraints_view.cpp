@@ -6,6 +6,7 @@
 #include "ui/metrics.h"
 #include "ui/views/constraints_plot.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/estimate_names.h"
 #include "ui/views/formula_text.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/light_icon.h"
@@ -174,6 +175,9 @@ void ConstraintsView::showSheet() {
         if (const auto sheet = constraintSheet(m_good->result, m_good->accuracy, *about)) {
             text << QString() << formulaText(*sheet);
         }
+        if (const QString estimates = EstimateNames::behind(about->kind); !estimates.isEmpty()) {
+            text << QString() << estimates;
+        }
     }
     m_sheet->setPlainText(text.join(u'\n'));
 }
@@ -205,6 +209,7 @@ void ConstraintsView::showState() {
     }
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
+    m_off->clear(); // links take the palette's colour when the text is another
     m_off->setText(offText());
     m_off->setVisible(m_good && !m_off->text().isEmpty());
     m_splitter->setVisible(m_good != nullptr);
@@ -285,7 +290,7 @@ void ConstraintsView::changeEvent(QEvent* event) {
         retranslate();
     } else if (event->type() == QEvent::PaletteChange) {
         drawIcons();
-        showState(); // links take their colour from the palette when they are set
+        showState();
     }
 }
 

@@ -15,6 +15,7 @@ namespace {
 constexpr int numberLines = 2; ///< and one of the roundness
 constexpr double markSize_px = 8;
 constexpr int besideLetters = 26; ///< room for numbers beside a cell
+constexpr int tallest = QWIDGETSIZE_MAX - 1;
 
 int widthOf(const QString& lines, const QFontMetrics& metrics) {
     int width = 0;
@@ -105,6 +106,7 @@ void ProfilesPlot::buildCell(Cell& cell, QCPLayoutGrid* into) {
         into->addElement(1, 1, cell.numbers);
         into->setColumnStretchFactor(1, 0.001);
         cell.numbers->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+        cell.numbers->setMaximumSize(tallest, tallest); // else its lines are the row's height
     } else {
         into->addElement(2, 0, cell.numbers);
         into->setRowStretchFactor(2, 0.001);

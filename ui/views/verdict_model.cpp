@@ -2,6 +2,7 @@
 #include "ui/views/verdict_model.h"
 
 #include "ui/session/texts.h"
+#include "ui/views/estimate_names.h"
 #include "ui/views/names.h"
 
 #include <QCoreApplication>
@@ -208,10 +209,14 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     case Qt::DecorationRole:
         return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
     case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole:
-        return QStringLiteral("%1, %2: %3")
-            .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
-                 first ? lightName(light) : shown);
+    case Qt::AccessibleTextRole: {
+        const QString told =
+            QStringLiteral("%1, %2: %3")
+                .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
+                     first ? lightName(light) : shown);
+        const QString estimates = EstimateNames::behind(row.constraint->kind);
+        return role == Qt::ToolTipRole && !estimates.isEmpty() ? told + u'\n' + estimates : told;
+    }
     default: return {};
     }
 }

@@ -98,7 +98,7 @@ QString label(ShopRow row, Operation operation) {
     case ShopRow::peakPower: return ShopText::tr("Power, kW");
     case ShopRow::meanPower: return ShopText::tr("   mean", "power");
     case ShopRow::normalForce: return ShopText::tr("Force Py, N");
-    case ShopRow::rotationRatio: return ShopText::tr("Wheel : work");
+    case ShopRow::rotationRatio: return ShopText::tr("Rotation ratio");
     }
     return {};
 }

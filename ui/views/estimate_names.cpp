@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/estimate_names.h"
+
+#include "core/quality/estimates.h"
+#include "ui/session/texts.h"
+
+#include <QStringList>
+
+namespace sparkout {
+
+QString EstimateNames::behind(ConstraintKind kind) {
+    QStringList names;
+    for (const Field* field : estimatesBehind(kind)) {
+        names += inputText(field->label).toLower();
+    }
+    return names.isEmpty() ? QString()
+                           : tr("Rests on estimates, to be calibrated: %1.").arg(names.join(u", "));
+}
+
+} // namespace sparkout

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace sparkout {
+
+/// Marks the values that rest on estimates.
+class EstimateNames {
+    Q_DECLARE_TR_FUNCTIONS(EstimateNames)
+public:
+    /// "Rests on estimates, to be calibrated: …"; empty for a setting.
+    static QString behind(ConstraintKind kind);
+};
+
+} // namespace sparkout
