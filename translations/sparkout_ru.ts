@@ -4381,6 +4381,10 @@ target, µm</source>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
         </message>
+        <message>
+            <source>The thick upright line is where the cycle stands: the bar below the views moves it, and so does a click into a plot. Without it the cycle is at its end.</source>
+            <translation>Толстая вертикальная линия показывает, где сейчас цикл: её двигает панель под графиками и щелчок по графику. Без линии цикл показан до конца.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FeedsOverview</name>
@@ -4994,6 +4998,10 @@ mm/min</source>
         <message>
             <source>Wheel and part</source>
             <translation>Круг и деталь</translation>
+        </message>
+        <message>
+            <source>Heights are exaggerated. As the model has it, a zone is ground during the whole stroke; and all that yields is drawn at the part.</source>
+            <translation>Высоты увеличены. По модели зона шлифуется в течение всего хода; всё отжатие показано у детали.</translation>
         </message>
     </context>
     <context>

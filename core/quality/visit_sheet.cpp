@@ -8,27 +8,12 @@
 #include "core/simulation/progress.h"
 #include "core/text.h"
 
-#include <cmath>
-
 namespace sparkout {
 
 namespace {
 
-/// What was cut and the force of it, where the balance has more than one radius or spring.
-void stateAsFound(FormulaSheet& sheet, const Project& project, const Visit& visit, double b,
-                  double h) {
-    const Cutting cutting = cuttingOf(project);
-    const double a = visit.actual_mm;
-    stateContact(&sheet, project, cutting);
-    stateNormal(&sheet, project, cutting);
-    state(&sheet, "{a}", {"a", a, "mm"}, {});
-    state(&sheet, "{P_y} = {b}·({k_s}·{a} + {k_r}·√({a}))",
-          {"P_y", cutting.law.normal(b, std::sqrt(a)), "N"},
-          {{"b", b, "mm"},
-           {"k_s", cutting.law.ks, "MPa"},
-           {"a", a, "mm"},
-           {"k_r", cutting.law.kr, "N/mm^1.5"}});
-    state(&sheet, "{y} = {h} − {a}", {"y", h - a, "mm"}, {{"h", h, "mm"}, {"a", a, "mm"}});
+void append(FormulaSheet& sheet, const FormulaSheet& more) {
+    sheet.steps.insert(sheet.steps.end(), more.steps.begin(), more.steps.end());
 }
 
 } // namespace
@@ -55,11 +40,12 @@ FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajec
     if (!(a > 0)) {
         state(&sheet, "{a}", {"a", 0, "mm"}, {}); // the wheel does not touch it
     } else if (isCoupled(project) || wheelContact(project)) {
-        stateAsFound(sheet, project, visit, b, h);
+        state(&sheet, "{a}", {"a", a, "mm"}, {});
+        append(sheet, normalForceSheet(project, b, a));
+        state(&sheet, "{y} = {h} − {a}", {"y", h - a, "mm"}, {{"h", h, "mm"}, {"a", a, "mm"}});
     } else {
         const double gamma = compliantPoints(project)[sectionOf(of.place)].gamma_mm_n;
-        const FormulaSheet balance = balanceSheet(project, b, gamma, h);
-        sheet.steps.insert(sheet.steps.end(), balance.steps.begin(), balance.steps.end());
+        append(sheet, balanceSheet(project, b, gamma, h));
     }
     const FormulaTerm cut{"a", a, "mm"}, left{"R_k′", after, "mm"};
     const FormulaTerm target{"R_t", targetRadius(project.part), "mm"};
