@@ -36,7 +36,7 @@ constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 constexpr const char* usage =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
-    "                [--size WIDTHxHEIGHT] FILE\n"
+    "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
@@ -44,6 +44,7 @@ constexpr const char* usage =
     "  --lang en|ru       language of the window, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
+    "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
     "  --size WxH         size of the window, 1366x768 unless told\n"
     "  --version          print the version\n"
     "  --help             print this text\n"
@@ -58,6 +59,7 @@ struct Options {
     QString language;
     QString theme;
     QString view;
+    std::optional<int> stroke;
     QSize size{1366, 768};
     bool version = false;
     bool help = false;
@@ -95,6 +97,12 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         }
     } else if (word == u"--view") {
         options.view = words[++i];
+    } else if (word == u"--stroke") {
+        bool read = false;
+        options.stroke = words[++i].toInt(&read);
+        if (!read || *options.stroke < 0) {
+            options.fault = QStringLiteral("--stroke is a whole number from 0 on");
+        }
     } else if (word == u"--size") {
         if (!readSize(words[++i], options.size)) {
             options.fault = QStringLiteral("--size is WIDTHxHEIGHT, 400x300 to 10000x10000");
@@ -189,6 +197,9 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     window.resize(options.size);
     window.show();
     QObject::connect(&window, &MainWindow::outcomeShown, &app, [&] {
+        if (options.stroke) {
+            window.cursor().toStroke(*options.stroke);
+        }
         QTimer::singleShot(pictureSettle_ms, &app, [&] {
             app.exit(writePicture(window, options.picture) ? 0 : exitRefused);
         });

@@ -641,6 +641,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Cylindricity deviation</source>
             <translation>Отклонение от цилиндричности</translation>
         </message>
+        <message>
+            <source>Elastic balance of one radius</source>
+            <translation>Упругий баланс для одного радиуса</translation>
+        </message>
     </context>
     <context>
         <name>GaugeCurves</name>
@@ -2067,6 +2071,33 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>LayersLook</name>
+        <message>
+            <source>stage %1</source>
+            <translation>ступень %1</translation>
+        </message>
+        <message>
+            <source>Double stroke %1, stage %2</source>
+            <translation>Двойной ход %1, ступень %2</translation>
+        </message>
+        <message>
+            <source>Revolution %1, stage %2</source>
+            <translation>Оборот %1, ступень %2</translation>
+        </message>
+        <message>
+            <source>Double strokes %1…%2, stage %3</source>
+            <translation>Двойные ходы %1…%2, ступень %3</translation>
+        </message>
+        <message>
+            <source>Revolutions %1…%2, stage %3</source>
+            <translation>Обороты %1…%2, ступень %3</translation>
+        </message>
+        <message>
+            <source>%1, %2: takes off %3 µm, %4 µm so far, radius %5 µm from target</source>
+            <translation>%1, %2: снимается %3 мкм, всего снято %4 мкм, радиус %5 мкм от целевого</translation>
+        </message>
+    </context>
+    <context>
         <name>LengthCurves</name>
         <message>
             <source>Diameter from the middle of the field, µm</source>
@@ -2439,6 +2470,26 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>dwell after return</source>
             <translation>2-я задержка</translation>
         </message>
+        <message>
+            <source>Before the first touch</source>
+            <translation>До первого касания</translation>
+        </message>
+        <message>
+            <source>After double stroke %1 of %2</source>
+            <translation>После двойного хода %1 из %2</translation>
+        </message>
+        <message>
+            <source>After revolution %1 of %2</source>
+            <translation>После оборота %1 из %2</translation>
+        </message>
+        <message>
+            <source>Within double stroke %1 of %2</source>
+            <translation>Внутри двойного хода %1 из %2</translation>
+        </message>
+        <message>
+            <source>Within revolution %1 of %2</source>
+            <translation>Внутри оборота %1 из %2</translation>
+        </message>
     </context>
     <context>
         <name>OperationNotice</name>
@@ -2457,6 +2508,23 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>section by section</source>
             <translation>по сечениям</translation>
+        </message>
+    </context>
+    <context>
+        <name>PartCell</name>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Radius from
+target, µm</source>
+            <translation>Радиус от
+целевого, мкм</translation>
+        </message>
+        <message>
+            <source>axis of rotation</source>
+            <translation>ось вращения</translation>
         </message>
     </context>
     <context>
@@ -2650,18 +2718,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>%1, %2: radius %3 µm from target, mean %4 µm; diameter %5 µm from nominal; runout %6 µm</source>
             <translation>%1, %2: радиус %3 мкм от целевого, средний %4 мкм; диаметр %5 мкм от номинала; биение %6 мкм</translation>
-        </message>
-        <message>
-            <source>Before the first touch</source>
-            <translation>До первого касания</translation>
-        </message>
-        <message>
-            <source>After double stroke %1 of %2</source>
-            <translation>После двойного хода %1 из %2</translation>
-        </message>
-        <message>
-            <source>After revolution %1 of %2</source>
-            <translation>После оборота %1 из %2</translation>
         </message>
         <message>
             <source>%1, stage %2</source>
@@ -4332,6 +4388,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
         </message>
+        <message>
+            <source>The thick upright line is where the cycle stands: the bar below the views moves it, and so does a click into a plot. Without it the cycle is at its end.</source>
+            <translation>Толстая вертикальная линия показывает, где сейчас цикл: её двигает панель под графиками и щелчок по графику. Без линии цикл показан до конца.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FeedsOverview</name>
@@ -4787,6 +4847,171 @@ mm/min</source>
         </message>
     </context>
     <context>
+        <name>sparkout::LayersPlot</name>
+        <message>
+            <source>initial radius</source>
+            <translation>исходный радиус</translation>
+        </message>
+        <message>
+            <source>final radius</source>
+            <translation>конечный радиус</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <translation>целевой радиус</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>From double stroke or revolution</source>
+            <translation>С двойного хода или оборота</translation>
+        </message>
+        <message>
+            <source>To double stroke or revolution</source>
+            <translation>По двойной ход или оборот</translation>
+        </message>
+        <message>
+            <source>%1, taken off, µm</source>
+            <translation>%1, снято, мкм</translation>
+        </message>
+        <message>
+            <source>%1, so far, µm</source>
+            <translation>%1, всего снято, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LayersSurface</name>
+        <message>
+            <source>Length, mm</source>
+            <translation>Длина, мм</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Accumulated actual feed, µm</source>
+            <translation>Накопленная фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>Number of double strokes or revolutions</source>
+            <translation>Число двойных ходов или оборотов</translation>
+        </message>
+        <message>
+            <source>%1, accumulated actual feed, µm</source>
+            <translation>%1, накопленная фактическая подача, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LayersView</name>
+        <message>
+            <source>Point at a layer to read the values.</source>
+            <translation>Наведите указатель на слой, чтобы прочесть значения.</translation>
+        </message>
+        <message>
+            <source>Layers</source>
+            <translation>Слои</translation>
+        </message>
+        <message>
+            <source>Mean of the radii</source>
+            <translation>Среднее по радиусам</translation>
+        </message>
+        <message>
+            <source>Radius %1, %2°</source>
+            <translation>Радиус %1, %2°</translation>
+        </message>
+        <message>
+            <source>Drag or press the arrow keys to turn the surface; the wheel zooms.</source>
+            <translation>Поверхность поворачивают мышью или стрелками; колесо мыши меняет масштаб.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the layers are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; показаны слои по последним принятым.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded: its layers are not drawn. Fewer radii or sections help.</source>
+            <translation>Цикл слишком длинный для записи: его слои не показаны. Поможет меньшее число радиусов или сечений.</translation>
+        </message>
+        <message>
+            <source>%1: %2 µm off everywhere.</source>
+            <translation>%1: всюду снято %2 мкм.</translation>
+        </message>
+        <message>
+            <source>%1: most off %2, %3 µm; least off %4, %5 µm.</source>
+            <translation>%1. Больше всего снято: %2, %3 мкм; меньше всего: %4, %5 мкм.</translation>
+        </message>
+        <message>
+            <source>Layers of the stock along the part</source>
+            <translation>Слои припуска вдоль детали</translation>
+        </message>
+        <message>
+            <source>Accumulated actual feed over length and number</source>
+            <translation>Накопленная фактическая подача по длине и номеру хода</translation>
+        </message>
+        <message>
+            <source>Legend of the layers</source>
+            <translation>Условные обозначения слоёв</translation>
+        </message>
+        <message>
+            <source>State of the layers</source>
+            <translation>Состояние слоёв</translation>
+        </message>
+        <message>
+            <source>How much has come off</source>
+            <translation>Сколько снято</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Stacked layers</source>
+            <translation>Слои в разрезе</translation>
+        </message>
+        <message>
+            <source>Surface</source>
+            <translation>Поверхность</translation>
+        </message>
+        <message>
+            <source>How the layers are drawn</source>
+            <translation>Как показаны слои</translation>
+        </message>
+        <message>
+            <source>Radius whose layers are drawn</source>
+            <translation>Радиус, слои которого показаны</translation>
+        </message>
+        <message>
+            <source>Wheel and part from the side, heights exaggerated</source>
+            <translation>Круг и деталь сбоку, высоты увеличены</translation>
+        </message>
+        <message>
+            <source>Wheel and part</source>
+            <translation>Круг и деталь</translation>
+        </message>
+        <message>
+            <source>Heights are exaggerated. As the model has it, a zone is ground during the whole stroke; and all that yields is drawn at the part.</source>
+            <translation>Высоты увеличены. По модели зона шлифуется в течение всего хода; всё отжатие показано у детали.</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::LegendStrip</name>
         <message>
             <source>Click: hide or show the curve. Ctrl+click: show only this one. Keyboard: arrows, Space, Ctrl+Space.</source>
@@ -5040,6 +5265,10 @@ target, µm</source>
             <source>The forces of the coupled sections were not found.</source>
             <translation>Силы в связанных сечениях не найдены.</translation>
         </message>
+        <message>
+            <source>Formulas of the step</source>
+            <translation>Формулы этапа</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarginModel</name>
@@ -5180,6 +5409,115 @@ target, µm</source>
         <message>
             <source>unusual; usual: %1</source>
             <translation>необычное значение; обычно: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PlaybackBar</name>
+        <message>
+            <source>Nothing to play</source>
+            <translation>Нечего показывать</translation>
+        </message>
+        <message>
+            <source>Pause</source>
+            <translation>Пауза</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>Пуск</translation>
+        </message>
+        <message>
+            <source>Stop the cycle here</source>
+            <translation>Остановить цикл здесь</translation>
+        </message>
+        <message>
+            <source>Let the cycle run, from the blank if it is at its end</source>
+            <translation>Показать ход цикла; с конца — заново с заготовки</translation>
+        </message>
+        <message>
+            <source>by stage</source>
+            <translation>по ступеням</translation>
+        </message>
+        <message>
+            <source>by double stroke</source>
+            <translation>по двойным ходам</translation>
+        </message>
+        <message>
+            <source>by step</source>
+            <translation>по этапам</translation>
+        </message>
+        <message>
+            <source>by revolution</source>
+            <translation>по оборотам</translation>
+        </message>
+        <message>
+            <source>by radius</source>
+            <translation>по радиусам</translation>
+        </message>
+        <message>
+            <source>%1 a second</source>
+            <comment>steps of the playback</comment>
+            <translation>%1 в секунду</translation>
+        </message>
+        <message>
+            <source>Playback of the cycle</source>
+            <translation>Показ хода цикла</translation>
+        </message>
+        <message>
+            <source>To the blank</source>
+            <translation>К заготовке</translation>
+        </message>
+        <message>
+            <source>One step back</source>
+            <translation>На шаг назад</translation>
+        </message>
+        <message>
+            <source>One step on</source>
+            <translation>На шаг вперёд</translation>
+        </message>
+        <message>
+            <source>To the end of the cycle</source>
+            <translation>К концу цикла</translation>
+        </message>
+        <message>
+            <source>What one step of the playback is</source>
+            <translation>Что считается шагом показа</translation>
+        </message>
+        <message>
+            <source>Speed of the playback, steps a second</source>
+            <translation>Скорость показа, шагов в секунду</translation>
+        </message>
+        <message>
+            <source>Place in the cycle</source>
+            <translation>Место в цикле</translation>
+        </message>
+        <message>
+            <source>Blank, before the first touch</source>
+            <translation>Заготовка, до первого касания</translation>
+        </message>
+        <message>
+            <source>Stage %1, double stroke %2 of %3</source>
+            <translation>Ступень %1, двойной ход %2 из %3</translation>
+        </message>
+        <message>
+            <source>Stage %1, revolution %2 of %3</source>
+            <translation>Ступень %1, оборот %2 из %3</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <comment>what a step is; the zones and their steps</comment>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>radius %1</source>
+            <translation>радиус %1</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 с</translation>
         </message>
     </context>
     <context>
@@ -5864,6 +6202,61 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::SidePlot</name>
+        <message>
+            <source>wheel</source>
+            <translation>круг</translation>
+        </message>
+        <message>
+            <source>surface, given way</source>
+            <translation>поверхность под нагрузкой</translation>
+        </message>
+        <message>
+            <source>without load</source>
+            <translation>без нагрузки</translation>
+        </message>
+        <message>
+            <source>tolerance field</source>
+            <translation>поле допуска</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>From, mm</source>
+            <translation>От, мм</translation>
+        </message>
+        <message>
+            <source>To, mm</source>
+            <translation>До, мм</translation>
+        </message>
+        <message>
+            <source>Radius from target, µm</source>
+            <translation>Радиус от целевого, мкм</translation>
+        </message>
+        <message>
+            <source>Yield, µm</source>
+            <translation>Отжатие, мкм</translation>
+        </message>
+        <message>
+            <source>y %1 µm</source>
+            <translation>y %1 мкм</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>ПАК</translation>
+        </message>
+        <message>
+            <source>%1, radius %2: the wheel does not touch it; programmed %3 µm.</source>
+            <translation>%1, радиус %2: круг его не касается; программная подача %3 мкм.</translation>
+        </message>
+        <message>
+            <source>%1, radius %2: programmed %3 µm; lag %4 µm = cut %5 µm + yield %6 µm; normal force %7 N.</source>
+            <translation>%1, радиус %2: программная подача %3 мкм; отставание %4 мкм = срез %5 мкм + отжатие %6 мкм; нормальная сила %7 Н.</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::SizeHelper</name>
         <message>
             <source>Tolerance class</source>
@@ -6012,6 +6405,54 @@ target, µm</source>
         <message>
             <source>Move the stage down</source>
             <translation>Переместить ступень вниз</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StepSheet</name>
+        <message>
+            <source>%1, %2: %3</source>
+            <comment>zone, E1, what that is</comment>
+            <translation>%1, %2: %3</translation>
+        </message>
+        <message>
+            <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
+            <translation>Деталь ещё не тронута. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
+        </message>
+        <message>
+            <source>No cycle has been recorded.</source>
+            <translation>Цикл не записан.</translation>
+        </message>
+        <message>
+            <source>radius k = %1</source>
+            <translation>радиус k = %1</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1, %2, %3</source>
+            <translation>%1, %2, %3</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>Formulas of the step</source>
+            <translation>Формулы этапа</translation>
+        </message>
+        <message>
+            <source>Zone or section under the wheel</source>
+            <translation>Зона или сечение под кругом</translation>
+        </message>
+        <message>
+            <source>Place in the cycle</source>
+            <translation>Место в цикле</translation>
+        </message>
+        <message>
+            <source>Balance of the radius with its numbers</source>
+            <translation>Баланс для радиуса с числами</translation>
         </message>
     </context>
     <context>

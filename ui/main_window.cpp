@@ -9,13 +9,16 @@
 #include "ui/keyboard.h"
 #include "ui/notice_bar.h"
 #include "ui/operation_notice.h"
+#include "ui/playback_bar.h"
 #include "ui/recent_files_menu.h"
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
 #include "ui/views/compliance_view.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/feeds_view.h"
+#include "ui/views/layers_view.h"
 #include "ui/views/profiles_view.h"
+#include "ui/views/step_sheet.h"
 #include "ui/views/verdict_panel.h"
 #include "ui/views/verdict_why.h"
 
@@ -29,6 +32,7 @@
 #include <QScreen>
 #include <QStatusBar>
 #include <QUrl>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -71,6 +75,8 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_constraints(new ConstraintsView(this, &m_settings))
     , m_verdict(new VerdictPanel(this))
     , m_messages(new MessagesPanel(this))
+    , m_playback(new PlaybackBar(m_cursor, this))
+    , m_sheet(new StepSheet(m_cursor, this))
     , m_status(new QLabel(this))
     , m_time(new QLabel(this))
     , m_actions(new Actions(*this))
@@ -95,16 +101,26 @@ MainWindow::~MainWindow() {
     delete m_files; // keeps the last changes of the document
     m_document.disconnect();
     delete m_inputsDock; // its fields look at the document
+    delete m_sheetDock;  // it looks at the cursor of the cycle
+    delete m_playback;   // likewise
 }
 
 void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
+    auto* layers = new LayersView(this, &m_settings);
     for (View* view :
-         std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance}) {
+         std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance, layers}) {
         m_tabs->addView(view);
+        view->shareCycle(&m_cursor);
     }
-    setCentralWidget(m_files->notices().above(m_tabs));
+    auto* middle = new QWidget(this);
+    auto* column = new QVBoxLayout(middle);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_tabs, 1);
+    column->addWidget(m_playback);
+    setCentralWidget(m_files->notices().above(middle));
 }
 
 /// Its compliance is that of the place, so a given one goes.
@@ -132,9 +148,18 @@ void MainWindow::buildDocks() {
     m_inputsDock = addDock(m_inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea);
     m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
     m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
+    m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
     m_inputs->setMinimumWidth(inputsWidth);
+    QAction* const sheet = m_sheetDock->toggleViewAction();
+    sheet->setIcon(themeIcon(u"formula"));
+    m_playback->addTool(sheet);
+    connect(sheet, &QAction::triggered, this, [this](bool shown) {
+        if (shown) { // below the verdict, if it has not been moved
+            resizeDocks({m_verdictDock, m_sheetDock}, {2, 3}, Qt::Vertical);
+        }
+    });
     m_actions->addDocks({m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
-                         m_messagesDock->toggleViewAction()});
+                         m_messagesDock->toggleViewAction(), sheet});
     const QList<QAction*> shows = m_actions->addViews(static_cast<int>(views().size()));
     for (int i = 0; i < shows.size(); ++i) {
         View* view = views()[std::size_t(i)];
@@ -159,13 +184,14 @@ bool MainWindow::showView(const QString& name) {
 
 void MainWindow::resetLayout() {
     m_tabs->attachAll();
-    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock}) {
+    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock, m_sheetDock}) {
         dock->setFloating(false);
-        dock->show();
+        dock->setVisible(dock != m_sheetDock);
     }
     addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
     addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
+    splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
     resizeDocks({m_inputsDock, m_verdictDock}, {inputsWidth, verdictWidth}, Qt::Horizontal);
     resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
 }
@@ -298,6 +324,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
     m_outcome = outcome;
     m_inputs->setOutcome(outcome);
     m_messages->setOutcome(outcome);
+    m_cursor.setOutcome(outcome);
     for (View* view : views()) {
         view->setOutcome(outcome);
     }
@@ -378,7 +405,7 @@ void MainWindow::movePanel(int by) {
             panels += window;
         }
     }
-    sparkout::movePanel(panels + QList<QWidget*>{m_verdict, m_messages}, by);
+    sparkout::movePanel(panels + QList<QWidget*>{m_playback, m_verdict, m_sheet, m_messages}, by);
 }
 
 void MainWindow::toggleDetached() {
@@ -392,9 +419,12 @@ void MainWindow::retranslate() {
     m_actions->showLanguage(m_language.code());
     m_actions->showTheme(appliedTheme());
     m_actions->nameViews(views());
+    m_playback->retranslate();
     m_inputsDock->setWindowTitle(tr("Inputs"));
     m_verdictDock->setWindowTitle(tr("Verdict"));
     m_messagesDock->setWindowTitle(tr("Messages"));
+    m_sheetDock->setWindowTitle(tr("Formulas of the step"));
+    m_sheet->retranslate();
     nameQtButtons(*this);
     m_inputs->setAccessibleName(tr("Inputs"));
     m_status->setAccessibleName(tr("Status"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/language.h"
+#include "ui/session/cycle_cursor.h"
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
 #include "ui/session/settings.h"
@@ -23,7 +24,9 @@ class FeedsView;
 class FileCommands;
 class InputsPanel;
 class MessagesPanel;
+class PlaybackBar;
 class ProfilesView;
+class StepSheet;
 class VerdictPanel;
 class View;
 class ViewTabs;
@@ -45,6 +48,7 @@ public:
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
     bool showView(const QString& name); ///< by object name or number from 1; false when none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+    [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
 
 signals:
     void outcomeShown(); ///< the views have been given a new outcome
@@ -80,6 +84,7 @@ private:
     Language& m_language;
     Document m_document;
     OutcomePtr m_outcome;
+    CycleCursor m_cursor;
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
     FeedsView* m_feeds;
@@ -87,9 +92,12 @@ private:
     ConstraintsView* m_constraints;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
+    PlaybackBar* m_playback;
+    StepSheet* m_sheet;
     QDockWidget* m_inputsDock = nullptr;
     QDockWidget* m_verdictDock = nullptr;
     QDockWidget* m_messagesDock = nullptr;
+    QDockWidget* m_sheetDock = nullptr;
     QLabel* m_status;
     QLabel* m_time;
     Actions* m_actions;

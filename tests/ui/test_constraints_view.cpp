@@ -27,6 +27,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -103,6 +104,37 @@ class TestConstraintsView : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A line where the cycle stands: at the stock that the newest cut of the group has left.
+    void aLineMarksTheStockAtTheCyclesMoment() {
+        const OutcomePtr outcome = run(limitedProject());
+        CycleCursor cycle;
+        cycle.setOutcome(outcome);
+        ConstraintsView view;
+        view.shareCycle(&cycle);
+        view.resize(760, 620);
+        view.show();
+        QSignalSpy updated(&view, &View::updated);
+        view.setOutcome(outcome);
+        QTRY_COMPARE(updated.count(), 1);
+        QVERIFY(!view.plot()->moment_um()); // all is ground
+        const auto group = static_cast<std::size_t>(view.plot()->group());
+        const std::vector<LimitedCut>& cuts = outcome->limits.groups[group].cuts;
+        double before = HUGE_VAL;
+        for (const int stroke : {2, 9, 20, outcome->result.cycleCount - 1}) {
+            cycle.toStroke(stroke);
+            const double line_um = view.plot()->moment_um().value_or(HUGE_VAL);
+            QVERIFY(line_um < before);
+            before = line_um;
+            const auto here = std::ranges::find_if(cuts, [&](const LimitedCut& cut) {
+                return cut.place.cycleCount == stroke
+                       && std::abs(cut.stock_mm * 1e3 - line_um) < 1e-9;
+            });
+            QVERIFY(here != cuts.end());
+        }
+        cycle.setPosition(0);
+        QVERIFY(!view.plot()->moment_um());
+    }
+
     void theCutsDrawnAreTheTrajectorys() {
         const OutcomePtr outcome = run(limitedProject());
         Shown shown(outcome);

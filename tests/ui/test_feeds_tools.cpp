@@ -296,7 +296,10 @@ void TestFeedsTools::theHairLineStandsAtOneTimeInAllColumns() {
     show(view, m_traverse);
     const auto hairLine = [&]() -> const HairLine* {
         for (QCPLayerable* item : view.plot()->layer(HairLine::layerName())->children()) {
-            return qobject_cast<HairLine*>(item);
+            const auto* line = qobject_cast<HairLine*>(item);
+            if (line && line->role() == HairLine::Role::mouse) {
+                return line;
+            }
         }
         return nullptr;
     };

@@ -7,7 +7,9 @@
 #include "tests/ui/long_project.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/playback_bar.h"
 
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSignalSpy>
@@ -15,6 +17,7 @@
 #include <QStyleOption>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +81,8 @@ private:
 };
 
 /// A slider a person could drag now, wherever the forms have one.
-QSlider* sliderInSight(const MainWindow& window) {
-    for (auto* slider : window.findChildren<QSlider*>()) {
+QSlider* sliderInSight(MainWindow& window) {
+    for (auto* slider : window.inputs().findChildren<QSlider*>()) {
         if (slider->isVisible() && slider->isEnabled() && slider->maximum() > slider->minimum()
             && slider->orientation() == Qt::Horizontal) {
             return slider;
@@ -188,6 +191,34 @@ private slots:
         }
         const QByteArray what = "opening " + nameOf(path).toUtf8();
         QVERIFY(heartbeat.report(what.constData()) <= limit_ms);
+    }
+
+    /// The largest example, by radius at the highest speed, in every view that follows.
+    void theCycleIsPlayed() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(exampleWithMostVisits()));
+        auto* const unit = bench.window->findChild<QComboBox*>(QStringLiteral("playUnit"));
+        auto* const speed = bench.window->findChild<QComboBox*>(QStringLiteral("playSpeed"));
+        auto* const play = bench.window->findChild<QToolButton*>(QStringLiteral("play"));
+        QTest::keyClick(speed, Qt::Key_End);
+        for (const char* view : {"feeds", "profiles", "constraints", "layers"}) {
+            QVERIFY(bench.window->showView(QLatin1String(view)));
+            for (const Qt::Key last : {Qt::Key_Home, Qt::Key_End}) { // by stage … by radius
+                QTest::keyClick(unit, last);
+                QTest::keyClick(unit, last == Qt::Key_Home ? Qt::Key_Down : Qt::Key_End);
+                bench.window->cursor().setPosition(0);
+                bench.settle();
+                Heartbeat heartbeat;
+                QTest::mouseClick(play, Qt::LeftButton);
+                QTest::qWait(1500);
+                const long long reached = bench.window->cursor().position();
+                const QByteArray what = QByteArray("playing the view ") + view;
+                const double worst_ms = heartbeat.report(what.constData());
+                bench.window->findChild<PlaybackBar*>()->setPlaying(false);
+                QVERIFY(reached > 10);
+                QVERIFY(worst_ms <= limit_ms);
+            }
+        }
     }
 
     void aProjectOfMillionsOfVisitsIsRun_data() {

@@ -7,6 +7,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/keyboard.h"
+#include "ui/playback_bar.h"
 #include "ui/view_tabs.h"
 #include "ui/views/verdict_panel.h"
 #include "ui/views/view.h"
@@ -240,6 +241,7 @@ private slots:
             const QWidget* focus = QApplication::focusWidget();
             for (const QWidget* panel : std::initializer_list<const QWidget*>{
                      &bench.window->inputs(), &bench.window->viewTabs(),
+                     bench.window->findChild<PlaybackBar*>(),
                      bench.window->findChild<VerdictPanel*>(), &bench.window->messages()}) {
                 if (panel == focus || panel->isAncestorOf(focus)) {
                     panels += panel;
@@ -249,7 +251,7 @@ private slots:
             QVERIFY2(QApplication::focusWidget() != focus, qPrintable(pathOf(focus)));
         } while (QApplication::focusWidget() != first && ++steps < 500);
         QVERIFY(steps < 500);
-        QCOMPARE(panels.size(), 4);
+        QCOMPARE(panels.size(), 5);
     }
 
     void f6GoesRoundThePanelsAndRemembersWhereOneWas() {
@@ -260,6 +262,7 @@ private slots:
         auto* field = bench.window->findChild<QWidget*>(QStringLiteral("/part/diameter_mm"));
         field->setFocus();
         const QList<QWidget*> order{&bench.window->inputs(), &bench.window->viewTabs(),
+                                    bench.window->findChild<PlaybackBar*>(),
                                     bench.window->findChild<VerdictPanel*>(),
                                     &bench.window->messages()};
         const auto at = [&order] {
@@ -281,7 +284,7 @@ private slots:
         QCOMPARE(at(), order.size() - 1);
         bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->close();
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
-        QCOMPARE(at(), 1); // a closed panel is passed over
+        QCOMPARE(at(), 2); // a closed panel is passed over
     }
 
     void controlAndANumberShowAView() {

@@ -66,7 +66,9 @@ Ran run(const Project& project) {
 
 ProfileSeries series(const Project& project, std::optional<int> stroke = {}) {
     const Ran ran = run(project);
-    return makeProfileSeries(ran.result, ran.trajectory, stroke);
+    return makeProfileSeries(ran.result, ran.trajectory,
+                             stroke ? std::optional(progressAfter(ran.trajectory, *stroke))
+                                    : std::nullopt);
 }
 
 double distance(const ProfilePoint& p) {
@@ -145,7 +147,8 @@ void TestProfiles::theLastStrokeOfTheTrajectoryIsTheEnd() {
     // A result that claims one stroke more makes the last recorded one be read back.
     SimulationResult longer = ran.result;
     longer.cycleCount += 1;
-    const ProfileSeries read = makeProfileSeries(longer, ran.trajectory, ran.result.cycleCount);
+    const ProfileSeries read = makeProfileSeries(
+        longer, ran.trajectory, progressAfter(ran.trajectory, ran.result.cycleCount));
     const ProfileSeries end = makeProfileSeries(ran.result, ran.trajectory);
     QVERIFY(!read.atEnd() && end.atEnd());
     for (std::size_t i = 0; i < end.profiles.size(); ++i) {
@@ -162,7 +165,8 @@ void TestProfiles::theLastStrokeOfTheTrajectoryIsTheEnd() {
 void TestProfiles::everyStrokeShowsItsOwnLastVisits() {
     const Ran ran = run(traverseProject());
     const int stroke = ran.result.cycleCount / 2;
-    const ProfileSeries s = makeProfileSeries(ran.result, ran.trajectory, stroke);
+    const ProfileSeries s =
+        makeProfileSeries(ran.result, ran.trajectory, progressAfter(ran.trajectory, stroke));
     // By brute force: the last pass of each zone up to the end of that stroke.
     for (const Profile& p : s.profiles) {
         const Pass* last = nullptr;
@@ -208,10 +212,11 @@ void TestProfiles::radiiNeverGrowOutwardsFromStrokeToStroke() {
     p.wheel.diameter_mm = internal ? 20 : 400;
     const Ran ran = run(p);
     QVERIFY(ran.result.cycleCount > 10);
-    std::vector<double> before = makeProfileSeries(ran.result, ran.trajectory, 0).blank_mm;
+    std::vector<double> before = makeProfileSeries(ran.result, ran.trajectory).blank_mm;
     const double side = internal ? 1 : -1;
     for (int n = 1; n <= ran.result.cycleCount; ++n) {
-        const ProfileSeries s = makeProfileSeries(ran.result, ran.trajectory, n);
+        const ProfileSeries s =
+            makeProfileSeries(ran.result, ran.trajectory, progressAfter(ran.trajectory, n));
         for (std::size_t k = 0; k < before.size(); ++k) {
             QVERIFY(side * (s.profiles[0].radii_mm[k] - before[k]) >= 0);
         }
@@ -239,7 +244,7 @@ void TestProfiles::internalGrindingBeginsInsideItsEnd() {
 
 void TestProfiles::withoutATrajectoryOnlyTheEndIsThere() {
     const Ran ran = run(traverseProject());
-    const ProfileSeries s = makeProfileSeries(ran.result, Trajectory{}, 3);
+    const ProfileSeries s = makeProfileSeries(ran.result, Trajectory{}, Progress{});
     QVERIFY(s.atEnd());
     QCOMPARE(s.profiles[0].radii_mm, ran.result.sections[0].radii_mm);
 }

@@ -6,7 +6,6 @@
 #include "ui/session/texts.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 #include <QStringList>
 
 namespace sparkout {
@@ -15,13 +14,6 @@ namespace {
 
 QString hintTr(const char* text) {
     return QCoreApplication::translate("Hint", text);
-}
-
-/// Indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.
-QString withIndices(const QString& text) {
-    static const QRegularExpression index(QStringLiteral("_(?:\\(([^)]*)\\)|(\\w+))"),
-                                          QRegularExpression::UseUnicodePropertiesOption);
-    return text.toHtmlEscaped().replace(index, QStringLiteral("<sub>\\1\\2</sub>"));
 }
 
 /// The facts of a hint, each with its name.

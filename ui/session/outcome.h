@@ -7,6 +7,7 @@
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/feed_series.h"
 #include "core/simulation/result.h"
+#include "core/simulation/stock_layers.h"
 #include "core/simulation/trajectory.h"
 
 #include <memory>
@@ -21,6 +22,7 @@ struct Outcome {
     SimulationResult result;
     Trajectory trajectory;
     FeedSeries feeds;      ///< the trajectory summed up for the view "Feeds by stage"
+    LayerSeries layers;    ///< and for the view "Layers", the means over the radii
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
     LimitSeries limits; ///< the cuts against the limits of the feed, for the view "Constraints"

@@ -32,6 +32,7 @@ OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
     const Issues remarks = remarksOn(outcome->result);
     outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());
     outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
+    outcome->layers = makeLayerSeries(outcome->result, outcome->trajectory);
     return outcome;
 }
 

@@ -218,4 +218,10 @@ QString locationText(const std::string& path) {
     return words.join(QStringLiteral(" › "));
 }
 
+QString withIndices(const QString& text) {
+    static const QRegularExpression index(QStringLiteral("_(?:\\(([^)]*)\\)|(\\w+))"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    return text.toHtmlEscaped().replace(index, QStringLiteral("<sub>\\1\\2</sub>"));
+}
+
 } // namespace sparkout

@@ -32,4 +32,7 @@ namespace sparkout {
 [[nodiscard]] QString readErrorText(const FileError& error);
 [[nodiscard]] QString saveErrorText(const FileError& error);
 
+/// Rich text with indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.
+[[nodiscard]] QString withIndices(const QString& text);
+
 } // namespace sparkout

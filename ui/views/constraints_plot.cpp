@@ -2,6 +2,7 @@
 #include "ui/views/constraints_plot.h"
 
 #include "core/units.h"
+#include "ui/views/hair_line.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_style.h"
@@ -47,6 +48,7 @@ ConstraintsPlot::ConstraintsPlot(QWidget* parent) : QCustomPlot(parent) {
     build();
     restyle();
     retranslate();
+    m_moment = new HairLine(*this, HairLine::Role::moment);
     connect(this, &QCustomPlot::afterLayout, this, &ConstraintsPlot::placeMark);
     connect(this, &QCustomPlot::mouseMove, this, &ConstraintsPlot::onMouse);
 }
@@ -187,6 +189,14 @@ void ConstraintsPlot::placeMark() {
     const bool below = at.y() < m_rect->rect().center().y();
     m_markText->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight)
                                      | (below ? Qt::AlignTop : Qt::AlignBottom));
+}
+
+void ConstraintsPlot::setMoment(std::optional<double> stock_mm) {
+    m_moment->setAt(stock_mm ? std::optional(*stock_mm * umPerMm) : std::nullopt);
+}
+
+std::optional<double> ConstraintsPlot::moment_um() const {
+    return m_moment->at();
 }
 
 QCPGraph* ConstraintsPlot::limit(ConstraintKind kind) const {

@@ -12,6 +12,8 @@
 
 namespace sparkout {
 
+class HairLine;
+
 /// The actual feed of one zone or section over the stock left, the cycle from left to right, under
 /// the curves of all limits that are on. The least of them, the stepless limit, stands out; above
 /// it is forbidden. Drawn in µm.
@@ -27,6 +29,7 @@ public:
     void setDimmed(bool dim);
     /// Marks where a requirement was worst; nothing: where the group comes nearest to its limit.
     void setMarked(const std::optional<ConstraintResult>& requirement);
+    void setMoment(std::optional<double> stock_mm); ///< left where the cycle stands
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
@@ -42,6 +45,7 @@ public:
     [[nodiscard]] QCPGraph* stepless() const { return m_stepless; }
     [[nodiscard]] QCPGraph* limit(ConstraintKind kind) const; ///< null: off
     [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_markedCut; }
+    [[nodiscard]] std::optional<double> moment_um() const; ///< stock of the line
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const; ///< the cuts in sight
 
@@ -89,6 +93,7 @@ private:
     QCPCurve* m_exceeded = nullptr;
     QCPCurve* m_mark = nullptr;
     QCPItemText* m_markText = nullptr;
+    HairLine* m_moment = nullptr;
     QCPRange m_fittedStock; ///< of the axis, as it was fitted last
     QCPRange m_fittedFeeds; ///< likewise
     bool m_dim = false;

@@ -38,6 +38,25 @@ bool anyBut(const std::vector<ConstraintKind>& kinds, std::initializer_list<Cons
     });
 }
 
+/// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
+std::optional<double> stockAt(const Outcome& outcome, int group, const Progress& moment) {
+    const Trajectory& trajectory = outcome.trajectory;
+    for (std::size_t i = moment.end; i-- > 0;) {
+        const Pass& pass = trajectory.passes[i];
+        if (limitGroupAt(outcome.limits, pass.place) != group) {
+            continue;
+        }
+        const int radii = i < moment.open ? trajectory.radii : moment.radius + 1;
+        const auto first = trajectory.visits.begin() + static_cast<std::ptrdiff_t>(pass.firstVisit);
+        const auto deepest = std::ranges::max_element(first, first + radii, {}, &Visit::actual_mm);
+        if (deepest->actual_mm > 0) {
+            const LayerSeries& layers = outcome.layers;
+            return layers.removalSign * (deepest->radius_mm - layers.target_mm);
+        }
+    }
+    return std::nullopt;
+}
+
 /// Whether a limit that binds every cut is on; roughness binds the last one alone.
 bool feedIsLimited(const Outcome& outcome) {
     return anyBut(outcome.limits.on, {ConstraintKind::roughness});
@@ -117,8 +136,15 @@ int ConstraintsView::wantedGroup() const {
     return static_cast<int>(std::ranges::max_element(groups, {}, nearest) - groups.begin());
 }
 
+void ConstraintsView::followCycle() {
+    const CycleCursor* const at = cycleIn(m_good);
+    m_plot->setMoment(at && !at->atEnd() ? stockAt(*m_good, m_plot->group(), at->progress())
+                                         : std::nullopt);
+}
+
 void ConstraintsView::showGroup(int group) {
     m_plot->setRun(m_good, group);
+    followCycle();
     const QSignalBlocker blocker(m_zone);
     m_zone->setCurrentIndex(group);
 }

@@ -49,6 +49,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void showOutcome() override;
+    void followCycle() override;
 
 private:
     using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands

@@ -104,7 +104,9 @@ void FeedsNote::retranslate() {
                    "radius under the wheel.");
     }
     text << tr("The spread reaches from the smallest to the largest value over the radii of a "
-               "cross-section, the line is their mean.");
+               "cross-section, the line is their mean.")
+         << tr("The thick upright line is where the cycle stands: the bar below the views moves "
+               "it, and so does a click into a plot. Without it the cycle is at its end.");
     m_text->setText(text.join(QStringLiteral("\n\n")));
     m_close->setText(tr("C&lose"));
     paintSteps();

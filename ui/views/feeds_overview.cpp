@@ -117,6 +117,11 @@ void FeedsOverview::paintEvent(QPaintEvent*) {
     shade.setAlpha(45);
     painter.fillRect(QRectF(0, 0, inside.left(), height()), shade);
     painter.fillRect(QRectF(inside.right(), 0, width() - inside.right(), height()), shade);
+    if (const std::optional<double> moment_s = m_plot.moment_s()) {
+        const double x = std::clamp(pixelOf(*moment_s), 1.0, width() - 1.0);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawLine(QLineF(x, 0, x, height()));
+    }
     const QColor frame = palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid);
     painter.setPen(QPen(frame, 1));
     painter.drawRect(inside.adjusted(0, 0, -1, -1));

@@ -4,6 +4,7 @@
 #include "ui/views/band_layer.h"
 #include "ui/views/feed_text.h"
 #include "ui/views/hair_line.h"
+#include "ui/views/plot_click.h"
 #include "ui/views/plot_style.h"
 
 #include <algorithm>
@@ -15,9 +16,15 @@ FeedsPlot::FeedsPlot(QWidget* parent) : QCustomPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
+    m_momentLine = new HairLine(*this, HairLine::Role::moment);
     m_hairLine = new HairLine(*this);
     setMouseTracking(true);
     connect(this, &QCustomPlot::mouseMove, this, &FeedsPlot::onMouse);
+    onPlotClick(*this, [this](const QPointF& at) {
+        if (const QCPAxisRect* rect = axisRectAt(at); rect && !m_columns.empty()) {
+            emit timeClicked(m_scale.time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
+        }
+    });
 }
 
 const FeedSeries& FeedsPlot::series() const {
@@ -54,6 +61,7 @@ void FeedsPlot::setAxis(CycleAxis axis) {
     m_axis = axis;
     m_scale = CycleScale(series(), axis);
     m_hairLine->setAt({});
+    setMoment(m_moment_s);
     labelAxes();
     showTimes(m_from_s, m_to_s);
 }
@@ -63,6 +71,11 @@ void FeedsPlot::setDimmed(bool dim) {
         m_dim = dim;
         restyle();
     }
+}
+
+void FeedsPlot::setMoment(std::optional<double> time_s) {
+    m_moment_s = time_s;
+    m_momentLine->setAt(time_s ? std::optional(m_scale.at(*time_s)) : std::nullopt);
 }
 
 void FeedsPlot::toggleCurve(int key) {

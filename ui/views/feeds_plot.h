@@ -10,6 +10,7 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -35,8 +36,9 @@ public:
     void setRun(OutcomePtr outcome, const std::vector<int>& shown);
     void setAxis(CycleAxis axis);
     void setDimmed(bool dim);
-    void showTimes(double from_s, double to_s); ///< no replot
-    void fitValues() { m_values = {}; }         ///< from the next showTimes() on
+    void setMoment(std::optional<double> time_s); ///< where the cycle stands; nothing: at its end
+    void showTimes(double from_s, double to_s);   ///< no replot
+    void fitValues() { m_values = {}; }           ///< from the next showTimes() on
     void showAll() { showTimes(0, series().end_s); }
     void toggleCurve(int key);
     void showOnly(int key);
@@ -53,6 +55,7 @@ public:
     [[nodiscard]] int columnCount() const { return static_cast<int>(m_columns.size()); }
     [[nodiscard]] const FeedColumn& source(int column) const;
     [[nodiscard]] const CycleScale& scale() const { return m_scale; }
+    [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
     [[nodiscard]] double visibleFrom_s() const { return m_from_s; }
     [[nodiscard]] double visibleTo_s() const { return m_to_s; }
     [[nodiscard]] Detail detail() const { return m_detail; }
@@ -67,10 +70,11 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
 signals:
-    void timesChanged();                   ///< other times are in sight
-    void gridBuilt();                      ///< all axes are new
-    void contentChanged();                 ///< detail, bands or curves, hence the legend
-    void pointed(const QString& text);     ///< values under the mouse, empty outside
+    void timesChanged();               ///< other times are in sight
+    void gridBuilt();                  ///< all axes are new
+    void contentChanged();             ///< detail, bands or curves, hence the legend
+    void pointed(const QString& text); ///< values under the mouse, empty outside
+    void timeClicked(double time_s);
     void pointedBand(const QString& text); ///< full name of the band under the mouse
 
 protected:
@@ -139,6 +143,8 @@ private:
     QCPLayoutGrid* m_grid = nullptr;
     QCPTextElement* m_timeLabel = nullptr;
     HairLine* m_hairLine = nullptr;
+    HairLine* m_momentLine = nullptr;
+    std::optional<double> m_moment_s;
     std::vector<Column> m_columns;
     CurveChoice m_choice;
     double m_from_s = 0, m_to_s = 0;

@@ -54,6 +54,7 @@ void FeedsView::showOutcome() {
         fillSections();
         fillSpans();
         applySpan();
+        showMoment();
         m_overview->showRun();
         m_tools->navigation().amendView();
     }
@@ -165,6 +166,48 @@ void FeedsView::applySpan() {
                           series.strokeEnd_s(number));
     }
     showSpan();
+}
+
+// --- the moment ---------------------------------------------------------------------------------
+
+/// None while all of the cycle is done.
+void FeedsView::showMoment() {
+    const CycleCursor* const at = cycleIn(m_good);
+    m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
+    m_overview->update();
+}
+
+void FeedsView::followCycle() {
+    showMoment();
+    if (const CycleCursor* const at = cycleIn(m_good)) {
+        bringIntoSight(at->time_s());
+    }
+}
+
+/// What is in sight moves on as a page is turned: to the stage or double stroke, or by its width.
+void FeedsView::bringIntoSight(double time_s) {
+    const double from_s = m_plot->visibleFrom_s(), to_s = m_plot->visibleTo_s();
+    const double near_s = 1e-9 * m_plot->series().end_s;
+    if (time_s >= from_s - near_s && time_s <= to_s + near_s) {
+        return;
+    }
+    if (m_what == Span::stage) {
+        const Pass* const pass = cycle().pass();
+        m_stage = pass ? pass->place.stage : m_plot->series().stages.front().stage;
+        applySpan();
+    } else if (m_what == Span::stroke) {
+        const QSignalBlocker blocker(m_stroke);
+        m_stroke->setValue(std::max(cycle().stroke(), 1));
+        applySpan();
+    } else {
+        const double page_s = to_s - from_s, end_s = m_plot->series().end_s;
+        const double start_s = time_s > to_s ? time_s - near_s : time_s - page_s;
+        const double first_s = std::clamp(start_s, 0.0, std::max(end_s - page_s, 0.0));
+        m_plot->showTimes(first_s, first_s + page_s);
+        readSpan();
+    }
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    m_tools->navigation().amendView();
 }
 
 void FeedsView::onSpanChosen(int index) {

@@ -41,6 +41,7 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void showOutcome() override;
+    void followCycle() override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -62,6 +63,8 @@ private:
     void applySpan();
     void readSpan(); ///< which part of the cycle the times in sight are
     void showSpan();
+    void showMoment();
+    void bringIntoSight(double time_s);
     void showState();
     void showLegend();
     void showNote();

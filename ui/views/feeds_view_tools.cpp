@@ -178,6 +178,8 @@ void FeedsView::connectPlot() {
     connect(m_plot, &FeedsPlot::pointed, this, [this](const QString& text) {
         m_values->setText(text.isEmpty() ? tr("Point at a curve to read its values.") : text);
     });
+    connect(m_plot, &FeedsPlot::timeClicked, this,
+            [this](double time_s) { cycle().toTime(time_s); });
     connect(m_plot, &FeedsPlot::pointedBand, m_plot, &QWidget::setToolTip);
     connect(m_overview, &FeedsOverview::timesAsked, this, [this](double from_s, double to_s) {
         m_plot->showTimes(from_s, to_s);

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <cmath>
@@ -70,9 +71,8 @@ QString stepText(const FormulaStep& step) {
                               : QStringList{symbols, numbers, result}.join(QStringLiteral(" = "));
 }
 
-} // namespace
-
-QString formulaText(const FormulaSheet& sheet) {
+/// Name and source, then the steps.
+QStringList paragraphs(const FormulaSheet& sheet) {
     QString head = QCoreApplication::translate("Formula", sheet.name);
     const QString source = sourceText(sheet.source);
     if (!source.isEmpty()) {
@@ -82,7 +82,23 @@ QString formulaText(const FormulaSheet& sheet) {
     for (const FormulaStep& step : sheet.steps) {
         paragraphs << stepText(step);
     }
-    return paragraphs.join(u'\n');
+    return paragraphs;
+}
+
+} // namespace
+
+QString formulaText(const FormulaSheet& sheet) {
+    return paragraphs(sheet).join(u'\n');
+}
+
+QString formulaMarkup(const FormulaSheet& sheet) {
+    static const QRegularExpression power(QStringLiteral("\\^([0-9]+(?:[.,][0-9]+)?)"));
+    QStringList texts;
+    for (const QString& text : paragraphs(sheet)) {
+        texts << withIndices(text).replace(power, QStringLiteral("<sup>\\1</sup>"));
+    }
+    texts.front() = QStringLiteral("<b>%1</b>").arg(texts.front());
+    return QStringLiteral("<p>%1</p>").arg(texts.join(QStringLiteral("</p><p>")));
 }
 
 } // namespace sparkout

@@ -11,4 +11,7 @@ namespace sparkout {
 /// paragraph a step, "L = √(a·D_e) = √(0.005·28.6) = 0.378 mm".
 [[nodiscard]] QString formulaText(const FormulaSheet& sheet);
 
+/// The same as rich text, with indices below and powers above the line.
+[[nodiscard]] QString formulaMarkup(const FormulaSheet& sheet);
+
 } // namespace sparkout

@@ -15,7 +15,8 @@ QString layerOf(QCustomPlot& plot) {
 
 } // namespace
 
-HairLine::HairLine(QCustomPlot& plot) : QCPLayerable(&plot, layerOf(plot)) {}
+HairLine::HairLine(QCustomPlot& plot, Role role)
+    : QCPLayerable(&plot, layerOf(plot)), m_role(role) {}
 
 void HairLine::setAt(std::optional<double> x) {
     if (x != m_x) {
@@ -36,9 +37,10 @@ void HairLine::draw(QCPPainter* painter) {
     if (!m_x) {
         return;
     }
-    QColor colour = mParentPlot->palette().color(QPalette::Text);
-    colour.setAlpha(160);
-    painter->setPen(QPen(colour, 0));
+    const bool moment = m_role == Role::moment;
+    QColor colour = mParentPlot->palette().color(moment ? QPalette::Highlight : QPalette::Text);
+    colour.setAlpha(moment ? 255 : 160);
+    painter->setPen(QPen(colour, moment ? 2 : 0));
     for (const QCPAxisRect* rect : mParentPlot->axisRects()) {
         const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
         if (axis && axis->range().contains(*m_x)) {

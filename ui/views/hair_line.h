@@ -8,14 +8,17 @@
 namespace sparkout {
 
 /// A vertical line at one value of the horizontal axes, through every axis rect of a plot whose
-/// range holds it. It has a layer of its own, so that following the mouse redraws no curve.
+/// range holds it: under the mouse, or at the moment of the cycle that the views share. It has a
+/// layer of its own, so that moving it redraws no curve.
 class HairLine : public QCPLayerable {
     Q_OBJECT
 public:
-    explicit HairLine(QCustomPlot& plot);
+    enum class Role { mouse, moment };
+    explicit HairLine(QCustomPlot& plot, Role role = Role::mouse);
 
     void setAt(std::optional<double> x); ///< draws at once; nothing: no line
     [[nodiscard]] std::optional<double> at() const { return m_x; }
+    [[nodiscard]] Role role() const { return m_role; }
 
     static QString layerName() { return QStringLiteral("hairline"); }
 
@@ -25,6 +28,7 @@ protected:
     void draw(QCPPainter* painter) override;
 
 private:
+    Role m_role;
     std::optional<double> m_x;
 };
 

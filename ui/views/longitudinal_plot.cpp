@@ -3,10 +3,9 @@
 
 #include "ui/views/band_layer.h"
 #include "ui/views/longitudinal_layers.h"
+#include "ui/views/plot_click.h"
 #include "ui/views/plot_style.h"
 #include "ui/views/profiles_text.h"
-
-#include <QApplication>
 
 #include <algorithm>
 #include <limits>
@@ -36,9 +35,11 @@ LongitudinalPlot::LongitudinalPlot(QWidget* parent) : QCustomPlot(parent) {
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &LongitudinalPlot::onMouse);
-    connect(this, &QCustomPlot::mousePress, this,
-            [this](QMouseEvent* event) { m_pressed = event->pos(); });
-    connect(this, &QCustomPlot::mouseRelease, this, &LongitudinalPlot::onRelease);
+    onPlotClick(*this, [this](const QPointF& at) {
+        if (const int profile = profileUnder(at.toPoint()); profile >= 0) {
+            emit profileClicked(profile);
+        }
+    });
 }
 
 void LongitudinalPlot::setSeries(ProfileSeries series, std::vector<ShaftStep> shaft,
@@ -233,15 +234,6 @@ int LongitudinalPlot::profileUnder(const QPoint& at) const {
 void LongitudinalPlot::onMouse(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         pointAt(profileUnder(event->pos()));
-    }
-}
-
-void LongitudinalPlot::onRelease(QMouseEvent* event) {
-    const bool still =
-        (event->pos() - m_pressed).manhattanLength() < QApplication::startDragDistance();
-    const int profile = profileUnder(event->pos());
-    if (event->button() == Qt::LeftButton && still && profile >= 0) {
-        emit profileClicked(profile);
     }
 }
 

@@ -71,7 +71,6 @@ private:
     [[nodiscard]] QCPRange valuesInSight() const;
     [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
     void onMouse(QMouseEvent* event);
-    void onRelease(QMouseEvent* event);
     void pointAt(int profile);
 
     ProfileSeries m_series;
@@ -90,7 +89,6 @@ private:
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointed = -1;
-    QPoint m_pressed;
 };
 
 } // namespace sparkout

@@ -76,6 +76,18 @@ QString Names::stepMeaning(Zone zone, Step step) {
     return {};
 }
 
+QString Names::moment(Operation operation, int stroke, int count, bool strokeDone) {
+    if (stroke == 0) {
+        return tr("Before the first touch");
+    }
+    const bool traverse = operation == Operation::traverse;
+    const QString text =
+        strokeDone
+            ? (traverse ? tr("After double stroke %1 of %2") : tr("After revolution %1 of %2"))
+            : (traverse ? tr("Within double stroke %1 of %2") : tr("Within revolution %1 of %2"));
+    return text.arg(stroke).arg(count);
+}
+
 QString Names::place(const Place& place, Operation operation) {
     QStringList parts{zone(place.zone, place.section)};
     if (place.step != Step::none) {

@@ -20,6 +20,8 @@ public:
     static QString step(Step step);                      ///< "E1"; empty for none
     /// What a step E1…E5 is in a zone: "plunge-in", "entry dwell", "working stroke", …
     static QString stepMeaning(Zone zone, Step step);
+    /// Of the cycle: "After double stroke 27 of 54", or within it; before the first one.
+    static QString moment(Operation operation, int stroke, int count, bool strokeDone);
     static QString place(const Place& place, Operation operation);
     static QString status(RunStatus status);
     static QString constraint(ConstraintKind kind); ///< "Largest diameter"

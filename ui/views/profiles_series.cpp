@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles_series.h"
 
+#include "core/process/ground_stretch.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/units.h"
@@ -33,22 +34,10 @@ std::vector<double> blankRadii(const Part& part) {
 
 /// The stretches of the ground length that the zones or sections stand for.
 void setStretches(ProfileSeries& series, const Project& project) {
-    const double length = series.length_mm;
-    if (series.operation == Operation::plunge) {
-        const auto count = static_cast<double>(series.profiles.size());
-        for (Profile& p : series.profiles) {
-            p.from_mm = length * p.section / count;
-            p.to_mm = length * (p.section + 1) / count;
-        }
-        return;
-    }
-    const ZoneLengths zones = zoneLengths(project);
-    const double bounds[] = {0, zones.rz1, length - zones.rz2, length};
-    const bool mirrored = project.machine.entry_side == EntrySide::tailstock;
+    const std::vector<Stretch> stretches = groundStretches(project);
     for (std::size_t i = 0; i < series.profiles.size(); ++i) {
-        Profile& p = series.profiles[i];
-        p.from_mm = mirrored ? length - bounds[i + 1] : bounds[i];
-        p.to_mm = mirrored ? length - bounds[i] : bounds[i + 1];
+        series.profiles[i].from_mm = stretches[i].from_mm;
+        series.profiles[i].to_mm = stretches[i].to_mm;
     }
 }
 
@@ -102,49 +91,32 @@ void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
     profile.radialRunout_mm = high - low + geometricRunout_mm;
 }
 
-/// Puts the radii as they were after a stroke in place of those at the end.
-void rewindTo(ProfileSeries& series, const Trajectory& trajectory, int stroke) {
-    const auto after = std::partition_point(
-        trajectory.passes.begin(), trajectory.passes.end(),
-        [stroke](const Pass& pass) { return pass.place.cycleCount <= stroke; });
-    std::vector<bool> found(series.profiles.size(), false);
-    std::size_t left = found.size();
-    series.stage = 0;
-    series.time_s = 0;
-    for (auto pass = after; pass != trajectory.passes.begin() && left > 0;) {
-        --pass;
-        series.stage = std::max(series.stage, pass->place.stage);
-        series.time_s = std::max(series.time_s, pass->start_s + pass->duration_s);
-        const Place& place = pass->place;
-        const auto i = static_cast<std::size_t>(
-            place.zone == Zone::section ? place.section : static_cast<int>(place.zone));
-        if (i >= found.size() || found[i]) {
-            continue;
-        }
-        found[i] = true;
-        --left;
-        for (std::size_t k = 0; k < series.profiles[i].radii_mm.size(); ++k) {
-            series.profiles[i].radii_mm[k] = trajectory.visits[pass->firstVisit + k].radius_mm;
+/// Puts the radii as they were at a moment in place of those at the end.
+void rewindTo(ProfileSeries& series, const Trajectory& trajectory, const Progress& moment) {
+    const LastVisits visits = lastVisits(trajectory, series.profiles.size(), moment);
+    for (std::size_t i = 0; i < visits.size(); ++i) {
+        for (std::size_t k = 0; k < visits[i].size(); ++k) {
+            const Visit* const last = visits[i][k];
+            series.profiles[i].radii_mm[k] = last ? last->radius_mm : series.blank_mm[k];
         }
     }
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        if (!found[i]) {
-            series.profiles[i].radii_mm = series.blank_mm;
-        }
-    }
-    series.stroke = stroke;
+    const Place at = moment.isBlank() ? Place{} : trajectory.passes[moment.end - 1].place;
+    series.stage = moment.isBlank() ? 0 : at.stage;
+    series.stroke = moment.isBlank() ? 0 : at.cycleCount;
+    series.strokeDone = endsStroke(trajectory, moment);
+    series.time_s = timeOf(trajectory, moment);
 }
 
 } // namespace
 
 ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory& trajectory,
-                                std::optional<int> stroke) {
+                                const std::optional<Progress>& moment) {
     ProfileSeries series = endOfCycle(result);
     if (!trajectory.passes.empty()) {
         series.stage = trajectory.passes.back().place.stage;
     }
-    if (stroke && *stroke < series.strokeCount && !trajectory.passes.empty()) {
-        rewindTo(series, trajectory, std::max(*stroke, 0));
+    if (moment && moment->end <= trajectory.passes.size() && !trajectory.passes.empty()) {
+        rewindTo(series, trajectory, *moment);
         const double geometric = result.project.machine.geometric_runout_um / units::umPerMm;
         for (Profile& p : series.profiles) {
             measure(p, series.nominal_mm, geometric);

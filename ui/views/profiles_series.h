@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/quality/roundness.h"
+#include "core/simulation/progress.h"
 #include "core/simulation/result.h"
 #include "core/simulation/trajectory.h"
 
@@ -39,7 +40,7 @@ struct Profile {
     RoundnessZone minimumZone; ///< once addMinimumZones() has been asked for it
 };
 
-/// All profiles of a run after one double stroke or revolution.
+/// All profiles of a run at one moment of its cycle.
 struct ProfileSeries {
     Operation operation = Operation::traverse;
     Surface surface = Surface::external;
@@ -51,20 +52,20 @@ struct ProfileSeries {
     double gauge_mm = 0;          ///< where the gauge stands along the ground length
     std::vector<double> blank_mm; ///< the K radii before the first touch, the same everywhere
     std::vector<Profile> profiles;
-    int stroke = 0;      ///< double strokes or revolutions done; 0: the blank
-    int strokeCount = 0; ///< of the whole cycle
-    int stage = 0;       ///< of that stroke; 0: the blank, or not known
-    double time_s = 0;   ///< when that stroke was done
+    int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
+    int strokeCount = 0;    ///< of the whole cycle
+    bool strokeDone = true; ///< else the moment is within that stroke
+    int stage = 0;          ///< of that stroke; 0: the blank, or not known
+    double time_s = 0;      ///< from the start of the cycle
 
     [[nodiscard]] int radii() const { return static_cast<int>(blank_mm.size()); }
-    [[nodiscard]] bool atEnd() const { return stroke == strokeCount; }
+    [[nodiscard]] bool atEnd() const { return stroke == strokeCount && strokeDone; }
 };
 
-/// The profiles after a number of double strokes or revolutions, 0…count; without one, or without a
-/// trajectory, at the end of the cycle.
+/// The profiles at a moment of the cycle; without one, or without a trajectory, at its end.
 [[nodiscard]] ProfileSeries makeProfileSeries(const SimulationResult& result,
                                               const Trajectory& trajectory,
-                                              std::optional<int> stroke = {});
+                                              const std::optional<Progress>& moment = {});
 
 /// The circles of the minimum zone for the profiles with these indices: each takes a search.
 void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown);

@@ -105,13 +105,11 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
 }
 
 QString ProfilesText::moment(const ProfileSeries& series) {
-    const bool traverse = series.operation == Operation::traverse;
-    if (series.stroke == 0) {
-        return tr("Before the first touch");
-    }
     QString text =
-        traverse ? tr("After double stroke %1 of %2").arg(series.stroke).arg(series.strokeCount)
-                 : tr("After revolution %1 of %2").arg(series.stroke).arg(series.strokeCount);
+        Names::moment(series.operation, series.stroke, series.strokeCount, series.strokeDone);
+    if (series.stroke == 0) {
+        return text;
+    }
     if (series.stage > 0) {
         text = tr("%1, stage %2").arg(text).arg(series.stage);
     }

@@ -34,7 +34,6 @@ void ProfilesView::showOutcome() {
         };
         if (!m_good || kind(m_good) != kind(latest())) {
             m_chosen.reset();
-            m_stroke.reset();
         }
         m_good = latest();
         fillStrokes();
@@ -63,14 +62,18 @@ bool ProfilesView::recorded() const {
 }
 
 int ProfilesView::stroke() const {
-    return m_good ? m_stroke.value_or(m_good->result.cycleCount) : 0;
+    const CycleCursor* const at = cycleIn(m_good);
+    return at && !at->atEnd() ? at->stroke() : m_good ? m_good->result.cycleCount : 0;
 }
 
 void ProfilesView::showSeries() {
     if (!m_good) {
         return;
     }
-    const ProfileSeries series = makeProfileSeries(m_good->result, m_good->trajectory, m_stroke);
+    const CycleCursor* const at = cycleIn(m_good);
+    const ProfileSeries series =
+        makeProfileSeries(m_good->result, m_good->trajectory,
+                          at && !at->atEnd() ? std::optional(at->progress()) : std::nullopt);
     const std::vector<int> shown = shownProfiles();
     m_across->setSeries(series, shown);
     m_along->setSeries(series, shaftSteps(m_good->result.project), shown);
@@ -157,9 +160,6 @@ void ProfilesView::showParts() {
 
 void ProfilesView::fillStrokes() {
     const int count = m_good->result.cycleCount;
-    if (m_stroke && *m_stroke >= count) {
-        m_stroke.reset();
-    }
     const QSignalBlocker sliderBlocker(m_slider);
     const QSignalBlocker numberBlocker(m_number);
     m_slider->setRange(0, count);
@@ -190,11 +190,14 @@ void ProfilesView::showStroke() {
 }
 
 void ProfilesView::setStroke(int number) {
-    if (!m_good || !recorded()) {
-        return;
+    if (m_good && number >= m_good->result.cycleCount) {
+        cycle().setPosition(cycle().count());
+    } else if (m_good) {
+        cycle().toStroke(number);
     }
-    const int count = m_good->result.cycleCount;
-    m_stroke = number >= count ? std::nullopt : std::optional<int>(std::max(number, 0));
+}
+
+void ProfilesView::followCycle() {
     showSeries();
     replotAll();
 }
@@ -204,13 +207,7 @@ void ProfilesView::showSection(int section) {
     if (m_good) {
         setStroke(m_good->result.cycleCount);
         m_section->setCurrentIndex(std::max(m_section->findData(section), 0));
-        emit strokeChosen(stroke());
     }
-}
-
-void ProfilesView::onStroke(int number) {
-    setStroke(number);
-    emit strokeChosen(stroke());
 }
 
 // --- drawing ------------------------------------------------------------------------------------

@@ -47,17 +47,15 @@ public:
     [[nodiscard]] QString title() const override;
     void retranslate() override;
 
-    /// Shows the profiles after a number of double strokes or revolutions.
+    /// Brings the cycle to the end of a double stroke or revolution; 0: to the blank.
     void setStroke(int number);
     [[nodiscard]] int stroke() const;
     void showSection(int section); ///< at the end of the cycle; below 0 all of them
 
-signals:
-    void strokeChosen(int number); ///< by the user
-
 protected:
     void changeEvent(QEvent* event) override;
     void showOutcome() override;
+    void followCycle() override;
 
 private:
     /// What the view shows of its three plots, as the box of parts lists it.
@@ -86,7 +84,6 @@ private:
     void fillSections();
     void fillMagnifications();
     void fillChoice(QComboBox* box, const std::vector<QString>& texts);
-    void onStroke(int number);
     void onSection(int index);
     void choose(int profile);
     void onMagnification(int index);
@@ -137,7 +134,6 @@ private:
     QCheckBox* m_logarithmic = nullptr;
 
     OutcomePtr m_good;           ///< what the plots show
-    std::optional<int> m_stroke; ///< none: the end of the cycle
     std::optional<int> m_chosen; ///< zone or section asked for
     std::optional<double> m_wantedMagnification;
     ProfileLines m_hidden{ProfileLine::blank};

@@ -309,8 +309,8 @@ void ProfilesView::connectTools() {
     });
     connect(m_blank, &QCheckBox::toggled, this, [this] { toggle(ProfileLine::blank); });
     connect(m_fit, &QToolButton::clicked, this, &ProfilesView::fit);
-    connect(m_slider, &QSlider::valueChanged, this, &ProfilesView::onStroke);
-    connect(m_number, &QSpinBox::valueChanged, this, &ProfilesView::onStroke);
+    connect(m_slider, &QSlider::valueChanged, this, &ProfilesView::setStroke);
+    connect(m_number, &QSpinBox::valueChanged, this, &ProfilesView::setStroke);
     connect(m_previous, &QToolButton::clicked, m_number, &QSpinBox::stepDown);
     connect(m_next, &QToolButton::clicked, m_number, &QSpinBox::stepUp);
     connect(m_quantity, &QComboBox::currentIndexChanged, this, [this](int index) {

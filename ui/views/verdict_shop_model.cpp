@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_shop_model.h"
+
+#include "ui/session/texts.h"
 #include "ui/theme.h"
 
 #include <QGuiApplication>
 #include <QIcon>
 #include <QPalette>
-#include <QRegularExpression>
 
 namespace sparkout {
 
@@ -13,15 +14,13 @@ namespace {
 
 /// Marked up, or a tool tip does not wrap; V_k with its index below the line.
 QString paragraphs(const QStringList& texts) {
-    static const QRegularExpression index(QStringLiteral("_(\\w+)"),
-                                          QRegularExpression::UseUnicodePropertiesOption);
     QString tip;
     for (const QString& text : texts) {
         if (!text.isEmpty()) {
-            tip += QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+            tip += QStringLiteral("<p>%1</p>").arg(withIndices(text));
         }
     }
-    return tip.replace(index, QStringLiteral("<sub>\\1</sub>"));
+    return tip;
 }
 
 } // namespace

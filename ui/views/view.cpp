@@ -7,9 +7,35 @@
 
 namespace sparkout {
 
+View::View(QWidget* parent) : QWidget(parent), m_ownCycle(new CycleCursor(this)) {
+    shareCycle(m_ownCycle);
+}
+
+void View::shareCycle(CycleCursor* cycle) {
+    if (m_cycle) {
+        m_cycle->disconnect(this);
+    }
+    m_cycle = cycle;
+    connect(cycle, &CycleCursor::moved, this, &View::onMoved);
+}
+
+const CycleCursor* View::cycleIn(const OutcomePtr& shown) const {
+    return m_cycle && shown && m_cycle->outcome() == shown ? m_cycle.data() : nullptr;
+}
+
+void View::onMoved() {
+    m_moved = true;
+    if (isVisible() && !m_stale) {
+        redraw();
+    }
+}
+
 void View::setOutcome(OutcomePtr outcome) {
     m_latest = std::move(outcome);
     m_stale = true;
+    if (m_cycle == m_ownCycle) {
+        m_ownCycle->setOutcome(m_latest);
+    }
     if (m_queued || !isVisible()) {
         return; // a hidden view draws when it is shown
     }
@@ -36,9 +62,11 @@ void View::setUpReadout(QLabel& label) {
 }
 
 void View::redraw() {
-    if (m_stale) {
-        m_stale = false;
+    const bool moved = std::exchange(m_moved, false);
+    if (std::exchange(m_stale, false)) {
         showOutcome();
+    } else if (moved) {
+        followCycle();
     }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/outcome.h"
+#include "ui/session/cycle_cursor.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QLabel;
@@ -10,21 +11,28 @@ class QLabel;
 namespace sparkout {
 
 /// A tab of the window's middle: shows one outcome, the newest one wins. It draws once, later in
-/// the event loop; a hidden one when it is shown.
+/// the event loop; a hidden one when it is shown. Where the cycle stands it takes from a cursor,
+/// its own or one shared with the other views.
 class View : public QWidget {
     Q_OBJECT
 public:
-    using QWidget::QWidget;
+    explicit View(QWidget* parent = nullptr);
 
     [[nodiscard]] virtual QString title() const = 0; ///< of the tab, in the present language
     void setOutcome(sparkout::OutcomePtr outcome);
+    /// Of the window's views, in place of its own; it is given the outcomes first.
+    void shareCycle(CycleCursor* cycle);
     virtual void retranslate() = 0;
 
 signals:
     void updated(); ///< an outcome has been drawn
 
 protected:
-    virtual void showOutcome() = 0; ///< draws latest()
+    virtual void showOutcome() = 0; ///< draws latest(), at the cycle's moment
+    virtual void followCycle() {}   ///< the cycle stands at another moment
+    [[nodiscard]] CycleCursor& cycle() const { return *m_cycle; }
+    /// Null while it stands in another run than the one shown, or that was not recorded.
+    [[nodiscard]] const CycleCursor* cycleIn(const OutcomePtr& shown) const;
     /// What was given last, maybe refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
     static void setUpNotice(QLabel& label);  ///< plain text, selectable, wrapped
@@ -33,9 +41,14 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void onMoved();
+
     OutcomePtr m_latest;
+    CycleCursor* m_ownCycle;
+    QPointer<CycleCursor> m_cycle;
     bool m_stale = false;
     bool m_queued = false;
+    bool m_moved = false;
 };
 
 } // namespace sparkout

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/visit_sheet.h"
+
+#include "core/process/coupled_sections.h"
+#include "core/process/profile.h"
+#include "core/process/system_compliance.h"
+#include "core/quality/balance.h"
+#include "core/simulation/progress.h"
+#include "core/text.h"
+
+namespace sparkout {
+
+namespace {
+
+void append(FormulaSheet& sheet, const FormulaSheet& more) {
+    sheet.steps.insert(sheet.steps.end(), more.steps.begin(), more.steps.end());
+}
+
+} // namespace
+
+FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajectory,
+                        std::size_t pass, int radius) {
+    const Project& project = result.project;
+    const Pass& of = trajectory.passes[pass];
+    const Visit& visit = trajectory.visits[of.firstVisit + static_cast<std::size_t>(radius)];
+    const bool external = project.part.surface == Surface::external;
+    const double side = external ? 1 : -1;
+    const double first = makeBlank(project.part).firstTouchRadius_mm;
+    const double a = visit.actual_mm, after = visit.radius_mm, before = after + side * a;
+    const double h = visit.programmed_mm - side * (first - before);
+    const double b = of.effectiveWidth_mm;
+
+    FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Elastic balance of one radius"), "MODEL-3", {}};
+    const FormulaTerm infeed{"t_П", visit.programmed_mm, "mm"};
+    const FormulaTerm touch{external ? "R_max0" : "R_min0", first, "mm"};
+    const FormulaTerm R{"R_k", before, "mm"};
+    state(&sheet,
+          external ? "{h} = {t_П} − ({R_max0} − {R_k})" : "{h} = {t_П} − ({R_k} − {R_min0})",
+          {"h", h, "mm"}, {infeed, touch, R});
+    if (!(a > 0)) {
+        state(&sheet, "{a}", {"a", 0, "mm"}, {}); // the wheel does not touch it
+    } else if (isCoupled(project) || wheelContact(project)) {
+        state(&sheet, "{a}", {"a", a, "mm"}, {});
+        append(sheet, normalForceSheet(project, b, a));
+        state(&sheet, "{y} = {h} − {a}", {"y", h - a, "mm"}, {{"h", h, "mm"}, {"a", a, "mm"}});
+    } else {
+        const double gamma = compliantPoints(project)[sectionOf(of.place)].gamma_mm_n;
+        append(sheet, balanceSheet(project, b, gamma, h));
+    }
+    const FormulaTerm cut{"a", a, "mm"}, left{"R_k′", after, "mm"};
+    const FormulaTerm target{"R_t", targetRadius(project.part), "mm"};
+    state(&sheet, external ? "{R_k′} = {R_k} − {a}" : "{R_k′} = {R_k} + {a}", left, {R, cut});
+    state(&sheet, external ? "{Π_k} = {R_k′} − {R_t}" : "{Π_k} = {R_t} − {R_k′}",
+          {"Π_k", side * (after - target.value), "mm"}, {left, target});
+    return sheet;
+}
+
+} // namespace sparkout

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/formula.h"
+#include "core/simulation/result.h"
+#include "core/simulation/trajectory.h"
+
+#include <cstddef>
+
+namespace sparkout {
+
+/// One radius of a recorded pass with its numbers [MODEL-3]: the lag h that t_П leaves it, the
+/// elastic balance, and the radius and stock after the cut. Where sections deflect each other or
+/// the wheel's contact gives way too, the depth of cut is stated as the engine found it, and the
+/// deflection is all that yields together.
+[[nodiscard]] FormulaSheet visitSheet(const SimulationResult& result, const Trajectory& trajectory,
+                                      std::size_t pass, int radius);
+
+} // namespace sparkout

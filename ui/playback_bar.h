@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/cycle_cursor.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace sparkout {
+
+/// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or by itself.
+class PlaybackBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlaybackBar(CycleCursor& cursor, QWidget* parent = nullptr);
+
+    void setPlaying(bool playing); ///< from the end it begins anew
+    [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
+    [[nodiscard]] CursorUnit unit() const;
+    void addTool(QAction* action); ///< at its end
+    void retranslate();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QToolButton* button(const char* name, const char16_t* icon);
+    void build();
+    void connectParts();
+    void follow(); ///< shows where the cursor stands
+    void tick();
+    void showPlay();
+    void showPlace();
+    void fillUnits(CursorUnit chosen);
+    void fillSpeeds();
+    [[nodiscard]] QString placeText() const;
+
+    CycleCursor& m_cursor;
+    QTimer m_timer;
+    bool m_plunge = false; ///< the units are those of a plunge
+    QToolButton *m_first, *m_previous, *m_play, *m_next, *m_last;
+    QComboBox* m_unit;
+    QComboBox* m_speed;
+    QSlider* m_slider;
+    QHBoxLayout* m_row = nullptr;
+    QLabel* m_place;
+};
+
+} // namespace sparkout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace sparkout {
+
+class LayersPlot;
+
+/// Paints the layers of a LayersPlot, the metal they come off, and the axis of rotation.
+class LayerStack : public QCPLayerable {
+    Q_OBJECT
+public:
+    explicit LayerStack(const LayersPlot& plot, QCPAxisRect* rect);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    void drawMetal(QCPPainter& painter) const;
+    void drawLayers(QCPPainter& painter) const;
+
+    const LayersPlot& m_plot;
+    QCPAxisRect* m_rect;
+};
+
+} // namespace sparkout

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/view.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QCustomPlot;
+class QLabel;
+class QStackedWidget;
+
+namespace sparkout {
+
+class LayersPlot;
+class LayersSurface;
+class LegendStrip;
+class PlotTools;
+class SidePlot;
+struct LegendEntry;
+struct PlotSubject;
+class Settings;
+
+/// The view "Layers": the stock as it comes off, double stroke by double stroke or revolution by
+/// revolution, up to the cycle's moment; in a section along the axis, as a surface that can be
+/// turned, or with the wheel that takes it off. A click on a layer brings the cycle there.
+class LayersView : public View {
+    Q_OBJECT
+public:
+    explicit LayersView(QWidget* parent = nullptr, Settings* settings = nullptr);
+
+    [[nodiscard]] LayersPlot* plot() const { return m_plot; }
+    [[nodiscard]] LayersSurface* surface() const { return m_surface; }
+    [[nodiscard]] SidePlot* side() const { return m_side; }
+    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
+    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+
+    [[nodiscard]] QString title() const override;
+    void retranslate() override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showOutcome() override;
+    void followCycle() override;
+
+private:
+    /// One of the plots with its tools, in the order of the box of contents.
+    struct Page {
+        QCustomPlot* plot = nullptr;
+        PlotTools* tools = nullptr;
+        QWidget* buttons = nullptr;
+        std::function<std::vector<LegendEntry>()> legend;
+        std::function<void(int)> toggle, showOnly; ///< by the key of the legend
+    };
+    void build(Settings* settings);
+    void buildTools(QWidget* bar, Settings* settings);
+    template <typename Plot>
+    void addPage(Plot& plot, PlotSubject subject, Settings* settings);
+    [[nodiscard]] const Page& page() const; ///< in sight
+    [[nodiscard]] QString hint() const;     ///< what the mouse does, or the values
+    void connectParts();
+    void chooseContent();
+    void setSeries(); ///< of the chosen radius
+    void showDone();
+    void fillRadii();
+    void showState();
+    void showLegend();
+    void replotShown();
+    [[nodiscard]] QString notice() const;
+    [[nodiscard]] QString summary() const;
+    [[nodiscard]] QStringList heading() const;
+
+    LayersPlot* m_plot;
+    LayersSurface* m_surface;
+    SidePlot* m_side;
+    QStackedWidget* m_stack;
+    LegendStrip* m_legend;
+    QComboBox* m_content;
+    QComboBox* m_radius;
+    QLabel* m_summary;
+    QLabel* m_notice;
+    QLabel* m_values;
+    std::vector<Page> m_pages;
+    OutcomePtr m_good;           ///< what is shown
+    std::optional<int> m_wanted; ///< k of the radius the user chose
+};
+
+} // namespace sparkout

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <qcustomplot.h>
+
+namespace sparkout {
+
+class SidePlot;
+
+/// Paints the wheel, the part that gives way, its tolerance field and the gauge of a SidePlot.
+class SideScene : public QCPLayerable {
+    Q_OBJECT
+public:
+    explicit SideScene(SidePlot& plot);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    [[nodiscard]] double yOf(double radius_mm) const; ///< [px]
+    [[nodiscard]] double xOf(double length_mm) const; ///< [px]
+    void drawField(QCPPainter& painter) const;
+    void drawBody(QCPPainter& painter) const;
+    void drawWheel(QCPPainter& painter) const;
+    void drawYield(QCPPainter& painter) const;
+    void drawGauge(QCPPainter& painter) const;
+
+    SidePlot& m_plot;
+};
+
+} // namespace sparkout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/cycle_cursor.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QTextEdit;
+
+namespace sparkout {
+
+/// The formulas of the step the cycle stands at, with their numbers: the balance of the radius that
+/// was ground last, in each zone or section under the wheel at that moment.
+class StepSheet : public QWidget {
+    Q_OBJECT
+public:
+    explicit StepSheet(CycleCursor& cycle, QWidget* parent = nullptr);
+    void retranslate();
+    [[nodiscard]] QSize sizeHint() const override { return {327, 380}; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void follow(); ///< only while it is in sight
+    void fillZones();
+    void showSheet();
+
+    CycleCursor& m_cycle;
+    QComboBox* m_zone;
+    QLabel* m_place;
+    QTextEdit* m_sheet;
+    std::optional<std::size_t> m_wanted; ///< zone or section the user chose
+};
+
+} // namespace sparkout
