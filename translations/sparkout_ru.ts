@@ -6253,7 +6253,7 @@ target, µm</source>
         </message>
         <message>
             <source>%1, radius %2: programmed %3 µm; lag %4 µm = cut %5 µm + yield %6 µm; normal force %7 N.</source>
-            <translation>%1, радиус %2: программная подача %3 мкм; отставание %4 мкм = срез %5 мкм + отжатие %6 мкм; нормальная сила %7 Н.</translation>
+            <translation>%1, радиус %2: программная подача %3 мкм; отставание %4 мкм = срез %5 мкм + отжатие %6 мкм; радиальная сила %7 Н.</translation>
         </message>
     </context>
     <context>
