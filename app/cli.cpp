@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_batch_command.h"
+#include "app/cli_io.h"
+#include "app/cli_options.h"
 #include "app/cli_report.h"
 #include "app/examples.h"
-#include "core/project/project_file.h"
-#include "core/project/safe_file.h"
 #include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
-#include <cerrno>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,13 +17,13 @@ namespace sparkout::cli {
 
 namespace {
 
-enum Exit { done = 0, refused = 1, usage = 2, cannotReachSize = 3, requirementFails = 4 };
-
 constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
   sparkout-cli validate FILE
+  sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
+  sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
   sparkout-cli examples DIR
   sparkout-cli --version | --help
 
@@ -34,71 +32,29 @@ simulate   runs the cycle of a project file
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
 validate   checks a project file: one line a fault
+batch      runs the batch of a project file: its parts differ by the factors given there
+  --parts N            parts, instead of the file's
+  --seed S             seed, instead of the file's
+  --scenarios HOW      corners, latin_hypercube, sobol or random, instead of the file's
+  --measured BLANKS    CSV whose columns are headed by factors (stock_mm, initial_runout_mm, …):
+                       their values take the place of the file's laws
+  --until-width W      ends as soon as every 95 % interval of a mean is W µm wide at most
+  --sensitivity N      Sobol indices, from N·(factors + 2) parts more
+  --threads N          threads, instead of one a processor; the answer is the same
+  --shard I/N          runs the I-th of N shards and prints it for batch-merge
+  --json, --csv        prints one JSON object, or a row for every characteristic
+  --check              exit status 4 when a part fails a requirement
+  --progress           tells the progress on stderr, also when that is no terminal
+           Ctrl+C ends it; what is done until then is evaluated and printed
+batch-merge
+           joins the shards of a batch: the answer is that of one run
 examples   writes the example projects into a folder, which is made if need be
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check).
+4 a requirement fails (--check); 130 or 143 a batch ended by Ctrl+C or SIGTERM.
+
+A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
-
-struct Options {
-    std::string command, operand, trace;
-    bool json = false, check = false;
-};
-
-void print(std::FILE* stream, const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stream);
-}
-
-/// Whether everything printed so far has reached the standard output.
-bool outputTaken() {
-    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) {
-        return true;
-    }
-    print(stderr, "sparkout-cli: the standard output cannot be written: "
-                      + std::string(std::strerror(errno)) + '\n');
-    return false;
-}
-
-int usageError(const std::string& message) {
-    print(stderr, "sparkout-cli: " + message + "; see sparkout-cli --help\n");
-    return usage;
-}
-
-std::string describe(const FileError& error) {
-    std::string text = error.path + ": " + fileStepText(error.step);
-    if (error.systemError != 0) {
-        text += ": " + std::string(std::strerror(error.systemError));
-    }
-    if (error.freeBytes) {
-        text += " (" + std::to_string(*error.freeBytes) + " bytes free)";
-    }
-    return text + '\n';
-}
-
-/// Reads and checks a project; prints every fault, one a line.
-std::optional<Project> load(const std::string& file) {
-    const auto content = readFile(file, limits::fileBytes);
-    if (const auto* error = std::get_if<FileError>(&content)) {
-        print(stderr, describe(*error));
-        return std::nullopt;
-    }
-    ReadResult read = readProject(std::get<std::string>(content));
-    for (const Issue& issue : read.issues) {
-        print(stderr, issueLine(file, issue) + '\n');
-    }
-    if (read.issues.size() == limits::issues) {
-        print(stderr, file + ": no further faults are listed\n");
-    }
-    return std::move(read.project);
-}
-
-int save(const std::string& file, const std::string& content) {
-    if (const auto error = writeFileSafely(file, content)) {
-        print(stderr, describe(*error));
-        return refused;
-    }
-    return done;
-}
 
 /// Whether writing to the file would lose a project, by a slip on the command line.
 bool replacesProject(const std::string& file, const std::string& project) {
@@ -126,9 +82,7 @@ int runSimulate(const Options& options) {
         }
         result = simulate(*project, &trajectory);
     }
-    for (const Issue& remark : remarksOn(result)) {
-        print(stderr, issueLine(options.operand, remark) + '\n');
-    }
+    printIssues(options.operand, remarksOn(result));
     const auto constraints = evaluateConstraints(result);
     print(stdout, options.json ? resultJson(result, constraints) : resultText(result, constraints));
     if (!options.trace.empty()) {
@@ -160,35 +114,6 @@ int runExamples(const std::string& folder) {
     return done;
 }
 
-int parse(const std::vector<std::string>& arguments, Options& options) {
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string& argument = arguments[i];
-        const bool simulates = options.command == "simulate";
-        if (options.command.empty()) {
-            options.command = argument;
-        } else if (simulates && argument == "--json") {
-            options.json = true;
-        } else if (simulates && argument == "--check") {
-            options.check = true;
-        } else if (simulates && argument == "--trace") {
-            if (++i == arguments.size()) {
-                return usageError("--trace needs a file name");
-            }
-            options.trace = arguments[i];
-            if (options.trace.empty()) {
-                return usageError("--trace needs a file name");
-            }
-        } else if (argument.size() > 1 && argument[0] == '-') {
-            return usageError("unknown option " + argument);
-        } else if (options.operand.empty()) {
-            options.operand = argument;
-        } else {
-            return usageError("one file or folder too many: " + argument);
-        }
-    }
-    return done;
-}
-
 int run(const std::vector<std::string>& arguments) {
     if (arguments.size() == 1 && arguments[0] == "--help") {
         print(stdout, helpText);
@@ -203,7 +128,8 @@ int run(const std::vector<std::string>& arguments) {
         return failed;
     }
     const std::string& command = options.command;
-    if (command != "simulate" && command != "validate" && command != "examples") {
+    if (command != "simulate" && command != "validate" && command != "batch"
+        && command != "batch-merge" && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -211,6 +137,12 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "simulate") {
         return runSimulate(options);
+    }
+    if (command == "batch") {
+        return runBatchCommand(options);
+    }
+    if (command == "batch-merge") {
+        return runBatchMerge(options);
     }
     if (command == "validate") {
         return load(options.operand) ? done : refused;

@@ -1631,10 +1631,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>не так</translation>
         </message>
         <message>
-            <source>Lowest and highest value.</source>
-            <translation>Наименьшее и наибольшее значение.</translation>
-        </message>
-        <message>
             <source>Normal</source>
             <translation>Нормально</translation>
         </message>
@@ -1926,6 +1922,46 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Rows of force and contact stiffness, beyond the sources: 0 50; 200 80.</source>
             <translation>Строки «сила, жёсткость контакта», сверх источников: 0 50; 200 80.</translation>
         </message>
+        <message>
+            <source>Feeding starts before size</source>
+            <translation>Начало подачи до размера</translation>
+        </message>
+        <message>
+            <source>at first touch</source>
+            <translation>от касания</translation>
+        </message>
+        <message>
+            <source>How far from the target radius the wheel head's feed starts. In a batch it is where the wheel touches the nominal blank: a larger blank is cut deeper at once, a smaller one later.</source>
+            <translation>Расстояние от целевого радиуса, с которого начинается подача шлифовальной бабки. В партии — от касания номинальной заготовки: с большей заготовки сразу снимается больше, меньшей круг касается позже.</translation>
+        </message>
+        <message>
+            <source>Lowest and highest value; equal, a constant.</source>
+            <translation>Наименьшее и наибольшее значения; равные — постоянная величина.</translation>
+        </message>
+        <message>
+            <source>Triangular</source>
+            <translation>Треугольное</translation>
+        </message>
+        <message>
+            <source>Lowest, most frequent and highest value.</source>
+            <translation>Наименьшее, наиболее частое и наибольшее значения.</translation>
+        </message>
+        <message>
+            <source>Measured</source>
+            <translation>По измерениям</translation>
+        </message>
+        <message>
+            <source>Values of measured blanks, each as frequent as any other; `sparkout-cli batch --measured` reads them from a CSV.</source>
+            <translation>Значения измеренных заготовок, все одинаково частые; `sparkout-cli batch --measured` читает их из CSV.</translation>
+        </message>
+        <message>
+            <source>Contact width</source>
+            <translation>Ширина контакта</translation>
+        </message>
+        <message>
+            <source>Traverse: the wheel's width, from which the widths of cut follow. Plunge: the ground length.</source>
+            <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -2177,6 +2213,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>length and diameter of each step of the shaft</source>
             <translation>длина и диаметр каждой ступени вала</translation>
+        </message>
+        <message>
+            <source>a positive definite matrix</source>
+            <translation>положительно определённая матрица</translation>
+        </message>
+        <message>
+            <source>an object</source>
+            <translation>объект</translation>
         </message>
     </context>
     <context>
@@ -3083,6 +3127,50 @@ target, µm</source>
         <message>
             <source>GOST 1412, appendix 2, grey iron</source>
             <translation>ГОСТ 1412, приложение 2, серый чугун</translation>
+        </message>
+        <message>
+            <source>Salmon and others, 2011, random numbers from a counter</source>
+            <translation>Salmon и др., 2011, случайные числа по счётчику</translation>
+        </message>
+        <message>
+            <source>Joe and Kuo, 2008, Sobol sequences</source>
+            <translation>Joe, Kuo, 2008, последовательности Соболя</translation>
+        </message>
+        <message>
+            <source>McKay, Beckman and Conover, 1979, Latin hypercube</source>
+            <translation>McKay, Beckman, Conover, 1979, латинский гиперкуб</translation>
+        </message>
+        <message>
+            <source>Iman and Conover, 1982, rank correlation</source>
+            <translation>Iman, Conover, 1982, ранговая корреляция</translation>
+        </message>
+        <message>
+            <source>Iman and Conover, 1979, regression of ranks</source>
+            <translation>Iman, Conover, 1979, регрессия рангов</translation>
+        </message>
+        <message>
+            <source>Saltelli and others, 2010, Sobol indices</source>
+            <translation>Saltelli и др., 2010, индексы Соболя</translation>
+        </message>
+        <message>
+            <source>Kulisch, 2008, exact sums</source>
+            <translation>Kulisch, 2008, точные суммы</translation>
+        </message>
+        <message>
+            <source>Clopper and Pearson, 1934, bounds of a share</source>
+            <translation>Clopper, Pearson, 1934, границы доли</translation>
+        </message>
+        <message>
+            <source>Kotz and Johnson, 1993, process capability indices</source>
+            <translation>Kotz, Johnson, 1993, индексы возможностей процесса</translation>
+        </message>
+        <message>
+            <source>Bissell, 1990, bounds of Cpk</source>
+            <translation>Bissell, 1990, границы Cpk</translation>
+        </message>
+        <message>
+            <source>Jarque and Bera, 1987, test for normality</source>
+            <translation>Jarque, Bera, 1987, проверка нормальности</translation>
         </message>
     </context>
     <context>

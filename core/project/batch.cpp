@@ -18,9 +18,10 @@ std::span<const Choice> choicesOf<Scenarios>() {
 template <>
 const StructInfo& tableOf<Factor>() {
     static const std::array rows{
-        SPARKOUT_FIELD(Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"),
-                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .count = 2, .hint = SPARKOUT_NOOP("Input", "Lowest and highest value.")),
+        SPARKOUT_FIELD(
+            Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"), .hard = {-1e6, 1e6},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
+            .hint = SPARKOUT_NOOP("Input", "Lowest and highest value; equal, a constant.")),
         SPARKOUT_FIELD(Factor, normal, .label = SPARKOUT_NOOP("Input", "Normal"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
                        .count = 2, .hint = SPARKOUT_NOOP("Input", "Mean and standard deviation.")),
@@ -28,6 +29,16 @@ const StructInfo& tableOf<Factor>() {
             Factor, within, .label = SPARKOUT_NOOP("Input", "Within"), .hard = {-1e6, 1e6},
             .nullMeaning = SPARKOUT_NOOP("Input", "not truncated"), .count = 2,
             .hint = SPARKOUT_NOOP("Input", "Bounds that truncate the normal distribution.")),
+        SPARKOUT_FIELD(Factor, triangular, .label = SPARKOUT_NOOP("Input", "Triangular"),
+                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
+                       .count = 3,
+                       .hint = SPARKOUT_NOOP("Input", "Lowest, most frequent and highest value.")),
+        SPARKOUT_FIELD(Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"),
+                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "Values of measured blanks, each as frequent as any "
+                                             "other; `sparkout-cli batch --measured` reads them "
+                                             "from a CSV.")),
         SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
                        .hint = SPARKOUT_NOOP(
@@ -60,6 +71,11 @@ const StructInfo& tableOf<Factors>() {
         SPARKOUT_FIELD(Factors, compliance, .label = SPARKOUT_NOOP("Input", "Compliance"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
                        .hint = SPARKOUT_NOOP("Input", "Factor on every compliance.")),
+        SPARKOUT_FIELD(
+            Factors, contact_width_mm, .label = SPARKOUT_NOOP("Input", "Contact width"),
+            .symbol = "b", .unit = "mm", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .hint = SPARKOUT_NOOP("Input", "Traverse: the wheel's width, from which the widths of "
+                                           "cut follow. Plunge: the ground length.")),
     };
     static const StructInfo info = makeTable<Factors>(SPARKOUT_NOOP("Struct", "Factors"), rows);
     return info;

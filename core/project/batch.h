@@ -12,9 +12,11 @@ enum class Scenarios { corners, latin_hypercube, sobol, random };
 
 /// How a quantity scatters over the batch; exactly one of the forms is given.
 struct Factor {
-    std::optional<std::vector<double>> uniform; ///< [lowest, highest]
-    std::optional<std::vector<double>> normal;  ///< [mean, standard deviation]
-    std::optional<std::vector<double>> within;  ///< truncation of the normal, [lowest, highest]
+    std::optional<std::vector<double>> uniform;    ///< [lowest, highest]
+    std::optional<std::vector<double>> normal;     ///< [mean, standard deviation]
+    std::optional<std::vector<double>> within;     ///< truncation of the normal, [lowest, highest]
+    std::optional<std::vector<double>> triangular; ///< [lowest, most frequent, highest]
+    std::optional<std::vector<double>> measured;   ///< values, each as frequent as any other
     std::optional<std::vector<double>> grows;   ///< from the first to the last part of a dressing
     std::optional<int> parts_between_dressings; ///< with `grows`
 };
@@ -26,6 +28,7 @@ struct Factors {
     std::optional<Factor> wheel_diameter_mm;
     std::optional<Factor> flow_stress_mpa;
     std::optional<Factor> compliance;
+    std::optional<Factor> contact_width_mm;
 };
 
 /// The batch a cycle must hold for.

@@ -11,6 +11,9 @@ namespace {
 bool gaugeAtSection(const Project& p, const void*) {
     return p.operation == Operation::plunge && !p.gauge.position_mm;
 }
+bool byPosition(const Project& p, const void*) {
+    return p.gauge.control == Control::position;
+}
 bool gaugeFree(const Project& p, const void*) {
     return p.operation == Operation::plunge && p.gauge.position_mm;
 }
@@ -73,6 +76,16 @@ const StructInfo& tableOf<Gauge>() {
             .relevant = gaugeFree, .page = Page::gauge,
             .hint = SPARKOUT_NOOP("Input", "Compliance at the gauge's free position."),
             .source = "MODEL-6"),
+        SPARKOUT_FIELD(
+            Gauge, datum_mm, .label = SPARKOUT_NOOP("Input", "Feeding starts before size"),
+            .unit = "mm", .hard = {0, 1000, true}, .soft = {0.001, 5},
+            .nullMeaning = SPARKOUT_NOOP("Input", "at first touch"), .relevant = byPosition,
+            .page = Page::gauge,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "How far from the target radius the wheel head's feed starts. In "
+                                  "a batch it is where the wheel touches the nominal blank: a "
+                                  "larger blank is cut deeper at once, a smaller one later."),
+            .formula = "R_max0 − R_t", .source = "MODEL-7"),
         SPARKOUT_FIELD(Gauge, commands, .label = SPARKOUT_NOOP("Input", "Gauge commands"),
                        .hard = {1, 5}, .page = Page::gauge,
                        .hint = SPARKOUT_NOOP("Input", "How many stages the gauge can switch."),

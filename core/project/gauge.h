@@ -17,7 +17,8 @@ struct Gauge {
     std::optional<int> section;        ///< 0-based plunge section; not given: the middle one
     std::optional<double> position_mm; ///< free position along the ground length [mm]
     std::optional<double> compliance_mm_per_n; ///< γ at the free position [mm/N]
-    int commands = 5;                          ///< stages the gauge can switch
+    std::optional<double> datum_mm; ///< R − R_t that feeding counts from, position control [mm]
+    int commands = 5;               ///< stages the gauge can switch
 };
 
 } // namespace sparkout

@@ -44,8 +44,8 @@ struct Question {
     void (*answer)(Project& project, Stage& stage, std::size_t choice);
 };
 
-const std::array<Question, 6>& questions() {
-    static const std::array<Question, 6> all{{
+const std::array<Question, 7>& questions() {
+    static const std::array<Question, 7> all{{
         {{"traverse", "plunge"},
          [](Project& p, Stage&, std::size_t i) { p.operation = static_cast<Operation>(i); }},
         {{"external", "internal"},
@@ -60,6 +60,8 @@ const std::array<Question, 6>& questions() {
          [](Project& p, Stage&, std::size_t i) {
              p.gauge.position_mm = i == 0 ? std::nullopt : std::optional<double>(1);
          }},
+        {{"gauge control", "position control"},
+         [](Project& p, Stage&, std::size_t i) { p.gauge.control = static_cast<Control>(i); }},
         {{"the stage feeds", "the stage is a spark-out"},
          [](Project&, Stage& stage, std::size_t i) {
              stage.spark_out.mode = i == 0 ? SparkOut::Mode::none : SparkOut::Mode::untilSize;

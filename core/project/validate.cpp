@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/validate.h"
 
+#include "core/project/batch_rules.h"
 #include "core/project/range_check.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -27,6 +28,7 @@ public:
         checkWheelContact();
         checkStages();
         checkOptimisation();
+        checkBatch();
     }
 
 private:
@@ -319,6 +321,13 @@ private:
             const Field& axial = *tableOf<Stage>().find("axial_feed_mm_min");
             add(IssueCode::missingKey, path + "/axial_feed_mm_min", {},
                 rangeText(axial.stated(), axial.unit));
+        }
+    }
+
+    /// A batch that cannot be run is no reason to refuse the cycle.
+    void checkBatch() {
+        for (Issue& issue : batchFaults(project())) {
+            warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));
         }
     }
 

@@ -81,8 +81,8 @@ FeedColumnBuilder::FeedColumnBuilder(const FeedSeries& series, FeedColumn& colum
     , m_column(column)
     , m_radii(radii)
     , m_group(group)
-    , m_fed_mm(radii, 0.0)
-    , m_strokeFed_mm(radii, 0.0)
+    , m_fed_mm(radii, series.firstFeed_mm)
+    , m_strokeFed_mm(radii, series.firstFeed_mm)
     , m_strokeCut_mm(radii, 0.0)
     , m_strokeCame_mm(radii, 0.0) {}
 
@@ -182,7 +182,8 @@ FeedPoint passPoint(const FeedSeries& series, const Pass& pass, const Visit* vis
     for (std::size_t k = 0; k < radii; ++k) {
         const Visit& v = visits[k];
         if (finite(v)) {
-            programmed.add(v.programmed_mm - (before ? before[k].programmed_mm : 0));
+            programmed.add(v.programmed_mm
+                           - (before ? before[k].programmed_mm : series.firstFeed_mm));
             actual.add(v.actual_mm);
             came.add(came_mm(series, v) - series.target_mm);
             force.add(v.normalForce_n);

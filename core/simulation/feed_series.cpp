@@ -4,6 +4,7 @@
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/simulation/feed_column_builder.h"
+#include "core/simulation/stage_control.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -100,6 +101,7 @@ FeedSeries makeFeedSeries(const SimulationResult& result, const Trajectory& traj
     FeedSeries series;
     series.operation = result.project.operation;
     series.target_mm = targetRadius(result.project.part);
+    series.firstFeed_mm = firstFeed(result.project, makeBlank(result.project.part).totalInfeed_mm);
     series.removalSign = result.project.part.surface == Surface::internal ? -1 : 1;
     series.revolutions_per_s = result.project.machine.work_speed_rpm / units::secondsPerMinute;
     series.columns = emptyColumns(result);
@@ -196,8 +198,8 @@ FeedPoints radiusPoints(const FeedSeries& series, const FeedColumn& column,
         const Visit* before = visitsBefore(column, trajectory, i);
         const Visit* visits = trajectory.visits.data() + pass.firstVisit;
         for (std::size_t k = 0; k < K; ++k) {
-            points.push_back(
-                radiusPoint(series, pass, visits[k], before ? before[k].programmed_mm : 0, k, K));
+            const double fed_mm = before ? before[k].programmed_mm : series.firstFeed_mm;
+            points.push_back(radiusPoint(series, pass, visits[k], fed_mm, k, K));
         }
     }
     return points;

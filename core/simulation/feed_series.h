@@ -59,8 +59,9 @@ struct StepSpan {
 /// All zones or sections of a run; the passes within a span of time are worked out when asked for.
 struct FeedSeries {
     Operation operation = Operation::traverse;
-    double target_mm = 0;   ///< R_t
-    double removalSign = 1; ///< R_came = R_left + sign·a: +1 external, −1 internal
+    double target_mm = 0;    ///< R_t
+    double firstFeed_mm = 0; ///< t_П at the beginning
+    double removalSign = 1;  ///< R_came = R_left + sign·a: +1 external, −1 internal
     double revolutions_per_s = 0;
     double end_s = 0;
     int dropped = 0;                   ///< visits with a value that is no finite number, not drawn

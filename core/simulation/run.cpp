@@ -29,6 +29,7 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     if (!isCoupled(project)) { // else the contact is part of the coupled balance
         m_contact = wheelContact(project);
     }
+    fed_mm = firstFeed(project, m_blank.totalInfeed_mm);
     const auto K = static_cast<std::size_t>(m_radii);
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
         const std::size_t k = lane % K;

@@ -87,4 +87,10 @@ double remainingStock(const double* depth_mm, int radii, GaugeRule rule, double 
     return totalInfeed_mm - sum / half / 2;
 }
 
+double firstFeed(const Project& project, double totalInfeed_mm) {
+    const Gauge& gauge = project.gauge;
+    return gauge.control == Control::position && gauge.datum_mm ? totalInfeed_mm - *gauge.datum_mm
+                                                                : 0;
+}
+
 } // namespace sparkout

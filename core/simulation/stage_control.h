@@ -51,4 +51,8 @@ private:
 [[nodiscard]] double remainingStock(const double* depth_mm, int radii, GaugeRule rule,
                                     double totalInfeed_mm);
 
+/// t_П at the beginning [mm]: 0 when feeding starts where the wheel touches this blank. Under
+/// position control from a datum, how much deeper (a larger blank) or, below 0, how far away.
+[[nodiscard]] double firstFeed(const Project& project, double totalInfeed_mm);
+
 } // namespace sparkout

@@ -4,6 +4,7 @@
 // `BENCH name value target ratio`: value in ns (of a pass, of a visit, …), ratio to the floor or –.
 // Minima over interleaved repetitions, so that a busy machine does not matter much. The exit status
 // is 1 when a ratio is beyond four times its target.
+#include "core/batch/batch_run.h"
 #include "core/process/pass_kernel.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
@@ -236,6 +237,24 @@ void demandingCycle(benchmark::State& state, bool verdict) {
     }
 }
 
+/// Parts of a batch of the shaft, its stock, runout and dullness scattering, on one thread.
+constexpr int partsOfBatch = 500;
+void batchOfShafts(benchmark::State& state) {
+    Project project = readProject(shaft30h6).project.value();
+    project.batch = Batch{};
+    project.batch->parts = partsOfBatch;
+    project.batch->factors.stock_mm.emplace().uniform = {0.14, 0.16};
+    project.batch->factors.initial_runout_mm.emplace().normal = {0.02, 0.003};
+    project.batch->factors.dullness.emplace().grows = {0.015, 0.03};
+    BatchOptions options;
+    options.threads = 1;
+    for (auto _ : state) {
+        if (runBatch(project, options).statistics.parts != partsOfBatch) {
+            state.SkipWithError("not the batch it should be");
+        }
+    }
+}
+
 void readAndValidate(benchmark::State& state) {
     for (auto _ : state) {
         const ReadResult read = readProject(shaft30h6); // validates too
@@ -371,6 +390,9 @@ bool summary(const Minima& minima) {
     // here the ratio is to 100 ms
     beyond |= report("simulate_coupled_20x300x36", time("simulate_coupled_20x300x36"), 1.0,
                      time("simulate_coupled_20x300x36") / 100e6);
+    // to 200 µs: 100,000 parts on two processors in 10 s
+    const double part = time("batch_of_shafts") / partsOfBatch;
+    beyond |= report("batch_part", part, 1.0, part / 200e3);
     const double floor = time(floorName(widestUnit(), 36));
     const double demanding = time("pass_36_radii_every_constraint");
     beyond |= report("pass_36_radii_every_constraint", demanding, 2.5, demanding / floor);
@@ -405,6 +427,7 @@ void registerAll() {
     benchmark::RegisterBenchmark("simulate_every_constraint", demandingCycle, false);
     benchmark::RegisterBenchmark("simulate_and_verdict", demandingCycle, true);
     benchmark::RegisterBenchmark("simulate_coupled_20x300x36", coupledCycle);
+    benchmark::RegisterBenchmark("batch_of_shafts", batchOfShafts);
     benchmark::RegisterBenchmark("read_project", readAndValidate);
     benchmark::RegisterBenchmark("validate", validateAlone);
     benchmark::RegisterBenchmark("accuracy_3_by_36", accuracyOfPart, 3, 36);

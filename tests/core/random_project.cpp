@@ -425,7 +425,11 @@ json randomProject(std::uint64_t seed) {
         completeSparkOut(random, plan, project, gamma, stages.back());
     }
     project["cycle"]["stages"] = stages;
-    const json gauge = gaugeOf(random, plan, L_p, gamma);
+    json gauge = gaugeOf(random, plan, L_p, gamma);
+    if (plan.positionControl && random.chance(0.5)) { // the blank larger or smaller than expected
+        const double touch = part["stock_mm"].get<double>() + plan.runout;
+        gauge["datum_mm"] = std::max(0.001, rounded(touch + random.uniform(-0.02, 0.03), 4));
+    }
     if (!gauge.empty() || random.chance(0.5)) {
         project["gauge"] = gauge;
     }

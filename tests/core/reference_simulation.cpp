@@ -271,6 +271,10 @@ Cycle readCycle(const json& project) {
     readForceLaw(c, project);
     readStages(c, project);
     placeBodies(c, project, radius);
+    if (c.position_control && given(gauge, "datum_mm")) {
+        const Real touch = c.internal ? c.R_t - c.R_min0 : c.R_max0 - c.R_t;
+        c.t_P = touch - number(gauge, "datum_mm");
+    }
     return c;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of the tree, read from its includes: app → ui → core, widgets → session, and inside
-// the core quality → simulation → process → project → field.
+// the core batch → quality → simulation → process → project → field.
 #include "tests/registry.h"
 
 #include <QDirIterator>
@@ -55,6 +55,7 @@ private slots:
         // the limits of a depth of cut, which know no cycle, are watched pass by pass
         row("core/simulation", "^core/(quality/(?!burn_table\\.h)|batch|optimisation)/");
         row("core/quality", "^core/(batch|optimisation)/");
+        row("core/batch", "^core/optimisation/");
         row("ui/session", "^(app/|ui/(?!session/)|qcustomplot|QWidget|QApplication|QMainWindow|"
                           "Q[A-Za-z]*(Button|Dialog|Edit|Label|Layout|View|Box)$)");
         row("ui", "^app/");

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch_watch.h"
+
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <string>
+
+#include <unistd.h>
+
+namespace sparkout::cli {
+
+namespace {
+
+std::atomic<int> caught = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch nothing else");
+
+void catchSignal(int signal) {
+    caught = signal;
+}
+
+/// A signal that the caller has switched off, as `nohup` does, stays off.
+void handle(int signal) {
+    struct sigaction action = {};
+    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) {
+        return;
+    }
+    action = {};
+    action.sa_handler = catchSignal;
+    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+    sigaction(signal, &action, nullptr);
+}
+
+} // namespace
+
+BatchWatch::BatchWatch(std::int64_t parts, bool tells)
+    : m_parts(parts), m_terminal(isatty(STDERR_FILENO) == 1), m_tells(tells || m_terminal) {
+    handle(SIGINT);
+    handle(SIGTERM);
+    m_thread = std::jthread([this](const std::stop_token& over) { watch(over); });
+}
+
+BatchWatch::~BatchWatch() {
+    m_thread.request_stop();
+    m_thread.join();
+    if (m_terminal) {
+        print(stderr, "\r\x1b[K");
+    }
+}
+
+int BatchWatch::caughtSignal() {
+    return caught;
+}
+
+void BatchWatch::watch(const std::stop_token& over) {
+    constexpr auto look = std::chrono::milliseconds(20);
+    constexpr int looksPerLine = 25; // twice a second
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    for (int looks = 1; !over.stop_requested(); ++looks) {
+        wake.wait_for(lock, over, look, [] { return false; });
+        if (caught != 0) {
+            m_stop.request_stop();
+        }
+        if (m_tells && looks % looksPerLine == 0) {
+            tell();
+        }
+    }
+}
+
+void BatchWatch::tell() {
+    const std::int64_t done = m_done.load(std::memory_order_relaxed);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - m_began;
+    std::string text = std::to_string(done) + " of " + std::to_string(m_parts) + " parts";
+    if (done > 0) {
+        const double left =
+            took.count() * static_cast<double>(m_parts - done) / static_cast<double>(done);
+        text += ", " + fixed(left, 0) + " s left";
+    }
+    print(stderr, m_terminal ? "\r\x1b[K" + text : text + '\n');
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <stop_token>
+#include <thread>
+
+namespace sparkout::cli {
+
+/// Looks after long work from a thread of its own: tells its progress on stderr and makes a stop
+/// request of Ctrl+C or SIGTERM. A second Ctrl+C ends the program at once.
+class BatchWatch {
+public:
+    /// `parts` is what `done` will count up to; `tells`: also when stderr is no terminal.
+    BatchWatch(std::int64_t parts, bool tells);
+    ~BatchWatch();
+    BatchWatch(const BatchWatch&) = delete;
+    BatchWatch& operator=(const BatchWatch&) = delete;
+
+    [[nodiscard]] std::stop_token stop() const { return m_stop.get_token(); }
+    [[nodiscard]] std::atomic<std::int64_t>* done() { return &m_done; }
+
+    /// The signal that ended the work; 0: none.
+    [[nodiscard]] static int caughtSignal();
+
+private:
+    void watch(const std::stop_token& over);
+    void tell();
+
+    std::int64_t m_parts;
+    bool m_terminal, m_tells;
+    std::chrono::steady_clock::time_point m_began = std::chrono::steady_clock::now();
+    std::stop_source m_stop;
+    std::atomic<std::int64_t> m_done = 0;
+    std::jthread m_thread; ///< the last member: it uses the others
+};
+
+} // namespace sparkout::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_state.h"
+#include "core/batch/batch_summary.h"
+#include "core/batch/sensitivity.h"
+
+#include <optional>
+#include <string>
+
+namespace sparkout::cli {
+
+/// The figures of a batch for people; with Sobol indices where they were asked for.
+[[nodiscard]] std::string batchText(const BatchResult& result,
+                                    const std::optional<SobolIndices>& indices);
+
+/// The object of `batch --json`; its named keys are fixed. Under "worst" the part of the least
+/// margin, with the values of its factors and as a project that `simulate` runs again.
+[[nodiscard]] std::string batchJson(const BatchResult& result,
+                                    const std::optional<SobolIndices>& indices);
+
+/// The CSV of `batch --csv`: a row a characteristic of a zone or section.
+[[nodiscard]] std::string batchCsv(const BatchResult& result);
+
+/// Why shards cannot be joined.
+[[nodiscard]] const char* joinSentence(JoinFault fault);
+
+} // namespace sparkout::cli

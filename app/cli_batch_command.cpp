@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_batch_command.h"
+
+#include "app/batch_watch.h"
+#include "app/cli_batch.h"
+#include "app/cli_io.h"
+#include "core/batch/batch_check.h"
+#include "core/project/blanks_csv.h"
+#include "core/project/project_file.h"
+#include "core/project/strict_json.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sparkout::cli {
+
+namespace {
+
+int printBatch(const BatchResult& result, const std::optional<SobolIndices>& indices,
+               const Options& options) {
+    print(stdout, options.json  ? batchJson(result, indices)
+                  : options.csv ? batchCsv(result)
+                                : batchText(result, indices));
+    return options.check && result.statistics.bad > 0 ? requirementFails : done;
+}
+
+/// Puts the measured blanks of a CSV into the batch; false: refused, which is said.
+bool putMeasuredFile(const std::string& file, Batch& batch) {
+    const auto content = readOrSay(file, limits::fileBytes);
+    if (!content) {
+        return false;
+    }
+    const auto blanks = readMeasuredBlanks(*content);
+    if (const auto* fault = std::get_if<TableFault>(&blanks)) {
+        print(stderr,
+              file + ": line " + std::to_string(fault->line) + ": "
+                  + (fault->text.empty() ? "no heading is a factor, as stock_mm"
+                                         : "not understood: " + quoted(nlohmann::json(fault->text)))
+                  + '\n');
+        return false;
+    }
+    const auto& columns = std::get<std::vector<MeasuredColumn>>(blanks);
+    for (const MeasuredColumn& column : columns) {
+        print(stderr, file + ": " + std::to_string(column.values.size()) + " values of "
+                          + factorKey(column.kind) + '\n');
+    }
+    putMeasured(columns, batch);
+    return true;
+}
+
+/// Puts what the command line says in place of what the file says.
+bool putOptions(const Options& options, Project& project) {
+    if (!project.batch && options.measured.empty()) {
+        return true; // which checkBatch() refuses
+    }
+    Batch& batch = project.batch ? *project.batch : project.batch.emplace();
+    batch.parts = options.parts.value_or(batch.parts);
+    batch.seed = options.seed.value_or(batch.seed);
+    batch.scenarios = options.scenarios.value_or(batch.scenarios);
+    return options.measured.empty() || putMeasuredFile(options.measured, batch);
+}
+
+std::optional<Project> loadBatch(const Options& options) {
+    auto project = load(options.operand);
+    if (!project || !putOptions(options, *project)) {
+        return std::nullopt;
+    }
+    const Issues issues = checkBatch(*project);
+    printIssues(options.operand, issues);
+    if (!issues.empty()) {
+        return std::nullopt;
+    }
+    if (options.sensitivity && (project->batch->correlation || givenFactors(*project).empty())) {
+        print(stderr, options.operand + ": Sobol indices need factors that are not correlated\n");
+        return std::nullopt;
+    }
+    return project;
+}
+
+/// Parts of the batch and of the sensitivity, which the progress is told of.
+std::int64_t partsToRun(const ScenarioSource& source, const Options& options, PartRange range) {
+    const auto factors = static_cast<std::int64_t>(source.factors().size());
+    return range.end - range.first + options.sensitivity.value_or(0) * (factors + 2);
+}
+
+} // namespace
+
+int runBatchCommand(const Options& options) {
+    const auto project = loadBatch(options);
+    if (!project) {
+        return refused;
+    }
+    const ScenarioSource source(*project);
+    const auto [shard, shards] = options.shard.value_or(std::pair(1, 1));
+    BatchResult result;
+    std::optional<SobolIndices> indices;
+    {
+        BatchOptions run;
+        run.threads = options.threads.value_or(0);
+        run.range = shardRange(source.parts(), shard, shards);
+        run.meanWidth_um = options.untilWidth_um;
+        BatchWatch watch(partsToRun(source, options, *run.range), options.progress);
+        run.stop = watch.stop();
+        run.done = watch.done();
+        result = runBatch(*project, run);
+        if (options.sensitivity && !run.stop.stop_requested()) {
+            indices = sobolIndices(*project, *options.sensitivity, run);
+        }
+    }
+    int status = done;
+    if (options.shard) {
+        print(stdout, writeBatchState(result));
+    } else {
+        status = printBatch(result, indices, options);
+    }
+    if (BatchWatch::caughtSignal() == 0) {
+        return status;
+    }
+    print(stderr, "sparkout-cli: ended after " + std::to_string(result.statistics.parts) + " of "
+                      + std::to_string(source.parts()) + " parts\n");
+    return interrupted + BatchWatch::caughtSignal();
+}
+
+int runBatchMerge(const Options& options) {
+    std::vector<std::string> files = options.operands;
+    files.insert(files.begin(), options.operand);
+    std::vector<BatchResult> shards;
+    for (const std::string& file : files) {
+        constexpr std::size_t largestShard = std::size_t{256} << 20;
+        const auto content = readOrSay(file, largestShard);
+        if (!content) {
+            return refused;
+        }
+        auto shard = readBatchState(*content);
+        if (!shard) {
+            print(stderr, file + ": not a shard of a batch\n");
+            return refused;
+        }
+        shards.push_back(std::move(*shard));
+    }
+    const JoinedBatch joined = joinBatches(std::move(shards));
+    if (joined.fault != JoinFault::none) {
+        print(stderr, std::string("sparkout-cli: ") + joinSentence(joined.fault) + '\n');
+        return refused;
+    }
+    return printBatch(joined.result, {}, options);
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_io.h"
+
+#include "app/cli_report.h"
+#include "core/project/project_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <variant>
+
+namespace sparkout::cli {
+
+void print(std::FILE* stream, const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stream);
+}
+
+bool outputTaken() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) {
+        return true;
+    }
+    print(stderr, "sparkout-cli: the standard output cannot be written: "
+                      + std::string(std::strerror(errno)) + '\n');
+    return false;
+}
+
+int usageError(const std::string& message) {
+    print(stderr, "sparkout-cli: " + message + "; see sparkout-cli --help\n");
+    return usage;
+}
+
+std::string describe(const FileError& error) {
+    std::string text = error.path + ": " + fileStepText(error.step);
+    if (error.systemError != 0) {
+        text += ": " + std::string(std::strerror(error.systemError));
+    }
+    if (error.freeBytes) {
+        text += " (" + std::to_string(*error.freeBytes) + " bytes free)";
+    }
+    return text + '\n';
+}
+
+void printIssues(const std::string& file, const Issues& issues) {
+    for (const Issue& issue : issues) {
+        print(stderr, issueLine(file, issue) + '\n');
+    }
+}
+
+std::optional<std::string> readOrSay(const std::string& file, std::size_t most) {
+    auto content = readFile(file, most);
+    if (const auto* error = std::get_if<FileError>(&content)) {
+        print(stderr, describe(*error));
+        return std::nullopt;
+    }
+    return std::get<std::string>(std::move(content));
+}
+
+std::optional<Project> load(const std::string& file) {
+    const auto content = readOrSay(file, limits::fileBytes);
+    if (!content) {
+        return std::nullopt;
+    }
+    ReadResult read = readProject(*content);
+    printIssues(file, read.issues);
+    if (read.issues.size() == limits::issues) {
+        print(stderr, file + ": no further faults are listed\n");
+    }
+    return std::move(read.project);
+}
+
+int save(const std::string& file, const std::string& content) {
+    if (const auto error = writeFileSafely(file, content)) {
+        print(stderr, describe(*error));
+        return refused;
+    }
+    return done;
+}
+
+} // namespace sparkout::cli

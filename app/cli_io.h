@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+#include "core/project/safe_file.h"
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+namespace sparkout::cli {
+
+/// Exit status of the program. `interrupted` is 130 or 143, as a shell tells Ctrl+C and SIGTERM.
+enum Exit {
+    done = 0,
+    refused = 1,
+    usage = 2,
+    cannotReachSize = 3,
+    requirementFails = 4,
+    interrupted = 128
+};
+
+void print(std::FILE* stream, const std::string& text);
+
+/// Whether everything printed so far has reached the standard output; says so if not.
+[[nodiscard]] bool outputTaken();
+
+/// Says what is wrong with the command line; returns its exit status.
+int usageError(const std::string& message);
+
+/// "FILE: what went wrong", a line.
+[[nodiscard]] std::string describe(const FileError& error);
+
+void printIssues(const std::string& file, const Issues& issues);
+
+/// The bytes of a file; nothing when it cannot be read, which is said.
+[[nodiscard]] std::optional<std::string> readOrSay(const std::string& file, std::size_t most);
+
+/// Reads and checks a project; prints every fault, one a line.
+[[nodiscard]] std::optional<Project> load(const std::string& file);
+
+/// Writes a file; returns the exit status.
+[[nodiscard]] int save(const std::string& file, const std::string& content);
+
+} // namespace sparkout::cli

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_options.h"
+
+#include "app/cli_io.h"
+#include "core/field.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace sparkout::cli {
+
+namespace {
+
+template <class Number>
+std::optional<Number> numberIn(std::string_view text, Number low, Number high) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && value >= low && value <= high ? std::optional(value) : std::nullopt;
+}
+
+std::optional<int> countUpTo(const std::string& text, int most) {
+    return numberIn(text, 1, most);
+}
+
+/// "I/N" with 1 ≤ I ≤ N.
+std::optional<std::pair<int, int>> shardOf(const std::string& text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) {
+        return std::nullopt;
+    }
+    const auto shards = countUpTo(text.substr(slash + 1), std::numeric_limits<int>::max());
+    const auto index = shards ? countUpTo(text.substr(0, slash), *shards) : std::nullopt;
+    return index ? std::optional(std::pair(*index, *shards)) : std::nullopt;
+}
+
+std::optional<Scenarios> scenariosOf(const std::string& text) {
+    const auto choices = choicesOf<Scenarios>();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (text == choices[i].key) {
+            return static_cast<Scenarios>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> fileName(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(text);
+}
+
+/// Puts a value that was read; false: it could not be.
+template <class T, class U>
+bool put(T& option, const std::optional<U>& value) {
+    if (value) {
+        option = *value;
+    }
+    return value.has_value();
+}
+
+/// An option that takes a value.
+struct ValueOption {
+    const char* command;
+    const char* name;
+    const char* needs; ///< what its value must be
+    bool (*read)(const std::string& text, Options& options);
+};
+
+const ValueOption valueOptions[] = {
+    {"simulate", "--trace", "a file name",
+     [](const std::string& text, Options& options) { return put(options.trace, fileName(text)); }},
+    {"batch", "--parts", "a number from 1 to 1000000",
+     [](const std::string& text, Options& options) {
+         return put(options.parts, countUpTo(text, 1'000'000));
+     }},
+    {"batch", "--seed", "a number from 0 to 2147483647",
+     [](const std::string& text, Options& options) {
+         return put(options.seed, numberIn(text, 0, std::numeric_limits<int>::max()));
+     }},
+    {"batch", "--threads", "a number from 1 to 1024",
+     [](const std::string& text, Options& options) {
+         return put(options.threads, countUpTo(text, 1024));
+     }},
+    {"batch", "--sensitivity", "a number from 1 to 65536",
+     [](const std::string& text, Options& options) {
+         return put(options.sensitivity, countUpTo(text, 65'536));
+     }},
+    {"batch", "--shard", "I/N, I from 1 to N",
+     [](const std::string& text, Options& options) { return put(options.shard, shardOf(text)); }},
+    {"batch", "--until-width", "a width in µm above 0",
+     [](const std::string& text, Options& options) {
+         return put(options.untilWidth_um, numberIn(text, 1e-9, 1e9));
+     }},
+    {"batch", "--scenarios", "corners, latin_hypercube, sobol or random",
+     [](const std::string& text, Options& options) {
+         return put(options.scenarios, scenariosOf(text));
+     }},
+    {"batch", "--measured", "a file name",
+     [](const std::string& text, Options& options) {
+         return put(options.measured, fileName(text));
+     }},
+};
+
+const ValueOption* valueOption(const std::string& command, const std::string& name) {
+    for (const ValueOption& option : valueOptions) {
+        if (command == option.command && name == option.name) {
+            return &option;
+        }
+    }
+    return nullptr;
+}
+
+/// The place of an option that is given or not; null: the command has none of that name.
+bool* switchOf(const std::string& name, Options& options) {
+    const bool simulates = options.command == "simulate", runs = options.command == "batch";
+    const bool batch = runs || options.command == "batch-merge";
+    return (simulates || batch) && name == "--json"    ? &options.json
+           : (simulates || batch) && name == "--check" ? &options.check
+           : batch && name == "--csv"                  ? &options.csv
+           : runs && name == "--progress"              ? &options.progress
+                                                       : nullptr;
+}
+
+/// Options that contradict each other.
+int checkTogether(const Options& options) {
+    const int outputs = static_cast<int>(options.json) + static_cast<int>(options.csv)
+                        + static_cast<int>(options.shard.has_value());
+    if (outputs > 1) {
+        return usageError("only one of --json, --csv and --shard");
+    }
+    if (options.shard && (options.untilWidth_um || options.sensitivity || options.check)) {
+        return usageError("a shard knows too little for --until-width, --sensitivity or --check");
+    }
+    return done;
+}
+
+} // namespace
+
+int parse(const std::vector<std::string>& arguments, Options& options) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        if (options.command.empty()) {
+            options.command = argument;
+        } else if (const ValueOption* option = valueOption(options.command, argument)) {
+            if (++i == arguments.size() || !option->read(arguments[i], options)) {
+                return usageError(argument + " needs " + option->needs);
+            }
+        } else if (bool* given = switchOf(argument, options)) {
+            *given = true;
+        } else if (argument.size() > 1 && argument[0] == '-') {
+            return usageError("unknown option " + argument);
+        } else if (options.operand.empty()) {
+            options.operand = argument;
+        } else if (options.command == "batch-merge") {
+            options.operands.push_back(argument);
+        } else {
+            return usageError("one file or folder too many: " + argument);
+        }
+    }
+    return checkTogether(options);
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/batch.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sparkout::cli {
+
+/// A command with its operand and options, as typed.
+struct Options {
+    std::string command, operand;
+    std::vector<std::string> operands; ///< after the first, of batch-merge
+    std::string trace, measured;
+    bool json = false, csv = false, check = false, progress = false;
+    std::optional<int> parts, seed, threads, sensitivity;
+    std::optional<std::pair<int, int>> shard; ///< I of N
+    std::optional<double> untilWidth_um;
+    std::optional<Scenarios> scenarios;
+};
+
+/// Reads the arguments; what is wrong is said. Returns the exit status of it, or `done`.
+[[nodiscard]] int parse(const std::vector<std::string>& arguments, Options& options);
+
+} // namespace sparkout::cli

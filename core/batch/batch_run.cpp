@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_run.h"
+
+#include "core/batch/intervals.h"
+#include "core/batch/moments.h"
+#include "core/batch/permutation.h"
+#include "core/batch/worker_pool.h"
+#include "core/simulation/simulate.h"
+#include "core/version.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+class BatchPool {
+public:
+    BatchPool(const ScenarioSource& source, const BatchOptions& options)
+        : m_source(source)
+        , m_options(options)
+        , m_characteristics(characteristicsOf(source.nominal())) {}
+
+    BatchStatistics run(PartRange range) {
+        const std::size_t workers = workerCount(m_options.threads);
+        std::vector<BatchStatistics> found(workers);
+        forEachIndex(workers, range.first, range.end, m_options.stop,
+                     [&](std::size_t worker, std::int64_t at) {
+                         return runPart(partAt(at), found[worker]);
+                     });
+        for (std::size_t i = 1; i < found.size(); ++i) {
+            found.front().add(found[i]);
+        }
+        return std::move(found.front());
+    }
+
+    [[nodiscard]] const std::vector<Characteristic>& characteristics() const {
+        return m_characteristics;
+    }
+
+private:
+    [[nodiscard]] std::int64_t partAt(std::int64_t place) const {
+        constexpr std::uint32_t orderOfParts = 1001; // a permutation no factor has
+        return m_options.meanWidth_um ? static_cast<std::int64_t>(permuted(
+                   static_cast<std::uint64_t>(place), static_cast<std::uint64_t>(m_source.parts()),
+                   m_source.seed(), orderOfParts))
+                                      : place;
+    }
+
+    bool runPart(std::int64_t part, BatchStatistics& mine) {
+        const SimulationResult result = simulate(m_source.project(part), nullptr, m_options.stop);
+        if (result.status == RunStatus::stopped) {
+            return false;
+        }
+        PartOutcome outcome;
+        measure(result, m_characteristics, outcome);
+        mine.add(outcome, part, m_characteristics);
+        if (m_options.done) {
+            m_options.done->fetch_add(1, std::memory_order_relaxed);
+        }
+        return true;
+    }
+
+    const ScenarioSource& m_source;
+    const BatchOptions& m_options;
+    std::vector<Characteristic> m_characteristics;
+};
+
+bool narrowEnough(const BatchStatistics& statistics,
+                  const std::vector<Characteristic>& characteristics, double width_um) {
+    for (std::size_t i = 0; i < statistics.values.size(); ++i) {
+        const ValueStatistics& values = statistics.values[i];
+        if (std::string_view(characteristics[i].unit) != "µm") {
+            continue;
+        }
+        if (values.count < 2) {
+            return false;
+        }
+        const Moments moments = momentsOf(values);
+        const Interval interval =
+            studentInterval(moments.mean, moments.deviation, values.count, confidence95);
+        if (interval.high - interval.low > width_um) {
+            return false;
+        }
+    }
+    return !statistics.values.empty();
+}
+
+} // namespace
+
+PartRange shardRange(std::int64_t parts, int index, int shards) {
+    return {parts * (index - 1) / shards, parts * index / shards};
+}
+
+BatchResult runBatch(const Project& project, const BatchOptions& options) {
+    const ScenarioSource source(project);
+    BatchResult result;
+    result.project = project;
+    result.project.runs.clear();
+    result.engineVersion = version;
+    result.batchParts = source.parts();
+    result.range = options.range.value_or(PartRange{0, source.parts()});
+    BatchPool pool(source, options);
+    const std::int64_t round = options.meanWidth_um ? options.round : source.parts();
+    for (std::int64_t first = result.range.first; first < result.range.end; first += round) {
+        result.statistics.add(pool.run({first, std::min(first + round, result.range.end)}));
+        if (options.stop.stop_requested()
+            && result.statistics.parts < result.range.end - result.range.first) {
+            result.status = BatchStatus::stopped;
+            break;
+        }
+        if (options.meanWidth_um && source.isSample()
+            && narrowEnough(result.statistics, pool.characteristics(), *options.meanWidth_um)) {
+            result.status = BatchStatus::narrowEnough;
+            break;
+        }
+    }
+    result.statistics.sort();
+    return result;
+}
+
+} // namespace sparkout

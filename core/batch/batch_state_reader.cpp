@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_check.h"
+#include "core/batch/batch_state.h"
+#include "core/project/project_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::json;
+
+/// A state that no batch writes.
+struct NoState {};
+
+void expect(bool holds) {
+    if (!holds) {
+        throw NoState();
+    }
+}
+
+std::int64_t wholeIn(const json& value, std::int64_t low, std::int64_t high) {
+    expect(value.is_number_integer()
+           && (!value.is_number_unsigned()
+               || value.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max()));
+    const auto number = value.get<std::int64_t>();
+    expect(number >= low && number <= high);
+    return number;
+}
+
+/// Reads a state and refuses whatever could lead the joining or the figures astray.
+class StateReader {
+public:
+    explicit StateReader(const json& state) : m_state(state) {}
+
+    BatchResult read() {
+        expect(m_state.at("format") == batchStateFormat);
+        expect(m_state.at("version") == batchStateVersion);
+        ReadResult project = readProject(m_state.at("project").dump());
+        expect(project.project && checkBatch(*project.project).empty());
+        m_result.project = std::move(*project.project);
+        m_characteristics = characteristicsOf(m_result.project).size();
+        m_result.engineVersion = m_state.at("engine_version").get<std::string>();
+        m_result.batchParts = ScenarioSource(m_result.project).parts();
+        expect(m_state.at("batch_parts") == m_result.batchParts);
+        m_result.range.end = wholeIn(m_state.at("end"), 0, m_result.batchParts);
+        m_result.range.first = wholeIn(m_state.at("first"), 0, m_result.range.end);
+        m_result.status = static_cast<BatchStatus>(
+            wholeIn(m_state.at("status"), 0, static_cast<int>(BatchStatus::stopped)));
+        readStatistics(m_state.at("statistics"));
+        return std::move(m_result);
+    }
+
+private:
+    void readStatistics(const json& state) {
+        BatchStatistics& statistics = m_result.statistics;
+        statistics.parts = wholeIn(state.at("parts"), 0, m_result.range.end - m_result.range.first);
+        statistics.failed = wholeIn(state.at("failed"), 0, statistics.parts);
+        statistics.bad = wholeIn(state.at("bad"), statistics.failed, statistics.parts);
+        statistics.worst = partValue(state.at("worst"), statistics.parts == 0);
+        const std::int64_t measured = statistics.parts - statistics.failed;
+        for (const json& values : state.at("values")) {
+            statistics.values.push_back(readValues(values, measured));
+        }
+        expect(statistics.values.size() == (statistics.parts > 0 ? m_characteristics : 0));
+        for (const json& row : state.at("rows")) {
+            statistics.rows.push_back(readRow(row));
+        }
+        expect(static_cast<std::int64_t>(statistics.rows.size()) <= measured);
+    }
+
+    [[nodiscard]] PartValue partValue(const json& state, bool none) const {
+        expect(state.size() == 2);
+        if (none) {
+            expect(state.at(1) == -1);
+            return {};
+        }
+        const PartValue value{state.at(0).get<double>(),
+                              wholeIn(state.at(1), m_result.range.first, m_result.range.end - 1)};
+        expect(std::isfinite(value.value));
+        return value;
+    }
+
+    [[nodiscard]] ValueStatistics readValues(const json& state, std::int64_t measured) const {
+        ValueStatistics values;
+        values.count = wholeIn(state.at("count"), 0, measured);
+        expect(state.at("powers").size() == values.powers.size());
+        for (std::size_t i = 0; i < values.powers.size(); ++i) {
+            values.powers[i] = readSum(state.at("powers").at(i));
+        }
+        values.least = partValue(state.at("least"), values.count == 0);
+        values.most = partValue(state.at("most"), values.count == 0);
+        expect(values.least.value <= values.most.value);
+        values.below = wholeIn(state.at("below"), 0, values.count);
+        values.above = wholeIn(state.at("above"), 0, values.count - values.below);
+        std::int64_t left = values.count;
+        for (const json& bin : state.at("bins")) {
+            expect(bin.size() == 2);
+            const std::int64_t at = wholeIn(bin.at(0), -outermostBin, outermostBin);
+            left -= values.bins[at] = wholeIn(bin.at(1), 1, left);
+        }
+        expect(left == 0);
+        return values;
+    }
+
+    static ExactSum readSum(const json& state) {
+        constexpr std::int64_t base = std::int64_t{1} << 32;
+        ExactSum::Limbs digits{};
+        expect(state.size() == digits.size());
+        for (std::size_t i = 0; i + 1 < digits.size(); ++i) {
+            digits[i] = wholeIn(state.at(i), 0, base - 1);
+        }
+        digits.back() = wholeIn(state.at(digits.size() - 1), -base, base);
+        return ExactSum::ofDigits(digits);
+    }
+
+    [[nodiscard]] PartRow readRow(const json& state) const {
+        expect(state.size() == 2 && state.at(1).size() == m_characteristics);
+        const auto& rows = m_result.statistics.rows;
+        const std::int64_t first = rows.empty() ? m_result.range.first : rows.back().part + 1;
+        PartRow row{wholeIn(state.at(0), first,
+                            std::min(m_result.range.end, BatchStatistics::keptRows) - 1),
+                    {}};
+        for (const json& value : state.at(1)) {
+            row.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                                 : value.get<double>());
+        }
+        return row;
+    }
+
+    const json& m_state;
+    BatchResult m_result;
+    std::size_t m_characteristics = 0;
+};
+
+} // namespace
+
+std::optional<BatchResult> readBatchState(std::string_view text) {
+    try {
+        return StateReader(json::parse(text)).read();
+    } catch (const json::exception&) {
+        return std::nullopt;
+    } catch (const NoState&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_statistics.h"
+
+#include "core/quality/constraints.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double slack = diameterSlack_mm * units::umPerMm;
+
+void keepLeast(PartValue& kept, const PartValue& other) {
+    if (other.part >= 0
+        && (kept.part < 0 || other.value < kept.value
+            || (other.value == kept.value && other.part < kept.part))) {
+        kept = other;
+    }
+}
+
+void keepMost(PartValue& kept, const PartValue& other) {
+    if (other.part >= 0
+        && (kept.part < 0 || other.value > kept.value
+            || (other.value == kept.value && other.part < kept.part))) {
+        kept = other;
+    }
+}
+
+bool sameBitsOf(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+} // namespace
+
+void ValueStatistics::add(double value, std::int64_t part, const Characteristic& characteristic) {
+    ++count;
+    double power = value;
+    for (ExactSum& sum : powers) {
+        sum.add(power);
+        power *= value;
+    }
+    keepLeast(least, {value, part});
+    keepMost(most, {value, part});
+    below += characteristic.low && value < *characteristic.low - slack ? 1 : 0;
+    above += characteristic.high && value > *characteristic.high + slack ? 1 : 0;
+    constexpr auto outermost = static_cast<double>(outermostBin);
+    const double bin = std::floor(value / characteristic.resolution);
+    ++bins[static_cast<std::int64_t>(std::clamp(bin, -outermost, outermost))];
+}
+
+void ValueStatistics::add(const ValueStatistics& other) {
+    count += other.count;
+    for (std::size_t i = 0; i < powers.size(); ++i) {
+        powers[i].add(other.powers[i]);
+    }
+    keepLeast(least, other.least);
+    keepMost(most, other.most);
+    below += other.below;
+    above += other.above;
+    for (const auto& [bin, parts] : other.bins) {
+        bins[bin] += parts;
+    }
+}
+
+void BatchStatistics::add(const PartOutcome& outcome, std::int64_t part,
+                          const std::vector<Characteristic>& characteristics) {
+    ++parts;
+    failed += outcome.completed ? 0 : 1;
+    bad += outcome.good ? 0 : 1;
+    keepLeast(worst,
+              {outcome.completed ? outcome.margin : std::numeric_limits<double>::lowest(), part});
+    values.resize(characteristics.size());
+    for (std::size_t i = 0; i < outcome.values.size(); ++i) {
+        if (std::isfinite(outcome.values[i])) {
+            values[i].add(outcome.values[i], part, characteristics[i]);
+        }
+    }
+    if (part < keptRows && outcome.completed) {
+        rows.push_back({part, outcome.values});
+    }
+}
+
+void BatchStatistics::add(const BatchStatistics& other) {
+    parts += other.parts;
+    failed += other.failed;
+    bad += other.bad;
+    keepLeast(worst, other.worst);
+    values.resize(std::max(values.size(), other.values.size()));
+    for (std::size_t i = 0; i < other.values.size(); ++i) {
+        values[i].add(other.values[i]);
+    }
+    rows.insert(rows.end(), other.rows.begin(), other.rows.end());
+}
+
+void BatchStatistics::sort() {
+    std::sort(rows.begin(), rows.end(),
+              [](const PartRow& a, const PartRow& b) { return a.part < b.part; });
+}
+
+bool operator==(const PartValue& a, const PartValue& b) {
+    return a.part == b.part && sameBitsOf(a.value, b.value);
+}
+
+bool operator==(const ValueStatistics& a, const ValueStatistics& b) {
+    return a.count == b.count && a.powers == b.powers && a.least == b.least && a.most == b.most
+           && a.below == b.below && a.above == b.above && a.bins == b.bins;
+}
+
+bool operator==(const BatchStatistics& a, const BatchStatistics& b) {
+    const auto sameRow = [](const PartRow& x, const PartRow& y) {
+        return x.part == y.part
+               && std::equal(x.values.begin(), x.values.end(), y.values.begin(), y.values.end(),
+                             sameBitsOf);
+    };
+    return a.parts == b.parts && a.failed == b.failed && a.bad == b.bad && a.worst == b.worst
+           && a.values == b.values
+           && std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), sameRow);
+}
+
+} // namespace sparkout

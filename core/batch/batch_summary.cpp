@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::array percentileOrders{0.00135, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.99865};
+/// Scatter below this share of the resolution is rounding: no capability is made of it.
+constexpr double negligible = 1e-6;
+constexpr std::int64_t leastForShape = 20;
+constexpr std::int64_t mostBars = 40;
+
+Share shareOf(std::int64_t count, std::int64_t parts, bool isSample) {
+    Share share{count, 0, {}};
+    if (parts > 0) {
+        share.value = static_cast<double>(count) / static_cast<double>(parts);
+        if (isSample) {
+            share.interval = clopperPearson(count, parts, confidence95);
+        }
+    }
+    return share;
+}
+
+class Summariser {
+public:
+    Summariser(const BatchResult& result, bool isSample)
+        : m_statistics(result.statistics)
+        , m_isSample(isSample)
+        , m_exact(static_cast<std::int64_t>(m_statistics.rows.size()) + m_statistics.failed
+                  == m_statistics.parts) {}
+
+    [[nodiscard]] bool exact() const { return m_exact; }
+
+    CharacteristicSummary of(const Characteristic& characteristic, std::size_t index) {
+        const ValueStatistics& values = m_statistics.values[index];
+        CharacteristicSummary summary;
+        summary.characteristic = characteristic;
+        summary.count = values.count;
+        summary.least = values.least;
+        summary.most = values.most;
+        summary.moments = momentsOf(values);
+        summary.outside = shareOf(values.below + values.above, values.count, m_isSample);
+        if (values.count == 0) {
+            return summary;
+        }
+        summary.histogram = histogram(values, characteristic.resolution);
+        sortValues(index);
+        for (const double order : percentileOrders) {
+            summary.percentiles.push_back(percentile(values, characteristic.resolution, order));
+        }
+        if (m_isSample && values.count >= 2) {
+            addEstimates(summary);
+        }
+        return summary;
+    }
+
+private:
+    /// The kept values in order, when all parts are kept.
+    void sortValues(std::size_t index) {
+        m_sorted.clear();
+        for (std::size_t i = 0; m_exact && i < m_statistics.rows.size(); ++i) {
+            const double value = m_statistics.rows[i].values[index];
+            if (std::isfinite(value)) {
+                m_sorted.push_back(value);
+            }
+        }
+        std::sort(m_sorted.begin(), m_sorted.end());
+    }
+
+    /// The value of a rank, from 1: itself, or the middle of its bin.
+    [[nodiscard]] double ranked(const ValueStatistics& values, double resolution,
+                                std::int64_t rank) const {
+        if (static_cast<std::int64_t>(m_sorted.size()) == values.count) {
+            return m_sorted[static_cast<std::size_t>(rank - 1)];
+        }
+        std::int64_t below = 0;
+        for (const auto& [bin, count] : values.bins) {
+            below += count;
+            if (below >= rank) {
+                return std::clamp((static_cast<double>(bin) + 0.5) * resolution, values.least.value,
+                                  values.most.value);
+            }
+        }
+        return values.most.value;
+    }
+
+    [[nodiscard]] Percentile percentile(const ValueStatistics& values, double resolution,
+                                        double order) const {
+        const auto exactRank = order * static_cast<double>(values.count);
+        const auto rank = std::clamp<std::int64_t>(
+            static_cast<std::int64_t>(std::ceil(exactRank - 1e-9)), 1, values.count);
+        Percentile found{order, ranked(values, resolution, rank), {}};
+        const auto ranks =
+            m_isSample ? quantileRanks(values.count, order, confidence95) : std::optional<Ranks>();
+        if (ranks) {
+            found.interval = Interval{ranked(values, resolution, ranks->low),
+                                      ranked(values, resolution, ranks->high)};
+        }
+        return found;
+    }
+
+    /// At most √n bars, no more than 40, each of equally many bins.
+    static std::vector<HistogramBar> histogram(const ValueStatistics& values, double resolution) {
+        const std::int64_t first = values.bins.begin()->first, last = values.bins.rbegin()->first;
+        const auto root =
+            static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(values.count))));
+        const std::int64_t bars = std::clamp<std::int64_t>(root, 5, mostBars);
+        const std::int64_t width = (last - first) / bars + 1;
+        std::vector<HistogramBar> found(static_cast<std::size_t>((last - first) / width + 1));
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const auto low = static_cast<double>(first + static_cast<std::int64_t>(i) * width);
+            found[i].low = low * resolution;
+            found[i].high = (low + static_cast<double>(width)) * resolution;
+        }
+        for (const auto& [bin, count] : values.bins) {
+            found[static_cast<std::size_t>((bin - first) / width)].count += count;
+        }
+        return found;
+    }
+
+    // C_p = (U − L)/(6s), C_pk = min(U − mean, mean − L)/(3s); of one limit only C_pk.
+    static void addEstimates(CharacteristicSummary& summary) {
+        const auto& [name, unit, zone, section, low, high, resolution] = summary.characteristic;
+        const double s = summary.moments.deviation, mean = summary.moments.mean;
+        summary.mean95 = studentInterval(mean, s, summary.count, confidence95);
+        if (s <= negligible * resolution) {
+            return;
+        }
+        if (summary.count >= leastForShape) {
+            summary.normality = jarqueBeraProbability(summary.moments.skewness,
+                                                      summary.moments.excess, summary.count);
+        }
+        if (low && high) {
+            const double cp = (*high - *low) / (6 * s);
+            summary.cp = Capability{cp, cpInterval(cp, summary.count, confidence95)};
+        }
+        if (low || high) {
+            const double reach =
+                std::min(high ? *high - mean : mean - *low, low ? mean - *low : *high - mean);
+            const double cpk = reach / (3 * s);
+            summary.cpk = Capability{cpk, cpkInterval(cpk, summary.count, confidence95)};
+        }
+    }
+
+    const BatchStatistics& m_statistics;
+    bool m_isSample, m_exact;
+    std::vector<double> m_sorted;
+};
+
+} // namespace
+
+BatchSummary summarise(const BatchResult& result) {
+    const ScenarioSource source(result.project);
+    const BatchStatistics& statistics = result.statistics;
+    Summariser summariser(result, source.isSample());
+    BatchSummary summary;
+    summary.isSample = source.isSample();
+    summary.parts = statistics.parts;
+    summary.failed = statistics.failed;
+    summary.bad = shareOf(statistics.bad, statistics.parts, source.isSample());
+    summary.worstPart = statistics.worst.part;
+    summary.exactPercentiles = summariser.exact();
+    const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
+    for (std::size_t i = 0; i < statistics.values.size(); ++i) {
+        summary.characteristics.push_back(summariser.of(characteristics[i], i));
+    }
+    return summary;
+}
+
+} // namespace sparkout

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_run.h"
+#include "core/batch/intervals.h"
+#include "core/batch/moments.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// A percentile: the least value at or below which at least this share of the parts lies.
+struct Percentile {
+    double order = 0; ///< 0…1
+    double value = 0;
+    std::optional<Interval> interval; ///< 95 %, from order statistics; not for corners
+};
+
+struct HistogramBar {
+    double low = 0, high = 0;
+    std::int64_t count = 0;
+};
+
+/// A capability index with its 95 % bounds.
+struct Capability {
+    double value = 0;
+    Interval interval;
+};
+
+/// A count of parts as a share with its 95 % interval of Clopper and Pearson.
+struct Share {
+    std::int64_t count = 0;
+    double value = 0;
+    std::optional<Interval> interval; ///< not for corners
+};
+
+struct CharacteristicSummary {
+    Characteristic characteristic;
+    std::int64_t count = 0;
+    PartValue least, most;
+    Moments moments;
+    std::optional<Interval> mean95; ///< Student's
+    std::vector<Percentile> percentiles;
+    std::vector<HistogramBar> histogram;
+    std::optional<double> normality; ///< probability of such a shape if normal, 20 values or more
+    std::optional<Capability> cp, cpk;
+    Share outside; ///< its limits
+};
+
+/// The figures of a batch. Corners are no sample: of them only extremes and counts are told.
+struct BatchSummary {
+    bool isSample = true;
+    std::int64_t parts = 0, failed = 0;
+    Share bad;
+    std::int64_t worstPart = -1;
+    bool exactPercentiles = false; ///< else to within the characteristic's resolution
+    std::vector<CharacteristicSummary> characteristics;
+};
+
+[[nodiscard]] BatchSummary summarise(const BatchResult& result);
+
+} // namespace sparkout

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/result.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// What is measured of every part of a batch: of each zone or section the mean, least and greatest
+/// diameter and the radial runout, and what else the drawing and the drives limit; of the part the
+/// time.
+struct Characteristic {
+    const char* name = ""; ///< "diameter", "time", or that of the requirement
+    const char* unit = ""; ///< µm, kW, s
+    Zone zone = Zone::section;
+    int section = -1;                ///< index of the zone or section; −1: of the whole part
+    std::optional<double> low, high; ///< limits
+    double resolution = 0;           ///< width of the finest bins: a power of two
+};
+
+[[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);
+
+/// One part of a batch, measured.
+struct PartOutcome {
+    bool completed = false;     ///< the cycle reached size; else nothing was measured
+    bool good = false;          ///< and every requirement holds
+    double margin = 0;          ///< least relative margin of its requirements
+    std::vector<double> values; ///< of the characteristics; NaN: none, as the roughness of no cut
+};
+
+/// Measures a result into `outcome`, for the characteristics of its project.
+void measure(const SimulationResult& result, const std::vector<Characteristic>& characteristics,
+             PartOutcome& outcome);
+
+} // namespace sparkout

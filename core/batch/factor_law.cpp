@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/factor_law.h"
+
+#include "core/batch/intervals.h"
+#include "core/process/profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+FactorEnds truncation(const GivenFactor& factor) {
+    FactorEnds ends{factor.allowed.low, factor.allowed.high};
+    if (factor.law.within) {
+        ends.low = std::max(ends.low, (*factor.law.within)[0]);
+        ends.high = std::min(ends.high, (*factor.law.within)[1]);
+    }
+    return ends;
+}
+
+void scaleCompliance(double factor, Project& project) {
+    Machine& machine = project.machine;
+    if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
+        zones->rz1 *= factor;
+        zones->nz *= factor;
+        zones->rz2 *= factor;
+    } else if (auto* sections = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
+        for (double& gamma : *sections) {
+            gamma *= factor;
+        }
+    }
+    if (machine.stiffness_n_um) {
+        machine.stiffness_n_um->headstock /= factor;
+        machine.stiffness_n_um->tailstock /= factor;
+        machine.stiffness_n_um->wheel_head /= factor;
+    }
+    project.part.shaft.youngs_modulus_gpa /= factor;
+    for (SteadyRest& rest : project.part.shaft.steady_rests) {
+        rest.stiffness_n_um /= factor;
+    }
+    if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
+        for (std::vector<double>& row : *machine.wheel_contact->n_um_at_n) {
+            row[1] /= factor;
+        }
+    }
+    if (project.gauge.compliance_mm_per_n) {
+        *project.gauge.compliance_mm_per_n *= factor;
+    }
+}
+
+double triangularQuantile(const std::vector<double>& corners, double share) {
+    const double a = corners[0], c = corners[1], b = corners[2];
+    return share * (b - a) < c - a ? a + std::sqrt(share * (b - a) * (c - a))
+                                   : b - std::sqrt((1 - share) * (b - a) * (b - c));
+}
+
+} // namespace
+
+double factorQuantile(const GivenFactor& factor, double share) {
+    if (factor.law.uniform) {
+        const auto& ends = *factor.law.uniform;
+        return ends[0] + share * (ends[1] - ends[0]);
+    }
+    if (factor.law.triangular) {
+        return triangularQuantile(*factor.law.triangular, share);
+    }
+    if (const auto& values = factor.law.measured) {
+        const auto rank = static_cast<std::size_t>(share * static_cast<double>(values->size()));
+        return (*values)[std::min(rank, values->size() - 1)];
+    }
+    const double m = (*factor.law.normal)[0], s = (*factor.law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    if (s == 0) {
+        return std::clamp(m, ends.low, ends.high);
+    }
+    const double below = normalShare((ends.low - m) / s), upTo = normalShare((ends.high - m) / s);
+    const double p = std::clamp(below + share * (upTo - below), 0x1p-60, 1 - 0x1p-53);
+    return std::clamp(m + s * normalQuantile(p), ends.low, ends.high);
+}
+
+double lawValue(const GivenFactor& factor, std::int64_t part, std::int64_t parts) {
+    const std::int64_t between = factor.law.parts_between_dressings.value_or(
+        static_cast<int>(std::min<std::int64_t>(parts, std::numeric_limits<int>::max())));
+    std::int64_t at = part % between, last = between - 1;
+    if (factor.kind == FactorKind::wheelDiameter && factor.law.parts_between_dressings) {
+        at = part / between;
+        last = (parts - 1) / between;
+    }
+    const auto& ends = *factor.law.grows;
+    const double share = last > 0 ? static_cast<double>(at) / static_cast<double>(last) : 0;
+    return ends[0] + share * (ends[1] - ends[0]);
+}
+
+FactorEnds cornerEnds(const GivenFactor& factor) {
+    if (!factor.law.normal) {
+        const Factor& law = factor.law;
+        const auto& ends = law.uniform      ? *law.uniform
+                           : law.triangular ? *law.triangular
+                           : law.measured   ? *law.measured
+                                            : *law.grows;
+        return {ends.front(), ends.back()};
+    }
+    const double m = (*factor.law.normal)[0], s = (*factor.law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    return factor.law.within
+               ? ends
+               : FactorEnds{std::max(m - 3 * s, ends.low), std::min(m + 3 * s, ends.high)};
+}
+
+void putFactor(FactorKind kind, double value, Project& project) {
+    switch (kind) {
+    case FactorKind::stock: project.part.stock_mm = value; break;
+    case FactorKind::runout:
+        if (project.part.profile == ProfileForm::measured) {
+            const double runout = initialRunout(project.part);
+            for (double& radius : *project.part.radii_um) {
+                radius *= runout > 0 ? value / runout : 1;
+            }
+        }
+        project.part.initial_runout_mm = value;
+        break;
+    case FactorKind::dullness: project.wheel.dullness = value; break;
+    case FactorKind::wheelDiameter:
+        project.machine.wheel_speed_m_s *= value / project.wheel.diameter_mm;
+        project.wheel.diameter_mm = value;
+        break;
+    case FactorKind::flowStress: project.material.flow_stress_mpa = value; break;
+    case FactorKind::compliance: scaleCompliance(value, project); break;
+    case FactorKind::contactWidth:
+        (project.operation == Operation::traverse ? project.wheel.width_mm
+                                                  : project.part.length_mm) = value;
+        break;
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+/// Confidence intervals of samples. All of them take the parts for independent draws: of a Latin
+/// hypercube or a Sobol sequence they are rather too wide than too narrow.
+namespace sparkout {
+
+struct Interval {
+    double low = 0, high = 0;
+};
+
+/// Of a mean: mean ± t·s/√n, t Student's quantile of n − 1 degrees of freedom; n ≥ 2.
+[[nodiscard]] Interval studentInterval(double mean, double deviation, std::int64_t count,
+                                       double confidence);
+
+/// Of a share, Clopper and Pearson's, which holds at least its confidence for every share:
+/// quantiles of Beta(k, n−k+1) and Beta(k+1, n−k) [CLOPPER1934]; n ≥ 1.
+[[nodiscard]] Interval clopperPearson(std::int64_t hits, std::int64_t count, double confidence);
+
+/// Ranks r ≤ s, from 1, of the order statistics x_(r) ≤ x_(s) that hold the quantile of order p
+/// between them with at least the confidence, by the binomial law, each tail half; nothing where
+/// so few values cannot.
+struct Ranks {
+    std::int64_t low = 1, high = 1;
+};
+[[nodiscard]] std::optional<Ranks> quantileRanks(std::int64_t count, double order,
+                                                 double confidence);
+
+/// Of C_p = (U − L)/(6s): C_p·√(χ²/(n−1)) [KOTZ1993]; n ≥ 2.
+[[nodiscard]] Interval cpInterval(double cp, std::int64_t count, double confidence);
+
+/// Of C_pk, Bissell's approximation: C_pk ± z·√(1/(9n) + C_pk²/(2(n−1))) [BISSELL1990]; n ≥ 2.
+[[nodiscard]] Interval cpkInterval(double cpk, std::int64_t count, double confidence);
+
+/// Probability that normal values show at least this skewness and excess kurtosis: the statistic of
+/// Jarque and Bera, n/6·(g₁² + g₂²/4), is χ² of 2 degrees of freedom for many values [JARQUE1987].
+[[nodiscard]] double jarqueBeraProbability(double skewness, double excess, std::int64_t count);
+
+/// Quantile of the standard normal law, 0 < p < 1, and the law itself.
+[[nodiscard]] double normalQuantile(double p);
+[[nodiscard]] double normalShare(double z);
+
+} // namespace sparkout

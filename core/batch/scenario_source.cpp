@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/scenario_source.h"
+
+#include "core/batch/permutation.h"
+#include "core/batch/sobol_sequence.h"
+#include "core/process/profile.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+ScenarioSource::ScenarioSource(Project project)
+    : m_nominal(std::move(project)), m_batch(m_nominal.batch.value_or(Batch{})) {
+    m_factors = givenFactors(m_nominal);
+    if (auto& gauge = m_nominal.gauge; gauge.control == Control::position && !gauge.datum_mm) {
+        gauge.datum_mm = makeBlank(m_nominal.part).totalInfeed_mm;
+    }
+    m_nominal.batch.reset();
+    m_nominal.optimisation.reset();
+    m_nominal.runs.clear();
+    if (m_batch.correlation) {
+        m_correlation = Correlation::of(*m_batch.correlation);
+    }
+    m_hasLaw = std::any_of(m_factors.begin(), m_factors.end(),
+                           [](const GivenFactor& factor) { return factor.isLaw(); });
+    m_isSample = m_batch.scenarios != Scenarios::corners && !m_factors.empty();
+    if (m_isSample) {
+        m_parts = m_batch.parts;
+    } else {
+        m_parts = std::int64_t{1} << m_factors.size();
+    }
+}
+
+double ScenarioSource::share(std::int64_t part, std::size_t factor) const {
+    const std::uint32_t seed = this->seed();
+    const auto f = static_cast<std::uint32_t>(factor);
+    const auto i = static_cast<std::uint64_t>(part), N = static_cast<std::uint64_t>(m_parts);
+    if (m_batch.scenarios == Scenarios::sobol) {
+        constexpr std::uint32_t orderOfPoints = 1000; // a permutation no factor has
+        const auto point =
+            static_cast<std::uint32_t>(m_hasLaw ? permuted(i, N, seed, orderOfPoints) : i);
+        const auto shift =
+            static_cast<std::uint32_t>(randomBits(seed, RandomStream::shift, 0, f) >> 32);
+        const std::uint32_t x = sobolCoordinate(point, static_cast<int>(factor)) ^ shift;
+        return (x + 0.5) * 0x1p-32;
+    }
+    if (m_batch.scenarios == Scenarios::random) {
+        return openUnit(randomBits(seed, RandomStream::plain, i, f));
+    }
+    const double within = openUnit(randomBits(seed, RandomStream::jitter, i, f));
+    const double u =
+        (static_cast<double>(permuted(i, N, seed, f)) + within) / static_cast<double>(N);
+    return std::min(u, 1 - 0x1p-53);
+}
+
+std::vector<double> ScenarioSource::values(std::int64_t part) const {
+    std::vector<double> values(m_factors.size());
+    if (!m_isSample) {
+        for (std::size_t f = 0; f < values.size(); ++f) {
+            const FactorEnds ends = cornerEnds(m_factors[f]);
+            values[f] = (part >> f & 1) != 0 ? ends.high : ends.low;
+        }
+        return values;
+    }
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        values[f] = share(part, f);
+    }
+    if (m_correlation) {
+        m_correlation->apply(values);
+    }
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        values[f] = m_factors[f].isLaw() ? lawValue(m_factors[f], part, m_parts)
+                                         : factorQuantile(m_factors[f], values[f]);
+    }
+    return values;
+}
+
+Project ScenarioSource::project(std::int64_t part) const {
+    return projectWith(values(part));
+}
+
+Project ScenarioSource::projectWith(const std::vector<double>& values) const {
+    Project project = m_nominal;
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        putFactor(m_factors[f].kind, values[f], project);
+    }
+    return project;
+}
+
+} // namespace sparkout

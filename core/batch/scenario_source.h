@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/correlation.h"
+#include "core/batch/factor_law.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sparkout {
+
+/// The parts of a batch [MODEL-8], each made from its number alone: in any order, by any number of
+/// threads or machines, part 17 is the same part. Of a project whose batch checkBatch() passes.
+///
+/// Latin hypercube: part i of N draws factor f from stratum π_f(i) of N, π_f a random permutation
+/// [MCKAY1979]. Sobol: point i, shifted by a random digital shift; with a law over the batch the
+/// points are taken in random order, or their bits would go in step with it. Corners: bit f of i
+/// says which end; without factors there is one part, the nominal one.
+class ScenarioSource {
+public:
+    explicit ScenarioSource(Project project);
+
+    [[nodiscard]] std::int64_t parts() const { return m_parts; }
+    [[nodiscard]] const std::vector<GivenFactor>& factors() const { return m_factors; }
+    [[nodiscard]] std::uint32_t seed() const { return static_cast<std::uint32_t>(m_batch.seed); }
+    /// Whether the parts are a sample of a distribution, and not its extremes.
+    [[nodiscard]] bool isSample() const { return m_isSample; }
+
+    /// Values of the factors for a part.
+    [[nodiscard]] std::vector<double> values(std::int64_t part) const;
+    /// The part as a project of its own, without a batch: what the batch ran, to be run again.
+    [[nodiscard]] Project project(std::int64_t part) const;
+    /// The project with these values of the factors.
+    [[nodiscard]] Project projectWith(const std::vector<double>& values) const;
+    /// The project as it stands: every factor at its input.
+    [[nodiscard]] const Project& nominal() const { return m_nominal; }
+
+private:
+    [[nodiscard]] double share(std::int64_t part, std::size_t factor) const;
+
+    Project m_nominal;
+    Batch m_batch;
+    std::vector<GivenFactor> m_factors;
+    std::optional<Correlation> m_correlation;
+    std::int64_t m_parts = 1;
+    bool m_isSample = true;
+    bool m_hasLaw = false;
+};
+
+} // namespace sparkout

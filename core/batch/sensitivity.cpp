@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/sensitivity.h"
+
+#include "core/batch/sobol_sequence.h"
+#include "core/batch/worker_pool.h"
+#include "core/simulation/simulate.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+/// Ranks less their mean, equal values sharing theirs.
+Eigen::VectorXd centredRanks(const std::vector<double>& values) {
+    const std::size_t n = values.size();
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    Eigen::VectorXd ranks(static_cast<Eigen::Index>(n));
+    for (std::size_t first = 0; first < n;) {
+        std::size_t end = first;
+        while (end < n && values[order[end]] == values[order[first]]) {
+            ++end;
+        }
+        const double shared = static_cast<double>(first + end - 1) / 2;
+        for (; first < end; ++first) {
+            ranks[static_cast<Eigen::Index>(order[first])] =
+                shared - static_cast<double>(n - 1) / 2;
+        }
+    }
+    return ranks;
+}
+
+// b = R⁻¹·r with the correlations R between the factors' ranks and r with the characteristic's;
+// R² = bᵀ·r.
+std::optional<RankRegression> regression(const std::vector<std::vector<double>>& factors,
+                                         const std::vector<double>& values) {
+    const auto k = static_cast<Eigen::Index>(factors.size());
+    const Eigen::VectorXd y = centredRanks(values);
+    if (k == 0 || values.size() < 2 * factors.size() + 2 || y.squaredNorm() == 0) {
+        return std::nullopt;
+    }
+    Eigen::MatrixXd X(y.size(), k);
+    for (Eigen::Index f = 0; f < k; ++f) {
+        X.col(f) = centredRanks(factors[static_cast<std::size_t>(f)]);
+        const double size = X.col(f).norm();
+        if (size == 0) {
+            return std::nullopt;
+        }
+        X.col(f) /= size;
+    }
+    const Eigen::VectorXd r = X.transpose() * y / y.norm();
+    const Eigen::VectorXd b = (X.transpose() * X).ldlt().solve(r);
+    if (!b.allFinite()) {
+        return std::nullopt;
+    }
+    return RankRegression{{b.data(), b.data() + k}, b.dot(r)};
+}
+
+/// The points of the two independent samples A and B and of those mixed of them.
+class SobolDesign {
+public:
+    SobolDesign(const ScenarioSource& source, int points, std::uint32_t seed)
+        : m_source(source), m_points(points), m_seed(seed), m_factors(source.factors().size()) {}
+
+    [[nodiscard]] std::int64_t size() const {
+        return std::int64_t{m_points} * static_cast<std::int64_t>(m_factors + 2);
+    }
+
+    /// Run number `index`: point index/(k+2) of A, B, or A with one factor of B.
+    [[nodiscard]] Project project(std::int64_t index) const {
+        const auto runs = static_cast<std::int64_t>(m_factors + 2);
+        const auto point = static_cast<std::uint32_t>(index / runs);
+        const auto which = static_cast<std::size_t>(index % runs);
+        std::vector<double> values(m_factors);
+        for (std::size_t f = 0; f < m_factors; ++f) {
+            const bool ofB = which == 1 || which == f + 2;
+            values[f] = value(f, point, ofB ? f + m_factors : f);
+        }
+        return m_source.projectWith(values);
+    }
+
+private:
+    [[nodiscard]] double value(std::size_t factor, std::uint32_t point,
+                               std::size_t dimension) const {
+        const auto shift = static_cast<std::uint32_t>(
+            randomBits(m_seed, RandomStream::shift, 1, static_cast<std::uint32_t>(dimension))
+            >> 32);
+        const std::uint32_t x = sobolCoordinate(point, static_cast<int>(dimension)) ^ shift;
+        const double share = (x + 0.5) * 0x1p-32;
+        const GivenFactor& given = m_source.factors()[factor];
+        if (!given.isLaw()) {
+            return factorQuantile(given, share);
+        }
+        const FactorEnds ends = cornerEnds(given);
+        return ends.low + share * (ends.high - ends.low);
+    }
+
+    const ScenarioSource& m_source;
+    int m_points;
+    std::uint32_t m_seed;
+    std::size_t m_factors;
+};
+
+// S_i = ⟨f_B·(f_ABi − f_A)⟩/V, T_i = ⟨(f_A − f_ABi)²⟩/(2V); f less the mean of A and B, which
+// changes nothing but the rounding.
+std::vector<SobolIndex> indicesOf(const std::vector<double>& f, std::size_t factors) {
+    const std::size_t runs = factors + 2, points = f.size() / runs;
+    double mean = 0, variance = 0;
+    for (std::size_t p = 0; p < points; ++p) {
+        mean += (f[p * runs] + f[p * runs + 1]) / static_cast<double>(2 * points);
+    }
+    for (std::size_t p = 0; p < points; ++p) {
+        const double a = f[p * runs] - mean, b = f[p * runs + 1] - mean;
+        variance += (a * a + b * b) / static_cast<double>(2 * points);
+    }
+    if (!(variance > 0)) { // also when a part has no value
+        return {};
+    }
+    std::vector<SobolIndex> found(factors);
+    for (std::size_t i = 0; i < factors; ++i) {
+        for (std::size_t p = 0; p < points; ++p) {
+            const double a = f[p * runs] - mean, b = f[p * runs + 1] - mean;
+            const double mixed = f[p * runs + 2 + i] - mean;
+            found[i].first += b * (mixed - a);
+            found[i].total += (a - mixed) * (a - mixed) / 2;
+        }
+        found[i].first /= variance * static_cast<double>(points);
+        found[i].total /= variance * static_cast<double>(points);
+        if (std::isnan(found[i].first)) {
+            return {};
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<std::optional<RankRegression>> rankRegressions(const BatchResult& result) {
+    const ScenarioSource source(result.project);
+    const std::size_t count = result.statistics.values.size();
+    std::vector<std::optional<RankRegression>> found;
+    for (std::size_t c = 0; c < count; ++c) {
+        std::vector<std::vector<double>> factors(source.factors().size());
+        std::vector<double> values;
+        for (const PartRow& row : result.statistics.rows) {
+            if (!std::isfinite(row.values[c])) {
+                continue;
+            }
+            values.push_back(row.values[c]);
+            const std::vector<double> of = source.values(row.part);
+            for (std::size_t f = 0; f < of.size(); ++f) {
+                factors[f].push_back(of[f]);
+            }
+        }
+        found.push_back(regression(factors, values));
+    }
+    return found;
+}
+
+std::optional<SobolIndices> sobolIndices(const Project& project, int points,
+                                         const BatchOptions& options) {
+    const ScenarioSource source(project);
+    if (!project.batch || project.batch->correlation || source.factors().empty()) {
+        return std::nullopt;
+    }
+    const SobolDesign design(source, points, static_cast<std::uint32_t>(project.batch->seed));
+    const auto characteristics = characteristicsOf(source.nominal());
+    const auto size = static_cast<std::size_t>(design.size());
+    std::vector<std::vector<double>> values(
+        characteristics.size(),
+        std::vector<double>(size, std::numeric_limits<double>::quiet_NaN()));
+    forEachIndex(workerCount(options.threads), 0, design.size(), options.stop,
+                 [&](std::size_t, std::int64_t index) {
+                     PartOutcome outcome;
+                     measure(simulate(design.project(index), nullptr, options.stop),
+                             characteristics, outcome);
+                     for (std::size_t c = 0; c < outcome.values.size(); ++c) {
+                         values[c][static_cast<std::size_t>(index)] = outcome.values[c];
+                     }
+                     if (options.done) {
+                         options.done->fetch_add(1, std::memory_order_relaxed);
+                     }
+                     return true;
+                 });
+    if (options.stop.stop_requested()) {
+        return std::nullopt;
+    }
+    SobolIndices found{design.size(), {}};
+    for (const std::vector<double>& of : values) {
+        found.byCharacteristic.push_back(indicesOf(of, source.factors().size()));
+    }
+    return found;
+}
+
+} // namespace sparkout

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+
+namespace sparkout {
+
+/// Faults of a batch that can be told without making a part of it: forms, bounds and the
+/// correlation matrix. A single cycle does not read them, so validate() only warns of them.
+[[nodiscard]] Issues batchFaults(const Project& project);
+
+} // namespace sparkout

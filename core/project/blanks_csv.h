@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/given_factors.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// Measured blanks as a table: a line of headings, then a line a blank.
+namespace sparkout {
+
+/// What was measured of the blanks, in the order of the lines.
+struct MeasuredColumn {
+    FactorKind kind;
+    std::vector<double> values;
+};
+
+/// The first thing in the table that cannot be read.
+struct TableFault {
+    int line = 0;     ///< from 1
+    std::string text; ///< what stands there; empty where a heading of a factor is missing
+};
+
+/// Columns headed by the key of a factor ("stock_mm"); others are left out, and so are empty cells.
+/// Comma, semicolon or tab separates; but after a comma a decimal comma is understood too.
+[[nodiscard]] std::variant<std::vector<MeasuredColumn>, TableFault>
+readMeasuredBlanks(std::string_view csv);
+
+/// Puts measured values in place of the laws of their factors.
+void putMeasured(const std::vector<MeasuredColumn>& columns, Batch& batch);
+
+} // namespace sparkout

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// The lower triangle L of A = L·Lᵀ, row i of i + 1 values; nothing when A, square, symmetric and
+/// of ones on its diagonal, is not positive definite.
+[[nodiscard]] std::optional<std::vector<std::vector<double>>>
+choleskyFactor(const std::vector<std::vector<double>>& matrix);
+
+} // namespace sparkout

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/core/project_samples.h"
+
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// Runs of the real program, and what it printed.
+namespace cli {
+
+struct Outcome {
+    int status = -1; ///< exit status, −1 for a signal
+    std::string out;
+    std::string err;
+
+    std::string text() const { return std::to_string(status) + '\n' + out + err; }
+};
+
+inline Outcome outcomeOf(QProcess& process) {
+    const int patience_ms = 60'000;
+    if (!process.waitForFinished(patience_ms)) {
+        process.kill();
+        process.waitForFinished();
+        return {-2, {}, "it hangs"};
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput().toStdString(),
+            process.readAllStandardError().toStdString()};
+}
+
+inline Outcome run(const QStringList& arguments, const QStringList& environment = {}) {
+    QProcess process;
+    if (!environment.isEmpty()) {
+        process.setEnvironment(environment);
+    }
+    process.start(SPARKOUT_CLI, arguments);
+    return outcomeOf(process);
+}
+
+inline QString samplePath(const std::string& name) {
+    return QString::fromStdString(
+        sparkout::samples::sourcePath("tests/data/projects/" + name + ".sparkout"));
+}
+
+inline std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Exit status 2, and one line that says what is wrong with the command line.
+inline bool isUsageError(const Outcome& outcome) {
+    return outcome.status == 2 && lines(outcome.err) == 1
+           && outcome.err.starts_with("sparkout-cli: ") && outcome.out.empty();
+}
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, separator);) {
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+} // namespace cli

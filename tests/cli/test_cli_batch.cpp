@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `batch` and `batch-merge` as a user meets them: the real program, its exit status, what it
+// prints.
+#include "core/batch/batch_summary.h"
+#include "core/batch/sensitivity.h"
+#include "tests/cli/cli_process.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <csignal>
+#include <fstream>
+
+using namespace sparkout;
+using namespace cli;
+using nlohmann::json;
+
+namespace {
+
+/// A batch that is still running, with its progress on stderr.
+class RunningBatch {
+public:
+    explicit RunningBatch(const QString& file) {
+        m_process.start(SPARKOUT_CLI, {"batch", file, "--parts", "1000000", "--threads", "2",
+                                       "--json", "--progress"});
+    }
+    /// Waits until some parts are done; false: it takes too long.
+    bool hasDoneSome() {
+        while (m_process.waitForReadyRead(-1) || m_process.state() == QProcess::Running) {
+            m_progress += m_process.readAllStandardError().toStdString();
+            const auto told = split(m_progress, '\n');
+            if (!told.empty() && std::stoll(told.back()) > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+    Outcome endBy(int signal) {
+        ::kill(static_cast<pid_t>(m_process.processId()), signal);
+        return outcomeOf(m_process);
+    }
+    void readProgress() { m_process.setReadChannel(QProcess::StandardError); }
+
+private:
+    QProcess m_process;
+    std::string m_progress;
+};
+
+} // namespace
+
+class TestCliBatch : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+        m_file = samplePath("complete");
+        QVERIFY(projectOf(m_file).batch.has_value());
+    }
+
+    void usageErrors_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const auto row = [](const char* name, const QStringList& options) {
+            QTest::newRow(name) << QStringList{"batch", "a"} + options;
+        };
+        QTest::newRow("no file") << QStringList{"batch"};
+        QTest::newRow("no shard") << QStringList{"batch-merge"};
+        QTest::newRow("parts to merge") << QStringList{"batch-merge", "a", "--parts", "3"};
+        QTest::newRow("shard of a simulation") << QStringList{"simulate", "a", "--shard", "1/2"};
+        row("two files", {"b"});
+        row("no parts", {"--parts"});
+        row("parts 0", {"--parts", "0"});
+        row("parts 1.5", {"--parts", "1.5"});
+        row("too many parts", {"--parts", "1000001"});
+        row("negative seed", {"--seed", "-1"});
+        row("no threads", {"--threads", "0"});
+        row("shard 0", {"--shard", "0/2"});
+        row("shard beyond", {"--shard", "3/2"});
+        row("shard without slash", {"--shard", "3"});
+        row("shard of a word", {"--shard", "1/x"});
+        row("shard overflow", {"--shard", "1/99999999999999999999"});
+        row("no such scenarios", {"--scenarios", "sobel"});
+        row("width 0", {"--until-width", "0"});
+        row("width nan", {"--until-width", "nan"});
+        row("empty table", {"--measured", ""});
+        row("two outputs", {"--json", "--csv"});
+        row("a shard as CSV", {"--shard", "1/2", "--csv"});
+        row("a shard that is checked", {"--shard", "1/2", "--check"});
+        row("a shard until narrow", {"--shard", "1/2", "--until-width", "1"});
+    }
+    void usageErrors() {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments);
+        QVERIFY2(isUsageError(outcome), outcome.text().c_str());
+    }
+
+    void helpTellsEveryOption() {
+        const std::string help = run({"--help"}).out;
+        for (const char* word :
+             {"batch-merge", "--parts", "--seed", "--scenarios", "--measured", "--until-width",
+              "--sensitivity", "--threads", "--shard", "--csv", "--progress", "Ctrl+C", "130"}) {
+            QVERIFY2(help.find(word) != std::string::npos, word);
+        }
+        const std::string script =
+            samples::readText(samples::sourcePath("resources/help/batch.sbatch"));
+        QVERIFY(script.find("--shard") != std::string::npos);
+        QVERIFY(script.find("batch-merge") != std::string::npos);
+    }
+
+    void jsonSaysWhatTheEngineComputes() {
+        const json answer = json::parse(run({"batch", m_file, "--json"}).out);
+        const BatchResult result = runBatch(projectOf(m_file));
+        const BatchSummary summary = summarise(result);
+        QVERIFY(answer.at("status") == "completed");
+        QVERIFY(answer.at("parts") == 50 && answer.at("batch_parts") == 50);
+        QVERIFY(answer.at("not_good").at("count") == summary.bad.count);
+        QVERIFY(answer.at("batch").at("seed") == 1);
+        QVERIFY(answer.at("batch").at("factors")
+                == samples::sample("complete").at("batch").at("factors"));
+        const json& all = answer.at("characteristics");
+        QCOMPARE(all.size(), summary.characteristics.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            checkCharacteristic(all[i], summary.characteristics[i]);
+        }
+    }
+
+    void theWorstPartIsAProjectThatSimulateRuns() {
+        const json worst = json::parse(run({"batch", m_file, "--json"}).out).at("worst");
+        const QString file = save("worst.sparkout", worst.at("project").dump());
+        const json again = json::parse(run({"simulate", file, "--json"}).out);
+        double least = 1e9;
+        for (const json& constraint : again.at("constraints")) {
+            const std::string name = constraint.at("name");
+            if (!name.starts_with("range_") && name != "gauge_commands") {
+                least = std::min(least, constraint.at("relative_margin").get<double>());
+            }
+        }
+        const BatchResult result = runBatch(projectOf(m_file));
+        QCOMPARE(least, result.statistics.worst.value);
+        QVERIFY(worst.at("part") == result.statistics.worst.part);
+        QVERIFY(worst.at("factors").size() == 3);
+    }
+
+    void everyRowOfTheCsvHasEveryColumn() {
+        for (const char* scenarios : {"random", "corners"}) {
+            const std::string csv = run({"batch", m_file, "--csv", "--scenarios", scenarios}).out;
+            const auto rows = split(csv, '\n');
+            QCOMPARE(rows.size(), characteristicsOf(projectOf(m_file)).size() + 1);
+            for (const std::string& row : rows) {
+                QCOMPARE(std::count(row.begin(), row.end(), ','),
+                         std::count(rows[0].begin(), rows[0].end(), ','));
+            }
+        }
+    }
+
+    void textNamesTheFigures() {
+        const Outcome outcome = run({"batch", m_file, "--sensitivity", "8"});
+        QCOMPARE(outcome.status, 0);
+        for (const char* word :
+             {"50 of 50 parts, completed", "not good", "worst part", "stock_mm", "rz1 diameter, µm",
+              "Cpk", "rank regression", "Sobol indices, first and total"}) {
+            QVERIFY2(outcome.out.find(word) != std::string::npos, word);
+        }
+    }
+
+    void anyNumberOfThreadsPrintsTheSame() {
+        const std::string one = run({"batch", m_file, "--json", "--threads", "1"}).out;
+        QCOMPARE(run({"batch", m_file, "--json", "--threads", "2"}).out, one);
+        QCOMPARE(run({"batch", m_file, "--json", "--threads", "7"}).out, one);
+    }
+
+    void mergedShardsPrintWhatOneRunPrints() {
+        const QStringList shards{shard(2, 3), shard(3, 3), shard(1, 3)};
+        for (const char* output : {"--json", "--csv"}) {
+            const Outcome merged = run(QStringList{"batch-merge"} + shards + QStringList{output});
+            QCOMPARE(merged.status, 0);
+            QCOMPARE(merged.out, run({"batch", m_file, output}).out);
+        }
+    }
+
+    void whatCannotBeMergedIsRefused() {
+        const QString first = shard(1, 2), second = shard(2, 2);
+        const auto refuses = [](const QStringList& files, const char* why) {
+            const Outcome outcome = run(QStringList{"batch-merge"} + files);
+            return outcome.status == 1 && outcome.out.empty()
+                   && outcome.err.find(why) != std::string::npos;
+        };
+        QVERIFY(refuses({first}, "parts of the batch are missing"));
+        QVERIFY(refuses({first, first}, "two shards hold the same parts"));
+        QVERIFY(refuses({first, m_file}, "not a shard of a batch"));
+        QVERIFY(refuses({first, m_folder.filePath("none")}, "none: "));
+        const QString other =
+            save("other.json", run({"batch", m_file, "--shard", "2/2", "--seed", "9"}).out);
+        QVERIFY(refuses({first, other}, "not of one project"));
+        QCOMPARE(run({"batch-merge", second, first}).status, 0);
+    }
+
+    void optionsTakeThePlaceOfTheFile() {
+        const json few = json::parse(run({"batch", m_file, "--json", "--parts", "20"}).out);
+        QVERIFY(few.at("parts") == 20);
+        const json corners =
+            json::parse(run({"batch", m_file, "--json", "--scenarios", "corners"}).out);
+        QVERIFY(corners.at("parts") == 8 && corners.at("is_sample") == false);
+        QVERIFY(run({"batch", m_file, "--seed", "2"}).out != run({"batch", m_file}).out);
+    }
+
+    void anIntervalThatIsNarrowEnoughEndsIt() {
+        const json answer = json::parse(
+            run({"batch", m_file, "--json", "--parts", "5000", "--until-width", "100"}).out);
+        QVERIFY(answer.at("status") == "narrow_enough");
+        QVERIFY(answer.at("parts") == 1024 && answer.at("batch_parts") == 5000);
+        for (const json& one : answer.at("characteristics")) {
+            if (one.at("unit") == "µm") {
+                const json& interval = one.at("mean_interval_95");
+                QVERIFY(interval[1].get<double>() - interval[0].get<double>() <= 100);
+            }
+        }
+    }
+
+    void sobolIndicesAreThoseOfTheEngine() {
+        const json answer =
+            json::parse(run({"batch", m_file, "--json", "--sensitivity", "16"}).out);
+        const auto indices = sobolIndices(projectOf(m_file), 16);
+        QVERIFY(answer.at("sobol_simulations") == 16 * 5);
+        const json& time = answer.at("characteristics").back().at("sobol_indices");
+        QCOMPARE(time.at("stock_mm").at("first").get<double>(),
+                 indices->byCharacteristic.back().front().first);
+        json file = samples::sample("complete");
+        file["batch"]["factors"].erase("dullness");
+        file["batch"]["correlation"] = {{1, 0.5}, {0.5, 1}};
+        const QString correlated = save("correlated.sparkout", file.dump());
+        const Outcome outcome = run({"batch", correlated, "--sensitivity", "16"});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.err.find("not correlated") != std::string::npos);
+        QCOMPARE(run({"batch", correlated}).status, 0);
+    }
+
+    void measuredBlanksTakeThePlaceOfALaw() {
+        const QString table = save("blanks.csv", "no;stock_mm\n1;0,141\n2;0,147\n");
+        const Outcome outcome = run({"batch", m_file, "--json", "--measured", table});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(outcome.err.find("2 values of stock_mm") != std::string::npos);
+        const json worst = json::parse(outcome.out).at("worst");
+        const double stock = worst.at("factors").at("stock_mm");
+        QVERIFY(stock == 0.141 || stock == 0.147);
+        const QString words = save("words.csv", "stock_mm\n0.15\nwide\x1b[2J\n");
+        const Outcome refused = run({"batch", m_file, "--measured", words});
+        QCOMPARE(refused.status, 1);
+        QVERIFY(refused.out.empty());
+        QVERIFY2(refused.err.find("line 3: not understood: \"wide\\u001b[2J\"")
+                     != std::string::npos,
+                 refused.err.c_str());
+        QCOMPARE(run({"batch", m_file, "--measured", m_folder.filePath("none")}).status, 1);
+    }
+
+    void checkExits4WhenAPartFails() {
+        json file = samples::sample("complete");
+        QCOMPARE(run({"batch", save("c.sparkout", file.dump())}).status, 0);
+        file["part"]["tolerance"]["radial_runout_um"] = 1e-6;
+        const QString strict = save("strict.sparkout", file.dump());
+        const Outcome outcome = run({"batch", strict, "--check", "--json"});
+        QCOMPARE(outcome.status, 4);
+        QVERIFY(json::parse(outcome.out).at("not_good").at("count") == 50);
+        QCOMPARE(run({"batch", strict}).status, 0);
+    }
+
+    void aBatchThatCannotBeRunIsRefusedAndTheCycleIsNot() {
+        json file = samples::sample("complete");
+        file["batch"]["factors"]["stock_mm"] = {{"uniform", {0.15, 0.13}}};
+        const QString path = save("reversed.sparkout", file.dump());
+        const Outcome outcome = run({"batch", path});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.out.empty());
+        QVERIFY(
+            outcome.err.find("/batch/factors/stock_mm/uniform/1: 0.13 is out of range; allowed: "
+                             "≥ 0.15\n")
+            != std::string::npos);
+        QCOMPARE(run({"simulate", path}).status, 0);
+        const Outcome none = run({"batch", samplePath("smallest-plunge")});
+        QCOMPARE(none.status, 1);
+        QVERIFY(none.err.find(": /batch: ") != std::string::npos);
+    }
+
+    void aSignalEndsItAndKeepsWhatWasDone_data() {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl+C") << SIGINT;
+        QTest::newRow("the end of a job") << SIGTERM;
+    }
+    void aSignalEndsItAndKeepsWhatWasDone() {
+        QFETCH(int, signal);
+        RunningBatch batch(m_file);
+        batch.readProgress();
+        QVERIFY(batch.hasDoneSome());
+        QElapsedTimer timer;
+        timer.start();
+        const Outcome outcome = batch.endBy(signal);
+        QVERIFY(timer.elapsed() < 5000); // the quickness itself is the engine's test
+        QCOMPARE(outcome.status, 128 + signal);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("status") == "stopped");
+        QVERIFY(answer.at("parts") > 0 && answer.at("parts") < 1'000'000);
+        QVERIFY(answer.at("characteristics").at(0).at("count") == answer.at("parts"));
+    }
+
+private:
+    static Project projectOf(const QString& file) {
+        return readProject(samples::readText(file.toStdString())).project.value();
+    }
+
+    QString save(const QString& name, const std::string& content) const {
+        const QString path = m_folder.filePath(name);
+        std::ofstream(path.toStdString(), std::ios::binary) << content;
+        return path;
+    }
+
+    [[nodiscard]] QString shard(int index, int shards) const {
+        const QString which = QString::number(index) + "/" + QString::number(shards);
+        return save(QString::number(index) + "of" + QString::number(shards) + ".json",
+                    run({"batch", m_file, "--shard", which}).out);
+    }
+
+    static void checkCharacteristic(const json& answer, const CharacteristicSummary& expected) {
+        QVERIFY(answer.at("name") == expected.characteristic.name);
+        QVERIFY(answer.at("unit") == expected.characteristic.unit);
+        QVERIFY(answer.at("count") == expected.count);
+        if (expected.count == 0) {
+            return;
+        }
+        QCOMPARE(answer.at("min").get<double>(), expected.least.value);
+        QCOMPARE(answer.at("max").get<double>(), expected.most.value);
+        QCOMPARE(answer.at("mean").get<double>(), expected.moments.mean);
+        QCOMPARE(answer.at("standard_deviation").get<double>(), expected.moments.deviation);
+        QCOMPARE(answer.at("mean_interval_95")[0].get<double>(), expected.mean95->low);
+        QCOMPARE(answer.at("cp").is_null(), !expected.cp);
+        QCOMPARE(answer.at("cpk").is_null(), !expected.cpk);
+        if (expected.cpk) {
+            QCOMPARE(answer.at("cpk").at("value").get<double>(), expected.cpk->value);
+            QCOMPARE(answer.at("cpk").at("interval_95")[0].get<double>(),
+                     expected.cpk->interval.low);
+        }
+        QVERIFY(answer.at("outside").at("count") == expected.outside.count);
+        QCOMPARE(answer.at("percentiles").size(), expected.percentiles.size());
+        QCOMPARE(answer.at("histogram").size(), expected.histogram.size());
+    }
+
+    QTemporaryDir m_folder;
+    QString m_file;
+};
+
+QTEST_GUILESS_MAIN(TestCliBatch)
+#include "test_cli_batch.moc"

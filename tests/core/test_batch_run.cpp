@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_run.h"
+#include "core/batch/batch_state.h"
+#include "core/batch/batch_summary.h"
+
+#include "tests/core/batch_fixtures.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace test_batch_run {
+
+using namespace sparkout;
+using fixtures::close;
+using fixtures::shaftBatch;
+using fixtures::uniform;
+using nlohmann::json;
+
+namespace {
+
+BatchResult runWith(const Project& project, int threads) {
+    BatchOptions options;
+    options.threads = threads;
+    return runBatch(project, options);
+}
+
+BatchResult runShard(const Project& project, int index, int shards) {
+    BatchOptions options;
+    options.threads = 1;
+    options.range = shardRange(project.batch->parts, index, shards);
+    return runBatch(project, options);
+}
+
+} // namespace
+
+class TestBatchRun : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anyNumberOfThreadsGivesTheSameBits() {
+        const Project project = shaftBatch(61);
+        const std::string one = writeBatchState(runWith(project, 1));
+        QCOMPARE(writeBatchState(runWith(project, 2)), one);
+        QCOMPARE(writeBatchState(runWith(project, 5)), one);
+    }
+
+    void partsInAnyOrderGiveTheSameBits() {
+        const Project project = shaftBatch(40);
+        const ScenarioSource source(project);
+        const auto characteristics = characteristicsOf(source.nominal());
+        BatchStatistics permutedOrder;
+        PartOutcome outcome;
+        for (std::int64_t i = 0; i < 40; ++i) {
+            const std::int64_t part = i * 7 % 40;
+            measure(simulate(source.project(part)), characteristics, outcome);
+            permutedOrder.add(outcome, part, characteristics);
+        }
+        permutedOrder.sort();
+        QVERIFY(permutedOrder == runWith(project, 1).statistics);
+    }
+
+    void shardsJoinToTheWholeBitForBit() {
+        const Project project = shaftBatch(50);
+        const std::string whole = writeBatchState(runWith(project, 1));
+        std::vector<BatchResult> shards;
+        for (const int index : {3, 1, 2}) {
+            const auto read = readBatchState(writeBatchState(runShard(project, index, 3)));
+            QVERIFY(read.has_value());
+            shards.push_back(*read);
+        }
+        const JoinedBatch joined = joinBatches(shards);
+        QVERIFY(joined.fault == JoinFault::none);
+        QCOMPARE(writeBatchState(joined.result), whole);
+    }
+
+    void shardsThatDoNotBelongTogetherAreRefused() {
+        const Project project = shaftBatch(10);
+        Project other = project;
+        other.batch->seed = 2;
+        const BatchResult first = runShard(project, 1, 2), second = runShard(project, 2, 2);
+        QVERIFY(joinBatches({}).fault == JoinFault::nothing);
+        QVERIFY(joinBatches({first}).fault == JoinFault::incomplete);
+        QVERIFY(joinBatches({first, first}).fault == JoinFault::overlap);
+        QVERIFY(joinBatches({first, runShard(other, 2, 2)}).fault == JoinFault::otherProject);
+        BatchResult newer = second;
+        newer.engineVersion += "x";
+        QVERIFY(joinBatches({first, newer}).fault == JoinFault::otherEngine);
+        QVERIFY(joinBatches({second, first}).fault == JoinFault::none);
+        QVERIFY(!readBatchState("{}"));
+        QVERIFY(!readBatchState("[1"));
+    }
+
+    /// Each number of a shard replaced by one that no batch writes: it is refused, or what is read
+    /// can be joined and summed up.
+    void hostileShardsDoNoHarm() {
+        const json good = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
+        const std::vector<json> wrong{-1,         1'000'000,     INT64_MAX,     INT64_MIN,
+                                      UINT64_MAX, 1e300,         0.5,           "x",
+                                      nullptr,    json::array(), json::object()};
+        std::size_t refused = 0, tried = 0;
+        const json places = good.flatten();
+        for (const auto& [path, value] : places.items()) {
+            if (path.starts_with("/project")) {
+                continue; // the reader of projects has tests of its own
+            }
+            json state = good;
+            state[json::json_pointer(path)] = wrong[tried++ % wrong.size()];
+            const auto read = readBatchState(state.dump());
+            refused += read ? 0 : 1;
+            if (read) {
+                const BatchSummary summary = summarise(*read);
+                QVERIFY(summary.parts <= 6);
+                QVERIFY(joinBatches({*read}).fault != JoinFault::none);
+            }
+        }
+        QVERIFY(tried > 300 && refused > tried / 2);
+    }
+
+    void aShardThatContradictsItselfIsRefused_data() {
+        QTest::addColumn<QByteArray>("path");
+        QTest::addColumn<double>("value");
+        const auto row = [](const char* path, double value) {
+            QTest::addRow("%s = %g", path, value) << QByteArray(path) << value;
+        };
+        row("/first", -1);
+        row("/end", 13);
+        row("/end", 5);
+        row("/batch_parts", 24);
+        row("/statistics/parts", 7);
+        row("/statistics/failed", 1);
+        row("/statistics/bad", -1);
+        row("/statistics/worst/1", 6);
+        row("/statistics/values/0/count", 7);
+        row("/statistics/values/0/below", 7);
+        row("/statistics/values/0/bins/0/1", 1000);
+        row("/statistics/values/0/bins/0/0", 1e7);
+        row("/statistics/values/0/powers/0/0", -1);
+        row("/statistics/values/0/powers/0/13", 1e15);
+        row("/statistics/values/0/least/0", 1000);
+        row("/statistics/rows/0/0", 3);
+        row("/statistics/rows/0/0", 8);
+    }
+    void aShardThatContradictsItselfIsRefused() {
+        QFETCH(QByteArray, path);
+        QFETCH(double, value);
+        json state = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
+        QVERIFY(readBatchState(state.dump()).has_value());
+        state[json::json_pointer(path.toStdString())] =
+            path.endsWith("least/0") ? json(value) : json(static_cast<std::int64_t>(value));
+        QVERIFY(!readBatchState(state.dump()));
+    }
+
+    void shardsHoldEveryPartOnce() {
+        for (const int shards : {1, 2, 3, 7, 50, 51, 1000}) {
+            std::int64_t next = 0;
+            for (int index = 1; index <= shards; ++index) {
+                const PartRange range = shardRange(50, index, shards);
+                QCOMPARE(range.first, next);
+                QVERIFY(range.end >= range.first && range.end - range.first <= 50 / shards + 1);
+                next = range.end;
+            }
+            QCOMPARE(next, std::int64_t{50});
+        }
+        const PartRange last = shardRange(1'000'000, INT32_MAX, INT32_MAX);
+        QVERIFY(last.end == 1'000'000 && last.first >= 999'999);
+    }
+
+    void theWorstPartRunsAgainFromItsInputs() {
+        const Project project = shaftBatch(30);
+        const BatchResult result = runWith(project, 2);
+        const BatchSummary summary = summarise(result);
+        const ScenarioSource source(project);
+        const SimulationResult again = simulate(source.project(summary.worstPart));
+        PartOutcome outcome;
+        measure(again, characteristicsOf(source.nominal()), outcome);
+        QCOMPARE(outcome.margin, result.statistics.worst.value);
+        for (std::int64_t part = 0; part < 30; ++part) {
+            measure(simulate(source.project(part)), characteristicsOf(source.nominal()), outcome);
+            QVERIFY(outcome.margin >= result.statistics.worst.value);
+        }
+    }
+
+    // A system that does not yield cuts what it is fed: P_z·V_k is then proportional to σ_i
+    // [MODEL-2], and every quantile of the power is that of the flow stress times a constant.
+    void withoutComplianceQuantilesOfThePowerScaleWithTheFlowStress() {
+        Project project = fixtures::stiffBatch(99);
+        project.batch->factors.flow_stress_mpa = uniform(1800, 2200);
+        const double unit = simulate(project).peakPower_w / 1000 / 2000; // kW per MPa
+        const ScenarioSource source(project);
+        std::vector<double> stresses;
+        for (std::int64_t part = 0; part < 99; ++part) {
+            stresses.push_back(source.values(part)[0]);
+        }
+        std::sort(stresses.begin(), stresses.end());
+        bool found = false;
+        const BatchSummary summary = summarise(runWith(project, 2));
+        QVERIFY(summary.exactPercentiles);
+        for (const CharacteristicSummary& row : summary.characteristics) {
+            if (std::string(row.characteristic.name) != "wheel_power") {
+                continue;
+            }
+            found = true;
+            for (const Percentile& percentile : row.percentiles) {
+                const double rank = std::max(1.0, std::ceil(percentile.order * 99));
+                const double expected = unit * stresses[static_cast<std::size_t>(rank) - 1];
+                QVERIFY(close(percentile.value, expected, 1e-9));
+            }
+            QVERIFY(close(row.least.value, unit * stresses.front(), 1e-9));
+            QVERIFY(close(row.most.value, unit * stresses.back(), 1e-9));
+        }
+        QVERIFY(found);
+    }
+
+    void everyPartIsCountedOnce() {
+        const BatchResult result = runWith(shaftBatch(50), 2);
+        QCOMPARE(result.statistics.parts, std::int64_t{50});
+        const BatchSummary summary = summarise(result);
+        for (const CharacteristicSummary& row : summary.characteristics) {
+            std::int64_t bars = 0;
+            for (const HistogramBar& bar : row.histogram) {
+                bars += bar.count;
+            }
+            QCOMPARE(bars, row.count);
+            QCOMPARE(row.count + result.statistics.failed, std::int64_t{50});
+        }
+    }
+
+    void aStopBeforeTheFirstPartLeavesNone() {
+        std::stop_source stop;
+        stop.request_stop();
+        BatchOptions options;
+        options.stop = stop.get_token();
+        const BatchResult result = runBatch(shaftBatch(50), options);
+        QVERIFY(result.status == BatchStatus::stopped);
+        QCOMPARE(result.statistics.parts, std::int64_t{0});
+        QCOMPARE(summarise(result).parts, std::int64_t{0});
+        const auto read = readBatchState(writeBatchState(result));
+        QVERIFY(read && read->status == BatchStatus::stopped);
+    }
+
+    // Other programs may hold the processor up: of five stops the quickest counts.
+    void aStopMidwayEndsWithin100MsAndKeepsWhatWasDone() {
+        const Project project = shaftBatch(1'000'000);
+        auto quickest = std::chrono::steady_clock::duration::max();
+        for (int i = 0; i < 5 && quickest > std::chrono::milliseconds(100); ++i) {
+            std::stop_source stop;
+            std::atomic<std::int64_t> done = 0;
+            BatchOptions options;
+            options.threads = 2;
+            options.stop = stop.get_token();
+            options.done = &done;
+            BatchResult result;
+            std::jthread batch([&] { result = runBatch(project, options); });
+            while (done < 100) {
+                std::this_thread::yield();
+            }
+            const auto asked = std::chrono::steady_clock::now();
+            stop.request_stop();
+            batch.join();
+            quickest = std::min(quickest, std::chrono::steady_clock::now() - asked);
+            QVERIFY(result.status == BatchStatus::stopped);
+            QVERIFY(result.statistics.parts >= 100 && result.statistics.parts < 1'000'000);
+            QCOMPARE(result.statistics.parts, done.load());
+            checkRows(result);
+        }
+        QVERIFY(quickest <= std::chrono::milliseconds(100));
+    }
+
+    void itEndsWhenTheIntervalIsNarrowAtTheSamePartForAnyThreads() {
+        const Project project = shaftBatch(200);
+        BatchOptions options;
+        options.round = 20;
+        options.meanWidth_um = 1e6;
+        options.threads = 1;
+        const BatchResult one = runBatch(project, options);
+        QVERIFY(one.status == BatchStatus::narrowEnough);
+        QCOMPARE(one.statistics.parts, std::int64_t{20});
+        options.threads = 3;
+        QCOMPARE(writeBatchState(runBatch(project, options)), writeBatchState(one));
+        options.meanWidth_um = 0;
+        QVERIFY(runBatch(project, options).status == BatchStatus::completed);
+    }
+
+    // Beyond 4096 parts percentiles come from bins: what is kept does not grow with the parts, and
+    // a percentile is off by no more than a bin.
+    void ofManyPartsLittleIsKeptAndPercentilesAreExactToABin() {
+        Project project = fixtures::stiffBatch(9000);
+        project.batch->scenarios = Scenarios::random;
+        project.batch->factors.flow_stress_mpa = uniform(1800, 2200);
+        const BatchResult result = runWith(project, 2);
+        QCOMPARE(result.statistics.rows.size(), std::size_t{BatchStatistics::keptRows});
+        const BatchSummary summary = summarise(result);
+        QVERIFY(!summary.exactPercentiles);
+        const double unit = simulate(project).peakPower_w / 1000 / 2000; // kW per MPa
+        const ScenarioSource source(project);
+        std::vector<double> powers;
+        for (std::int64_t part = 0; part < 9000; ++part) {
+            powers.push_back(unit * source.values(part)[0]);
+        }
+        std::sort(powers.begin(), powers.end());
+        for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
+            const CharacteristicSummary& row = summary.characteristics[i];
+            if (std::string(row.characteristic.name) != "wheel_power") {
+                continue;
+            }
+            const double bin = row.characteristic.resolution;
+            QVERIFY(result.statistics.values[i].bins.size()
+                    <= (powers.back() - powers[0]) / bin + 2);
+            for (const Percentile& percentile : row.percentiles) {
+                const auto rank =
+                    static_cast<std::size_t>(std::ceil(percentile.order * 9000 - 1e-9));
+                QVERIFY(std::abs(percentile.value - powers[rank - 1]) <= bin);
+            }
+            return;
+        }
+        QVERIFY2(false, "there is a power");
+    }
+
+    void whatDoesNotScatterHasNoCapability() {
+        Project project = fixtures::stiffBatch(40); // the diameter is the same but for rounding
+        project.batch->factors.flow_stress_mpa = uniform(1800, 2200);
+        project.batch->factors.dullness = uniform(0.02, 0.02);
+        int diameters = 0;
+        for (const CharacteristicSummary& row : summarise(runWith(project, 2)).characteristics) {
+            if (std::string(row.characteristic.name) == "diameter") {
+                ++diameters;
+                QVERIFY(!row.cp && !row.cpk && !row.normality);
+                QVERIFY(row.mean95.has_value() && row.count == 40);
+            }
+            QVERIFY((row.cpk.has_value())
+                    == (std::string(row.characteristic.name) == "wheel_power"));
+        }
+        QCOMPARE(diameters, 1);
+    }
+
+    // C_p and C_pk by their definitions, from the values themselves.
+    void capabilityIsThatOfTheDefinition() {
+        const BatchResult result = runWith(shaftBatch(60), 2);
+        const CharacteristicSummary row = summarise(result).characteristics.front();
+        QCOMPARE(std::string(row.characteristic.name), std::string("diameter"));
+        double mean = 0, squares = 0;
+        for (const PartRow& part : result.statistics.rows) {
+            mean += part.values[0] / 60;
+        }
+        for (const PartRow& part : result.statistics.rows) {
+            squares += std::pow(part.values[0] - mean, 2);
+        }
+        const double s = std::sqrt(squares / 59);
+        QVERIFY(row.cp && row.cpk);
+        QVERIFY(close(row.cp->value, (0 - -16) / (6 * s), 1e-9));
+        QVERIFY(close(row.cpk->value, std::min(0 - mean, mean - -16) / (3 * s), 1e-9));
+    }
+
+    // Dullness grows from the first part to the last: of 20 parts out of 400, taken at random, the
+    // mean place lies within five of its standard deviations, 400/√(12·20), of the middle.
+    void aBatchThatEndsEarlyMeetsALawAllAlongIt() {
+        Project project = shaftBatch(400);
+        project.batch->factors.dullness = Factor{};
+        project.batch->factors.dullness->grows = {0.015, 0.03};
+        BatchOptions options;
+        options.round = 20;
+        options.meanWidth_um = 1e6;
+        const BatchResult result = runBatch(project, options);
+        QCOMPARE(result.statistics.rows.size(), std::size_t{20});
+        double mean = 0;
+        for (std::size_t i = 0; i < 20; ++i) {
+            mean += static_cast<double>(result.statistics.rows[i].part) / 20;
+            QVERIFY(i == 0 || result.statistics.rows[i].part > result.statistics.rows[i - 1].part);
+        }
+        QVERIFY(std::abs(mean - 200) < 5 * 400 / std::sqrt(12.0 * 20));
+        checkRows(result);
+        project.batch->scenarios = Scenarios::corners;
+        options.round = 2;
+        QCOMPARE(runBatch(project, options).statistics.parts, std::int64_t{8});
+    }
+
+    void cornersTellExtremesAndNoIntervals() {
+        Project project = shaftBatch(50);
+        project.batch->scenarios = Scenarios::corners;
+        const BatchSummary summary = summarise(runWith(project, 2));
+        QCOMPARE(summary.parts, std::int64_t{8});
+        QVERIFY(!summary.isSample && !summary.bad.interval);
+        for (const CharacteristicSummary& row : summary.characteristics) {
+            QVERIFY(!row.mean95 && !row.cp && !row.cpk);
+        }
+    }
+
+private:
+    /// What is kept of some of the parts is what each of them gives alone.
+    static void checkRows(const BatchResult& result) {
+        const ScenarioSource source(result.project);
+        const auto characteristics = characteristicsOf(source.nominal());
+        QVERIFY(!result.statistics.rows.empty());
+        for (std::size_t i = 0; i < result.statistics.rows.size(); i += 37) {
+            const PartRow& row = result.statistics.rows[i];
+            PartOutcome outcome;
+            measure(simulate(source.project(row.part)), characteristics, outcome);
+            QVERIFY(row.values == outcome.values);
+        }
+    }
+};
+
+} // namespace test_batch_run
+
+SPARKOUT_TEST(test_batch_run, TestBatchRun)
+#include "test_batch_run.moc"
