@@ -7,7 +7,7 @@
 #include "core/simulation/result.h"
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 
 namespace sparkout {
 
@@ -39,6 +39,8 @@ public:
         m_usage = 0;
         m_worst = {};
     }
+    /// √a over its limit, of the visit nearest to burning so far; 0 where burn is not asked for.
+    [[nodiscard]] double burnUsage() const { return m_usage; }
     /// Puts what was kept into the result, whose sections and counts are there.
     void put(SimulationResult& result, const Lanes& lanes) const;
 
@@ -51,9 +53,9 @@ private:
     std::size_t m_radii;
     double m_total; ///< |R_first − R_t| [mm]
     bool m_keepsLast;
-    std::optional<BurnTable> m_burn;
-    double m_usage = 0;     ///< √a over its limit, of the worst visit
-    std::size_t m_lane = 0; ///< of that visit
+    std::shared_ptr<const BurnTable> m_burn; ///< the same in copies of a run
+    double m_usage = 0;                      ///< √a over its limit, of the worst visit
+    std::size_t m_lane = 0;                  ///< of that visit
     BurnVisit m_worst;
 };
 

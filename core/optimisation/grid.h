@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace sparkout {
+
+/// A setting of a stage's feeds in the grid.
+struct FeedSetting {
+    double radial = 0;           ///< traverse: per double stroke [mm]; plunge: [mm/min]
+    double axialFeed_mm_min = 0; ///< traverse
+};
+
+/// A stage of a cycle of the grid.
+struct GridStage {
+    std::size_t setting = 0; ///< index of its feeds
+    int steps = 0;           ///< stock in steps of the grid; of the last stage: what remains
+    friend bool operator==(const GridStage&, const GridStage&) = default;
+};
+using GridCycle = std::vector<GridStage>;
+
+/// The cycles that a project's optimisation asks for: every stage takes any listed feeds; stage
+/// stocks are positive multiples of the stock step that sum to the part's, the last stage takes
+/// the remainder, however small; with non_increasing neither feed rises from stage to stage.
+///
+/// Grid order: the numbers of stages as listed, then stage by stage from the first on the radial
+/// feed, the axial feed and the stock, each as listed, stocks rising.
+class Grid {
+public:
+    /// A project whose optimisation is given; without it, or without levels, the grid is empty.
+    explicit Grid(const Project& project);
+
+    [[nodiscard]] const std::vector<FeedSetting>& settings() const { return m_settings; }
+    [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
+    /// Steps of stock that all stages but the last share; each takes at least one.
+    [[nodiscard]] int stockSteps() const { return m_steps; }
+    /// May a stage with the second setting follow one with the first?
+    [[nodiscard]] bool mayFollow(std::size_t first, std::size_t second) const;
+    /// Stock left [mm] when so many steps of it have been taken.
+    [[nodiscard]] double remainder(int stepsTaken) const {
+        return m_stock_mm - stepsTaken * m_step_mm;
+    }
+
+    /// The number of cycles, 2^63 − 1 when there are more.
+    [[nodiscard]] std::int64_t size() const;
+    /// The cycles one after the other, in grid order; false after the last. Starts from an empty
+    /// cycle.
+    [[nodiscard]] bool next(GridCycle& cycle) const;
+    /// Whether a comes before b.
+    [[nodiscard]] bool before(const GridCycle& a, const GridCycle& b) const;
+    /// The cycle as the project states cycles.
+    [[nodiscard]] Cycle cycle(const GridCycle& cycle) const;
+
+private:
+    [[nodiscard]] bool complete(GridCycle& cycle, std::size_t stages) const;
+    [[nodiscard]] bool advance(GridCycle& cycle) const;
+
+    Operation m_operation;
+    double m_stock_mm, m_step_mm = 0;
+    int m_steps = 0;
+    bool m_nonIncreasing = false;
+    std::vector<FeedSetting> m_settings;
+    std::vector<std::size_t> m_stageCounts;
+};
+
+/// The levels one by one; a step that ends within a millionth of it at `to` reaches it.
+[[nodiscard]] std::vector<double> levelValues(const Levels& levels);
+
+} // namespace sparkout

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/judge.h"
+#include "core/optimisation/pass_cuts.h"
+#include "core/optimisation/time_bound.h"
+#include "core/simulation/cycle_steps.h"
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <queue>
+#include <utility>
+
+/// Why the pruned search finds the full search's cycle.
+///
+/// 1. Shared prefixes. A step depends on the state and its feed alone (CycleSteps), and a stage's
+///    end on the reading after its steps. So cycles that agree up to a stage have the same state
+///    behind it, bit by bit, and under gauge control, where no feed depends on the stocks, a stage
+///    run once to the last possible end passes through all its ends for all stocks. (Under position
+///    control the last step is cut short by the stock: each stock is run for itself.)
+/// 2. Merged states. Ends that fall on one step leave one state. From the end with the most stock
+///    left every continuation of the others is possible, with the same passes, hence the same time
+///    and margins, and it comes first in grid order. So this one alone is gone on from. Other parts
+///    end their stages elsewhere: with scenarios nothing is merged.
+/// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
+///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
+///    the bound of the next one holds for all that is left.
+/// 4. Cuts. A branch is dropped when PassCuts tells that its passes break a requirement.
+///
+/// Whatever remains is judged as the full search does, from the same result of the same passes.
+namespace sparkout {
+
+namespace {
+
+/// A cycle up to the end of a stage.
+struct Prefix {
+    std::shared_ptr<const CycleSteps> steps;
+    std::size_t stages = 0; ///< of the whole cycle
+    GridCycle cycle;        ///< so far
+    std::vector<int> counts;
+    int taken = 0;                                    ///< steps of stock
+    std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
+};
+using PrefixPtr = std::shared_ptr<const Prefix>;
+
+struct Branch {
+    double bound_s = 0;
+    long long order = 0; ///< among equal bounds the newest first: deeper
+    PrefixPtr prefix;
+    std::size_t index = 0; ///< in the prefix's next settings
+    friend bool operator<(const Branch& a, const Branch& b) {
+        return a.bound_s != b.bound_s ? a.bound_s > b.bound_s : a.order < b.order;
+    }
+};
+
+class PrunedSearch {
+public:
+    PrunedSearch(const Project& project, const Grid& grid, const SearchOptions& options)
+        : m_grid(grid)
+        , m_options(options)
+        , m_judge(grid, options.scenarios)
+        , m_cuts(project)
+        , m_total(makeBlank(project.part).totalInfeed_mm)
+        , m_bound(project, grid, m_total)
+        , m_gauge(project.gauge.control == Control::gauge) {
+        for (const std::size_t stages : grid.stageCounts()) {
+            m_projects.resize(std::max(m_projects.size(), stages + 1));
+            m_projects[stages] = std::make_unique<Project>(project);
+            m_projects[stages]->runs.clear();
+            m_projects[stages]->cycle.stages.assign(stages, {});
+        }
+    }
+
+    SearchSummary run() {
+        begin();
+        SearchSummary summary;
+        while (!m_branches.empty() && !isSlower(m_branches.top().bound_s)) {
+            summary.bound_s = std::max(summary.bound_s, m_branches.top().bound_s);
+            if (m_options.stop.stop_requested()) {
+                summary.status = SearchStatus::stopped;
+                break;
+            }
+            const Branch branch = m_branches.top();
+            m_branches.pop();
+            push(branch.prefix, branch.index + 1);
+            explore(*branch.prefix, branch.prefix->next[branch.index].second, branch.bound_s);
+            if (m_options.onProgress) {
+                m_options.onProgress(
+                    {m_judge.best(), summary.bound_s, m_judge.counts.evaluations, 0});
+            }
+        }
+        summary.best = m_judge.best();
+        if (summary.status != SearchStatus::stopped && summary.best) {
+            summary.status = SearchStatus::proved;
+            summary.bound_s = static_cast<double>(summary.best->time_us) * 1e-6;
+        }
+        summary.evaluations = m_judge.counts.evaluations;
+        summary.visits = m_judge.counts.visits;
+        summary.cuts = m_judge.counts.cuts;
+        return summary;
+    }
+
+private:
+    [[nodiscard]] bool isSlower(double least_s) const {
+        return std::floor(least_s * (1 - 1e-12) * 1e6 - 1)
+               > static_cast<double>(m_judge.bestTime_us());
+    }
+
+    void begin() {
+        for (const std::size_t stages : m_grid.stageCounts()) {
+            seed(stages);
+            Prefix root;
+            root.steps = firstSteps(*m_projects[stages]);
+            root.stages = stages;
+            add(std::move(root), 0);
+        }
+    }
+
+    static std::shared_ptr<const CycleSteps> firstSteps(const Project& project) {
+        return project.operation == Operation::traverse
+                   ? traverseSteps(project, Zone::nz, nullptr, {})
+                   : plungeSteps(project, nullptr, {});
+    }
+
+    /// A first answer to prune by: the quickest feasible cycle with the same feeds in all stages.
+    void seed(std::size_t stages) {
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
+            order.emplace_back(m_bound.rest_s(s, 0, 0, true), s);
+        }
+        std::sort(order.begin(), order.end());
+        for (const auto& [bound_s, setting] : order) {
+            if (isSlower(bound_s) || m_options.stop.stop_requested()) {
+                return;
+            }
+            GridCycle cycle(stages, {setting, 1});
+            cycle.back().steps = 0;
+            m_projects[stages]->cycle = m_grid.cycle(cycle);
+            const SimulationResult result = simulate(*m_projects[stages]);
+            m_judge.counts.visits += result.visits;
+            if (m_judge.judge(cycle, result)) {
+                return;
+            }
+        }
+    }
+
+    /// Steps of stock that are taken at most behind the next stage of a prefix.
+    [[nodiscard]] int mostTaken(const Prefix& prefix) const {
+        return m_grid.stockSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
+    }
+    [[nodiscard]] static bool isLast(const Prefix& prefix) {
+        return prefix.cycle.size() + 1 == prefix.stages;
+    }
+    /// Least time of all cycles that go on with this setting.
+    [[nodiscard]] double boundOf(const Prefix& prefix, const Run& run, std::size_t setting,
+                                 int taken) const {
+        return run.time_s() * (1 - 1e-12)
+               + m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), isLast(prefix));
+    }
+
+    void add(Prefix prefix, double least_s) {
+        for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
+            if (!prefix.cycle.empty() && !m_grid.mayFollow(prefix.cycle.back().setting, s)) {
+                continue;
+            }
+            const double bound_s =
+                std::max(least_s, boundOf(prefix, prefix.steps->run(), s, prefix.taken + 1));
+            if (!isSlower(bound_s)) {
+                prefix.next.emplace_back(bound_s, s);
+            }
+        }
+        std::sort(prefix.next.begin(), prefix.next.end());
+        push(std::make_shared<const Prefix>(std::move(prefix)), 0);
+    }
+
+    void push(const PrefixPtr& prefix, std::size_t index) {
+        if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
+            m_branches.push({prefix->next[index].first, ++m_order, prefix, index});
+        }
+    }
+
+    void explore(const Prefix& from, std::size_t setting, double least_s) {
+        if (isLast(from)) {
+            runStage(from, setting, {0, 0}, least_s);
+        } else if (m_gauge) {
+            runStage(from, setting, {from.taken + 1, mostTaken(from)}, least_s);
+        } else {
+            for (int taken = from.taken + 1; taken <= mostTaken(from); ++taken) {
+                runStage(from, setting, {taken, taken}, least_s);
+            }
+        }
+    }
+
+    /// Steps of stock behind a stage, from the first end on to the last.
+    struct Ends {
+        int taken = 0, last = 0;
+    };
+
+    /// Runs the next stage until its last end, and goes on from each end.
+    void runStage(const Prefix& from, std::size_t setting, Ends ends, double least_s) {
+        const std::unique_ptr<CycleSteps> steps = from.steps->copy();
+        Run& run = steps->run();
+        const long long visitsBefore = run.visits();
+        const std::size_t stage = from.cycle.size();
+        int count = 0;
+        const bool begun = std::any_of(from.counts.begin(), from.counts.end(),
+                                       [](int steps) { return steps > 0; });
+        while (true) {
+            if (begun || count > 0) {
+                takeEnds(from, setting, *steps, count, ends, least_s);
+            }
+            if (ends.taken > ends.last || isSlower(boundOf(from, run, setting, ends.taken))
+                || run.mustEnd()
+                || !steps->step({nextInfeed(isLast(from), setting, run.fed_mm, ends.taken), stage,
+                                 m_grid.settings()[setting].axialFeed_mm_min})) {
+                break;
+            }
+            ++count;
+            if (const auto kind = m_cuts.broken(run, stage)) {
+                ++m_judge.counts.cuts[static_cast<std::size_t>(*kind)];
+                break;
+            }
+        }
+        m_judge.counts.visits += run.visits() - visitsBefore;
+    }
+
+    [[nodiscard]] double later(bool last, int taken) const {
+        return last ? 0 : m_grid.remainder(taken);
+    }
+
+    [[nodiscard]] double nextInfeed(bool last, std::size_t setting, double fed_mm,
+                                    int taken) const {
+        const double infeed = m_bound.infeed_mm(setting);
+        return m_gauge ? infeed : std::clamp(m_total - later(last, taken) - fed_mm, 0.0, infeed);
+    }
+
+    [[nodiscard]] bool ended(const CycleSteps& steps, double later_mm) const {
+        return m_gauge ? steps.remaining() <= later_mm + stageSlack_mm
+                       : steps.run().fed_mm >= m_total - later_mm - stageSlack_mm;
+    }
+
+    /// The ends that the state after a step has reached.
+    void takeEnds(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count,
+                  Ends& ends, double least_s) {
+        const bool merges = m_options.scenarios.empty();
+        for (bool first = true;
+             ends.taken <= ends.last && ended(steps, later(isLast(from), ends.taken));
+             ++ends.taken) {
+            if (first || !merges) {
+                end(from, setting, steps, count, ends.taken, least_s);
+            }
+            first = false;
+        }
+    }
+
+    void end(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count, int taken,
+             double least_s) {
+        Prefix prefix;
+        prefix.stages = from.stages;
+        prefix.cycle = from.cycle;
+        prefix.counts = from.counts;
+        prefix.counts.push_back(count);
+        prefix.cycle.push_back({setting, isLast(from) ? 0 : taken - from.taken});
+        prefix.taken = taken;
+        if (!isLast(from)) {
+            prefix.steps = steps.copy();
+            add(std::move(prefix), least_s);
+        } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
+            m_projects[from.stages]->cycle = m_grid.cycle(prefix.cycle);
+            m_judge.judge(prefix.cycle, steps.copy()->finish(prefix.counts));
+        }
+    }
+
+    const Grid& m_grid;
+    const SearchOptions& m_options;
+    Judge m_judge;
+    PassCuts m_cuts;
+    double m_total; ///< |R_first − R_t| [mm]
+    TimeBound m_bound;
+    bool m_gauge;
+    std::vector<std::unique_ptr<Project>> m_projects; ///< by number of stages
+    std::priority_queue<Branch> m_branches;
+    long long m_order = 0;
+};
+
+} // namespace
+
+SearchSummary prunedSearch(const Project& project, const Grid& grid, const SearchOptions& options) {
+    return PrunedSearch(project, grid, options).run();
+}
+
+} // namespace sparkout
