@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 constexpr double burnTableError = 1e-4; ///< of √a over its limit, generously
-constexpr double rounding = 1e-9;
+constexpr double peakRounding = 1e-9;
 constexpr double wattsPerKilowatt = 1e3;
 } // namespace
 
@@ -17,16 +17,16 @@ constexpr double wattsPerKilowatt = 1e3;
 PassCuts::PassCuts(const Project& project) : m_burn(project.material.burn_rise_k.has_value()) {
     const Machine& machine = project.machine;
     if (machine.wheel_drive_kw && !isCoupled(project)) {
-        m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + rounding);
+        m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + peakRounding);
     }
     if (machine.work_drive_kw && !isCoupled(project)) {
         const Cutting cutting = cuttingOf(project);
         m_workPower_w = *machine.work_drive_kw * wattsPerKilowatt * cutting.Vk_mm_s
-                        / cutting.Vd_mm_s * (1 + rounding);
+                        / cutting.Vd_mm_s * (1 + peakRounding);
     }
     if (const auto model = selfSharpening(project)) {
         if (const auto depth = model->limitDepth()) {
-            m_depth_mm = *depth * (1 + rounding);
+            m_depth_mm = *depth * (1 + peakRounding);
         }
     }
 }

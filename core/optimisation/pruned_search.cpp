@@ -17,7 +17,8 @@
 ///    end on the reading after its steps. So cycles that agree up to a stage have the same state
 ///    behind it, bit by bit, and under gauge control, where no feed depends on the stocks, a stage
 ///    run once to the last possible end passes through all its ends for all stocks. (Under position
-///    control the last step is cut short by the stock: each stock is run for itself.)
+///    control the last step is cut short by the stock: each stock is run for itself,
+///    and what comes out is run again as the project states it, to the last bit of its stocks.)
 /// 2. Merged states. Ends that fall on one step leave one state. From the end with the most stock
 ///    left every continuation of the others is possible, with the same passes, hence the same time
 ///    and margins, and it comes first in grid order. So this one alone is gone on from. Other parts
@@ -267,7 +268,8 @@ private:
             add(std::move(prefix), least_s);
         } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
             m_projects[from.stages]->cycle = m_grid.cycle(prefix.cycle);
-            m_judge.judge(prefix.cycle, steps.copy()->finish(prefix.counts));
+            m_judge.judge(prefix.cycle, m_gauge ? steps.copy()->finish(prefix.counts)
+                                                : simulate(*m_projects[from.stages]));
         }
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/time_bound.h"
 
+#include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
 #include "core/units.h"
 
@@ -12,18 +13,12 @@ namespace sparkout {
 namespace {
 
 /// Rounding of t_П, Σa and times, generously [mm, share].
-constexpr double rounding_mm = 1e-9, rounding = 1e-9;
-
-/// Whole revolutions of a dwell, at least [MODEL-5].
-double leastDwell(double dwell_s, double rpm) {
-    return dwell_s > 0 ? std::max(1.0, std::floor(dwell_s / units::secondsPerMinute * rpm + 0.5))
-                       : 0;
-}
+constexpr double boundRounding_mm = 1e-9, boundRounding = 1e-9;
 
 } // namespace
 
 TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm)
-    : m_total(totalInfeed_mm - stageSlack_mm - rounding_mm)
+    : m_total(totalInfeed_mm - stageSlack_mm - boundRounding_mm)
     , m_shortLastStep(project.gauge.control == Control::position) {
     const Machine& machine = project.machine;
     const double revolution_s = units::secondsPerMinute / machine.work_speed_rpm;
@@ -32,8 +27,9 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
         if (project.operation == Operation::traverse) {
             const double travel = project.part.length_mm - project.wheel.width_mm
                                   + machine.overrun_entry_mm + machine.overrun_exit_mm;
-            const double dwells = 2 * leastDwell(machine.dwell_entry_s, machine.work_speed_rpm)
-                                  + leastDwell(machine.dwell_exit_s, machine.work_speed_rpm);
+            const double dwells =
+                2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
+                + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
             const double plunge_s_mm = units::secondsPerMinute / machine.plunge_feed_mm_min;
             rate.infeed_mm = setting.radial;
             rate.fixed_s = dwells * revolution_s
@@ -41,7 +37,7 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
             rate.step_s =
                 rate.fixed_s
                 + revolution_s * std::ceil(rate.infeed_mm * plunge_s_mm / revolution_s - 1e-6);
-            rate.s_per_mm = rate.fixed_s / rate.infeed_mm + plunge_s_mm * (1 - rounding);
+            rate.s_per_mm = rate.fixed_s / rate.infeed_mm + plunge_s_mm * (1 - boundRounding);
         } else {
             rate.infeed_mm = setting.radial / machine.work_speed_rpm;
             rate.fixed_s = rate.step_s = revolution_s;
@@ -66,12 +62,12 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
         return 0;
     }
     if (last) {
-        const double steps = std::ceil(all / rate.infeed_mm - rounding);
+        const double steps = std::ceil(all / rate.infeed_mm - boundRounding);
         const double whole = m_shortLastStep ? std::max(steps - 1, 0.0) : steps;
-        return (whole * rate.step_s + (steps - whole) * rate.fixed_s) * (1 - rounding);
+        return (whole * rate.step_s + (steps - whole) * rate.fixed_s) * (1 - boundRounding);
     }
     const double here = std::max(all - later_mm, 0.0);
-    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm) * (1 - rounding);
+    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm) * (1 - boundRounding);
 }
 
 } // namespace sparkout

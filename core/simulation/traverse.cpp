@@ -10,9 +10,6 @@
 
 namespace sparkout {
 
-namespace {
-
-/// A dwell in whole revolutions: ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell [MODEL-5].
 int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     if (dwell_s <= 0) {
         return 0;
@@ -20,6 +17,8 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     const double x = dwell_s / units::secondsPerMinute * workSpeed_rpm;
     return std::max(1, static_cast<int>(std::floor(x + 0.5 + 1e-9)));
 }
+
+namespace {
 
 /// Double strokes, step by step in the order of the table in MODEL-5.
 class TraverseSteps : public CycleSteps {

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for the quickest cycle: the pruned search against the full one, and the laws that
+// hold for the best cycle of any grid.
+#include "core/optimisation/limit.h"
+#include "core/optimisation/optimise.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
+
+#include "tests/core/project_fixtures.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace test_optimisation {
+
+using namespace sparkout;
+
+namespace {
+
+class Dice {
+public:
+    explicit Dice(unsigned seed) : m_engine(seed) {}
+    int integer(int low, int high) {
+        return low + static_cast<int>(m_engine() % static_cast<unsigned>(high - low + 1));
+    }
+    double uniform(double low, double high) { return low + (high - low) * (m_engine() / 0x1p32); }
+    bool chance(double share) { return uniform(0, 1) < share; }
+
+private:
+    std::mt19937 m_engine;
+};
+
+/// A small grid about a random part, with requirements that about half of its cycles hold.
+Project smallCase(unsigned seed) {
+    Dice dice(seed);
+    const bool traverse = dice.chance(0.5);
+    Project p = traverse ? fixtures::traverse() : fixtures::plunge();
+    p.part.radii_per_section = 2 * dice.integer(2, 6);
+    p.part.stock_mm = dice.chance(0.3) ? 0.045 : 0.01 * dice.integer(2, 5);
+    p.part.initial_runout_mm = dice.uniform(0, 0.02);
+    p.part.lower_deviation_um = -dice.uniform(6, 30);
+    p.part.tolerance.radial_runout_um = dice.uniform(0.5, 6);
+    p.wheel.dullness = dice.uniform(0, 0.04);
+    p.material.burn_rise_k = std::nullopt;
+    if (dice.chance(0.6)) {
+        p.material.burn_rise_k = dice.uniform(200, 900);
+    }
+    if (dice.chance(0.6)) {
+        p.machine.wheel_drive_kw = dice.uniform(0.3, 6);
+    }
+    p.gauge.rule = static_cast<GaugeRule>(dice.integer(0, 2));
+    if (dice.chance(0.25)) {
+        p.gauge.control = Control::position;
+    }
+    p.gauge.commands = dice.integer(2, 5);
+    Optimisation grid;
+    grid.stages = dice.chance(0.5) ? std::vector<double>{1, 2, 3} : std::vector<double>{2, 1};
+    grid.stock_step_mm = 0.01;
+    grid.non_increasing = dice.chance(0.3);
+    if (traverse) {
+        const double scale = dice.uniform(0.5, 2.5);
+        p.machine.compliance_mm_per_n =
+            ZoneCompliance{dice.uniform(5e-5, 3e-4), dice.uniform(5e-5, 3e-4), 1.5e-4};
+        p.machine.limits.radial_feed_mm = std::vector<double>{0.001, 0.02, 0.0001};
+        grid.radial_feed_mm = std::vector<double>{0.002 * scale, 0.005 * scale};
+        grid.axial_feed_mm_min = std::vector<double>{1800, 600};
+    } else {
+        p.sections = dice.integer(1, 3);
+        std::vector<double> compliance;
+        for (int j = 0; j < p.sections; ++j) {
+            compliance.push_back(dice.uniform(1e-5, 1e-4));
+        }
+        p.machine.compliance_mm_per_n = compliance;
+        const double scale = dice.uniform(0.5, 2);
+        grid.radial_feed_mm_min = std::vector<double>{1.2 * scale, 0.3 * scale, 0.6 * scale};
+    }
+    p.optimisation = grid;
+    return p;
+}
+
+SearchSummary search(const Project& project, SearchMethod method, unsigned threads = 1) {
+    SearchOptions options;
+    options.method = method;
+    options.threads = threads;
+    return optimise(project, options);
+}
+
+bool holds(const SimulationResult& result) {
+    const std::vector<ConstraintResult> all = evaluateConstraints(result);
+    return result.status == RunStatus::completed
+           && std::all_of(all.begin(), all.end(), [](const auto& each) { return each.holds; });
+}
+
+std::int64_t timeOf(const SearchSummary& summary) {
+    return summary.best ? summary.best->time_us : -1;
+}
+
+/// No worse: as quick or quicker, where the other found one.
+bool noSlower(const SearchSummary& a, const SearchSummary& b) {
+    return !b.best || (a.best && a.best->time_us <= b.best->time_us);
+}
+
+} // namespace
+
+class TestOptimisation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theGridHasItsCyclesOnceAndInOrder() {
+        for (unsigned seed = 0; seed < 40; ++seed) {
+            const Project p = smallCase(seed);
+            const Grid grid(p);
+            GridCycle cycle, before;
+            std::int64_t count = 0;
+            while (grid.next(cycle)) {
+                QVERIFY(before.empty() || grid.before(before, cycle));
+                before = cycle;
+                ++count;
+                double sum = 0;
+                for (const Stage& stage : grid.cycle(cycle).stages) {
+                    QVERIFY(stage.stock_mm > 1e-6);
+                    sum += stage.stock_mm;
+                }
+                QVERIFY(fixtures::within(sum, p.part.stock_mm, 1e-12));
+            }
+            QCOMPARE(count, grid.size());
+        }
+    }
+
+    void thePrunedSearchFindsTheFullSearchsCycle() {
+        int found = 0;
+        long long full = 0, pruned = 0;
+        constexpr unsigned cases = 500;
+        for (unsigned seed = 0; seed < cases; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary a = search(p, SearchMethod::full);
+            const SearchSummary b = search(p, SearchMethod::pruned);
+            const QByteArray where = "case " + QByteArray::number(seed);
+            QVERIFY2(a.status == b.status, where);
+            QVERIFY2(timeOf(a) == timeOf(b), where);
+            if (a.best) {
+                QVERIFY2(a.best->cycle == b.best->cycle, where);
+                QVERIFY2(a.best->leastRelativeMargin == b.best->leastRelativeMargin, where);
+                ++found;
+            }
+            full += a.visits;
+            pruned += b.visits;
+        }
+        // the cases must not all be easy or all be hopeless
+        QVERIFY2(found > 100 && found < 480, QByteArray::number(found));
+        QVERIFY2(pruned < full, QByteArray::number(pruned) + " of " + QByteArray::number(full));
+    }
+
+    void theBestCycleHoldsWhenItIsRunAlone() {
+        for (unsigned seed = 0; seed < 100; ++seed) {
+            Project p = smallCase(seed);
+            const SearchSummary best = search(p, SearchMethod::pruned);
+            if (!best.best) {
+                continue;
+            }
+            p.cycle = best.cycle;
+            const SimulationResult alone = simulate(p);
+            QVERIFY(holds(alone));
+            QCOMPARE(std::llround(alone.time_s * 1e6), best.best->time_us);
+        }
+    }
+
+    void threadsDoNotChangeTheAnswer() {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary one = search(p, SearchMethod::full, 1);
+            const SearchSummary three = search(p, SearchMethod::full, 3);
+            QCOMPARE(timeOf(one), timeOf(three));
+            QVERIFY(!one.best || one.best->cycle == three.best->cycle);
+        }
+    }
+
+    void aStoppedFullSearchGoesOn() {
+        int stopped = 0;
+        for (unsigned seed = 0; seed < 30; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary whole = search(p, SearchMethod::full);
+            std::stop_source stop;
+            SearchOptions options;
+            options.method = SearchMethod::full;
+            options.threads = 1;
+            options.stop = stop.get_token();
+            options.onProgress = [&stop](const SearchProgress& progress) {
+                if (progress.evaluations > 0) {
+                    stop.request_stop();
+                }
+            };
+            const SearchSummary first = optimise(p, options);
+            if (first.status != SearchStatus::stopped) {
+                continue;
+            }
+            ++stopped;
+            SearchOptions rest;
+            rest.method = SearchMethod::full;
+            rest.resume = first.checkpoint;
+            const SearchSummary second = optimise(p, rest);
+            QCOMPARE(timeOf(second), timeOf(whole));
+            QVERIFY(!whole.best || second.best->cycle == whole.best->cycle);
+            QCOMPARE(first.evaluations + second.evaluations, whole.evaluations);
+        }
+        QVERIFY(stopped > 5);
+    }
+
+    void aStoppedPrunedSearchKeepsItsBound() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary whole = search(p, SearchMethod::pruned);
+            std::stop_source stop;
+            SearchOptions options;
+            options.stop = stop.get_token();
+            int calls = 0;
+            options.onProgress = [&](const SearchProgress& progress) {
+                if (whole.best) {
+                    QVERIFY(progress.bound_s <= whole.best->time_us * 1e-6 + 2e-6);
+                }
+                if (++calls == 5) {
+                    stop.request_stop();
+                }
+            };
+            const SearchSummary part = optimise(p, options);
+            QVERIFY(noSlower(whole, part));
+        }
+    }
+
+    void relaxingALimitNeverSlows() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Project tight = smallCase(seed);
+            Project loose = tight;
+            loose.part.tolerance.radial_runout_um = *tight.part.tolerance.radial_runout_um * 2;
+            if (tight.material.burn_rise_k) {
+                loose.material.burn_rise_k = *tight.material.burn_rise_k * 1.3;
+            }
+            if (tight.machine.wheel_drive_kw) {
+                loose.machine.wheel_drive_kw = *tight.machine.wheel_drive_kw * 1.5;
+            }
+            QVERIFY(
+                noSlower(search(loose, SearchMethod::pruned), search(tight, SearchMethod::pruned)));
+        }
+    }
+
+    void moreStagesNeverSlow() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            Project few = smallCase(seed), more = few;
+            few.optimisation->stages = {1};
+            more.optimisation->stages = {1, 2};
+            QVERIFY(
+                noSlower(search(more, SearchMethod::pruned), search(few, SearchMethod::pruned)));
+        }
+    }
+
+    void scenariosNeverSpeedItUpAndBothMethodsAgree() {
+        for (unsigned seed = 0; seed < 40; ++seed) {
+            const Project p = smallCase(seed);
+            Project dull = p, more = p;
+            dull.wheel.dullness = p.wheel.dullness * 1.5;
+            more.part.stock_mm = p.part.stock_mm + 0.003;
+            SearchOptions options;
+            options.scenarios = {dull, more};
+            options.method = SearchMethod::full;
+            const SearchSummary full = optimise(p, options);
+            options.method = SearchMethod::pruned;
+            const SearchSummary pruned = optimise(p, options);
+            QCOMPARE(timeOf(full), timeOf(pruned));
+            QVERIFY(!full.best || full.best->cycle == pruned.best->cycle);
+            QVERIFY(noSlower(search(p, SearchMethod::pruned), pruned));
+        }
+    }
+
+    void noCycleOfAGridIsQuickerThanTheSteplessLimit() {
+        int burning = 0;
+        for (unsigned seed = 0; seed < 150; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary best = search(p, SearchMethod::pruned);
+            const double limit_s = steplessLimit_s(p);
+            QVERIFY(limit_s > 0);
+            QVERIFY(!best.best || limit_s <= best.best->time_us * 1e-6);
+            Project free = p;
+            free.material.burn_rise_k.reset();
+            free.machine.wheel_drive_kw.reset();
+            burning += steplessLimit_s(free) < limit_s * 0.99 ? 1 : 0;
+            QVERIFY(steplessLimit_s(free) <= limit_s * (1 + 1e-9));
+        }
+        QVERIFY2(burning > 5, QByteArray::number(burning)); // else no requirement was tried
+    }
+
+    // One radius, no elastic yield, η = 0, one power limit: each revolution takes what the drive
+    // allows, N/(b·k_t·V_k), so T = Π·b·k_t·V_k/(N·n).
+    void theLimitOfADriveIsItsClosedForm() {
+        Project p = fixtures::plunge();
+        p.wheel.dullness = 0;
+        p.material.burn_rise_k.reset();
+        p.machine.wheel_drive_kw = 2;
+        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.01, 100, 0.01};
+        const double Vk = 35, Vd = std::numbers::pi * 30 * 180 / 60 / 1000; // m/s
+        const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
+        const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
+        QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
+    }
+
+    void anEmptyGridIsInfeasible() {
+        Project p = fixtures::plunge();
+        QVERIFY(optimise(p).status == SearchStatus::infeasible);
+        p.optimisation = Optimisation{};
+        for (const SearchMethod method : {SearchMethod::full, SearchMethod::pruned}) {
+            const SearchSummary summary = search(p, method);
+            QVERIFY(summary.status == SearchStatus::infeasible);
+            QCOMPARE(summary.gridSize, 0);
+        }
+    }
+};
+
+} // namespace test_optimisation
+
+SPARKOUT_TEST(test_optimisation, TestOptimisation)
+#include "test_optimisation.moc"
