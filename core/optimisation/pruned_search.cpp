@@ -204,8 +204,8 @@ private:
         const long long visitsBefore = run.visits();
         const std::size_t stage = from.cycle.size();
         int count = 0;
-        const bool begun = std::any_of(from.counts.begin(), from.counts.end(),
-                                       [](int steps) { return steps > 0; });
+        const bool begun =
+            std::any_of(from.counts.begin(), from.counts.end(), [](int each) { return each > 0; });
         while (true) {
             if (begun || count > 0) {
                 takeEnds(from, setting, *steps, count, ends, least_s);

@@ -3,6 +3,7 @@
 // hold for the best cycle of any grid.
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
+#include "core/optimisation/robust.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
 
@@ -304,6 +305,27 @@ private slots:
         const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
         const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
         QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
+    }
+
+    void theRobustCycleHoldsInEveryPhaseOfTheStock() {
+        int added = 0;
+        for (unsigned seed = 0; seed < 30; ++seed) {
+            const Project p = smallCase(seed);
+            const auto phases = [](const Project& best, int) { return stockPhases(best); };
+            const RobustSummary robust = optimiseRobustly(p, phases);
+            added += static_cast<int>(robust.added.size());
+            if (!robust.search.best) {
+                continue;
+            }
+            QVERIFY(robust.holdsInSample);
+            QVERIFY(robust.search.best->time_us >= robust.nominalTime_us);
+            Project best = p;
+            best.cycle = robust.search.cycle;
+            for (const Project& scenario : stockPhases(best)) {
+                QVERIFY(holds(simulate(scenario)));
+            }
+        }
+        QVERIFY(added > 0); // else the nominal part would have done
     }
 
     void anEmptyGridIsInfeasible() {
