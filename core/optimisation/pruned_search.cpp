@@ -268,8 +268,13 @@ private:
             add(std::move(prefix), least_s);
         } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
             m_projects[from.stages]->cycle = m_grid.cycle(prefix.cycle);
-            m_judge.judge(prefix.cycle, m_gauge ? steps.copy()->finish(prefix.counts)
-                                                : simulate(*m_projects[from.stages]));
+            if (m_gauge) {
+                m_judge.judge(prefix.cycle, steps.copy()->finish(prefix.counts));
+            } else {
+                const SimulationResult result = simulate(*m_projects[from.stages]);
+                m_judge.counts.visits += result.visits;
+                m_judge.judge(prefix.cycle, result);
+            }
         }
     }
 
