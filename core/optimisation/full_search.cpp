@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/full_search.h"
+
 #include "core/optimisation/judge.h"
 #include "core/simulation/simulate.h"
 

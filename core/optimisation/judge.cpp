@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/judge.h"
 
+#include "core/optimisation/full_search.h"
+#include "core/optimisation/pruned_search.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>

@@ -47,10 +47,4 @@ private:
     std::optional<FeasibleCycle> m_best;
 };
 
-/// The two methods; both fill everything but `cycle` and `gridSize`.
-[[nodiscard]] SearchSummary fullSearch(const Project& project, const Grid& grid,
-                                       const SearchOptions& options);
-[[nodiscard]] SearchSummary prunedSearch(const Project& project, const Grid& grid,
-                                         const SearchOptions& options);
-
 } // namespace sparkout

@@ -71,7 +71,8 @@ struct SearchSummary {
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles run to their end
     long long visits = 0;      ///< radii under the wheel, of all runs
-    /// How many cycles each requirement cut, by kind; a cycle counts for each it breaks.
+    /// How often each requirement cut, by kind: a cycle counts for each it breaks, a branch that
+    /// was dropped at a pass once.
     std::array<long long, constraintKinds> cuts{};
     SearchCheckpoint checkpoint; ///< full search
 };
