@@ -2,6 +2,7 @@
 #include "core/optimisation/limit.h"
 
 #include "core/optimisation/grid.h"
+#include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
 #include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
@@ -80,7 +81,9 @@ public:
     /// ρ(s), or more [mm/s].
     [[nodiscard]] double rate(double stock_mm) const {
         if (!m_traverse) {
-            return leastLimit(m_project, m_project.part.length_mm, stock_mm) / m_revolution_s;
+            const double slices = isCoupled(m_project) ? m_project.sections : 1;
+            return leastLimit(m_project, m_project.part.length_mm / slices, stock_mm)
+                   / m_revolution_s;
         }
         double most = 0;
         double low = 0; // the first cell goes on down to a standstill, where no drive is needed

@@ -32,6 +32,9 @@ namespace sparkout {
 /// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
 /// size is not gauged, only the second does.
 ///
+/// Cycles that end by a count of spark-outs end without size, and are not meant. With sections
+/// coupled the drive has the power of all sections, of which one has at least its slice's.
+///
 /// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
 /// that the requirements are held against: for a free position the second bound alone is taken.
 [[nodiscard]] double steplessLimit_s(const Project& project);

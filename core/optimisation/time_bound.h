@@ -10,8 +10,9 @@ namespace sparkout {
 /// How long a cycle of a grid takes at least from a state on.
 ///
 /// The gauge ends the cycle when Π_rem ≤ 0, up to the control's slack of 1 nm. Π_rem is |R_first −
-/// R_t| less a mean of depths (of two opposite radii, or of all), no depth exceeds the programmed
-/// infeed (a ≤ h = t_П − depth), so at the end of a stage with later stock L
+/// R_t| = Π + ΔR less a mean of depths (of two opposite radii, or of all). A depth starts at ΔR or
+/// less and is cut to no more than the programmed infeed (a ≤ h = t_П − depth), so a mean beyond ΔR
+/// needs as much infeed. With later stock L < Π, as all in the grid are, at the end of a stage
 ///
 ///     t_П ≥ |R_first − R_t| − L − slack,
 ///
