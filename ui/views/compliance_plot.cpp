@@ -114,11 +114,7 @@ void CompliancePlot::build() {
     for (QCPAxisRect* rect : {m_shaftRect, m_rect}) {
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
         for (QCPAxis* axis : rect->axes()) {
-            axis->setLayer(QStringLiteral("axes"));
-            axis->grid()->setLayer(QStringLiteral("grid"));
-            axis->setNumberFormat(QStringLiteral("g"));
-            axis->setNumberPrecision(6);
-            axis->setSubTicks(false);
+            style::setUpAxis(*axis);
         }
         for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
             rect->axis(side)->setVisible(true);

@@ -37,13 +37,9 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     layout->setSpacing(metrics::tight);
     auto* bar = new QWidget(this);
     buildTools(bar, settings);
-    for (QLabel* label : {m_summary, m_notice, m_values}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setWordWrap(true);
-    }
-    m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 2 + 2);
+    setUpNotice(*m_summary);
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
     layout->addWidget(bar);
     layout->addWidget(m_summary);
     layout->addWidget(m_notice);

@@ -65,11 +65,7 @@ void ConstraintsPlot::build() {
     plotLayout()->addElement(0, 0, m_rect);
     m_rect->setMinimumMargins(QMargins(0, 6, 14, 0));
     for (QCPAxis* axis : m_rect->axes()) {
-        axis->setLayer(QStringLiteral("axes"));
-        axis->grid()->setLayer(QStringLiteral("grid"));
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(6);
-        axis->setSubTicks(false);
+        style::setUpAxis(*axis);
     }
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
         m_rect->axis(side)->setVisible(true);

@@ -55,17 +55,11 @@ void ConstraintsView::build(Settings* settings) {
     layout->setSpacing(metrics::tight);
     auto* bar = new QWidget(this);
     buildTools(bar, settings);
-    for (QLabel* label : {m_notice, m_values}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    for (QLabel* label : {m_notice, m_values, m_off}) {
-        label->setWordWrap(true);
-    }
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
+    m_off->setWordWrap(true);
     m_off->setTextFormat(Qt::RichText);
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 2 + 2);
     m_plot->setMinimumSize(240, 140);
     auto* upper = new QWidget(m_splitter);
     auto* curves = new QVBoxLayout(upper);

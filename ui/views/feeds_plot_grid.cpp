@@ -4,6 +4,7 @@
 
 #include "ui/views/band_layer.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_style.h"
 
 #include <algorithm>
 
@@ -82,13 +83,9 @@ void FeedsPlot::buildCell(Column& column, int row, int index) {
 
 void FeedsPlot::setUpAxes(QCPAxisRect* rect, int row, bool first, bool last) {
     for (QCPAxis* axis : rect->axes()) {
-        axis->setLayer(QStringLiteral("axes"));
-        axis->grid()->setLayer(QStringLiteral("grid"));
+        style::setUpAxis(*axis);
         axis->setTickLabelFont(font());
         axis->setLabelFont(font());
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(6);
-        axis->setSubTicks(false);
         axis->setTickLabelPadding(tickPad);
         axis->setPadding(bottomPad);
         axis->ticker()->setTickCount(4);

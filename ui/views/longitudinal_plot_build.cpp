@@ -44,11 +44,7 @@ void LongitudinalPlot::build() {
     plotLayout()->addElement(0, 0, m_rect);
     m_rect->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), 14, 0));
     for (QCPAxis* axis : m_rect->axes()) {
-        axis->setLayer(QStringLiteral("axes"));
-        axis->grid()->setLayer(QStringLiteral("grid"));
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(6);
-        axis->setSubTicks(false);
+        style::setUpAxis(*axis);
         connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this, [this] {
             if (!m_linking) {
                 const QCPRange x = m_rect->axis(QCPAxis::atBottom)->range();

@@ -34,6 +34,14 @@ QColor dimmed(QColor colour, bool dim) {
     return colour;
 }
 
+void setUpAxis(QCPAxis& axis) {
+    axis.setLayer(QStringLiteral("axes"));
+    axis.grid()->setLayer(QStringLiteral("grid"));
+    axis.setNumberFormat(QStringLiteral("g"));
+    axis.setNumberPrecision(6);
+    axis.setSubTicks(false);
+}
+
 void applyPalette(QCPAxis& axis, const QPalette& palette) {
     const QColor text = palette.color(QPalette::Text);
     QColor line = text;

@@ -22,6 +22,7 @@ enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
 
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
+void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers without sub-ticks
 
 /// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
 /// ranges are ignored.

@@ -56,13 +56,8 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     buildSpectrumTools(settings);
     buildToolBar(bar);
     buildStrokeBar(m_strokeBar);
-    for (QLabel* label : {m_notice, m_values}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setWordWrap(true);
-    }
-    m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * 2 + 2);
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
     layout->addWidget(bar);
     layout->addWidget(m_strokeBar);
     layout->addWidget(m_notice);

@@ -116,11 +116,7 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
     cell.header->setMargins(QMargins(2, 2, 2, 0));
     cell.rect->setMinimumMargins(QMargins(0, 2, 6, 0));
     for (QCPAxis* axis : cell.rect->axes()) {
-        axis->setLayer(QStringLiteral("axes"));
-        axis->grid()->setLayer(QStringLiteral("grid"));
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(6);
-        axis->setSubTicks(false);
+        style::setUpAxis(*axis);
         connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
                 [this, axis] { link(axis); });
     }

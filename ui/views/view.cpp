@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/view.h"
 
+#include <QLabel>
+
 #include <utility>
 
 namespace sparkout {
@@ -19,6 +21,18 @@ void View::setOutcome(OutcomePtr outcome) {
             redraw();
         },
         Qt::QueuedConnection);
+}
+
+void View::setUpNotice(QLabel& label) {
+    label.setTextFormat(Qt::PlainText);
+    label.setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label.setWordWrap(true);
+}
+
+void View::setUpReadout(QLabel& label) {
+    setUpNotice(label);
+    label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    label.setFixedHeight(QFontMetrics(label.font()).lineSpacing() * 2 + 2);
 }
 
 void View::redraw() {

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QLabel;
+
 namespace sparkout {
 
 /// A tab of the window's middle: shows one outcome, the newest one wins. It draws once, later in
@@ -25,7 +27,9 @@ protected:
     virtual void showOutcome() = 0; ///< draws latest()
     /// What was given last, maybe refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
-    void redraw(); ///< now, if there is something new
+    static void setUpNotice(QLabel& label);  ///< plain text, selectable, wrapped
+    static void setUpReadout(QLabel& label); ///< the same for values, two lines high
+    void redraw();                           ///< now, if there is something new
     void showEvent(QShowEvent* event) override;
 
 private:
