@@ -2,7 +2,6 @@
 #include "core/optimisation/full_search.h"
 
 #include "core/optimisation/judge.h"
-#include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <mutex>
@@ -17,7 +16,6 @@ class FullSearch {
 public:
     FullSearch(const Project& project, const Grid& grid, const SearchOptions& options)
         : m_project(project), m_grid(grid), m_options(options), m_best(grid, {}) {
-        m_project.runs.clear();
         m_size = grid.size();
         if (options.resume) {
             m_last = options.resume->last;
@@ -57,7 +55,7 @@ private:
     static constexpr int portion = 64;
 
     void work() {
-        Project project = m_project;
+        CycleRunner runner(m_project, m_grid);
         Judge judge(m_grid, m_options.scenarios);
         while (true) {
             const std::vector<GridCycle> cycles = take(judge);
@@ -65,10 +63,7 @@ private:
                 return;
             }
             for (const GridCycle& cycle : cycles) {
-                project.cycle = m_grid.cycle(cycle);
-                const SimulationResult result = simulate(project);
-                judge.counts.visits += result.visits;
-                judge.judge(cycle, result);
+                judge.decide(cycle, runner);
             }
         }
     }
@@ -103,7 +98,7 @@ private:
         return cycles;
     }
 
-    Project m_project;
+    const Project& m_project;
     const Grid& m_grid;
     const SearchOptions& m_options;
     std::mutex m_mutex; ///< of what follows

@@ -5,8 +5,9 @@
 
 namespace sparkout {
 
-/// Simulates and judges every cycle of the grid, on as many threads as asked for; can be stopped
-/// and gone on with. Fills everything but `cycle` and `gridSize`.
+/// Runs every cycle of the grid from the blank, on as many threads as asked for, until it ends, is
+/// slower than the best or breaks a requirement; can be stopped and gone on with. Fills everything
+/// but `cycle` and `gridSize`.
 [[nodiscard]] SearchSummary fullSearch(const Project& project, const Grid& grid,
                                        const SearchOptions& options);
 

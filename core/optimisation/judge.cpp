@@ -3,16 +3,11 @@
 
 #include "core/optimisation/full_search.h"
 #include "core/optimisation/pruned_search.h"
-#include "core/simulation/simulate.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace sparkout {
-
-std::int64_t comparedTime_us(double time_s) {
-    return std::llround(time_s * 1e6);
-}
 
 bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) {
     if (a.time_us != b.time_us) {
@@ -24,11 +19,10 @@ bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) 
     return grid.before(a.cycle, b.cycle);
 }
 
-void SearchCounts::add(const SearchCounts& other) {
-    evaluations += other.evaluations;
-    visits += other.visits;
-    for (std::size_t kind = 0; kind < cuts.size(); ++kind) {
-        cuts[kind] += other.cuts[kind];
+Judge::Judge(const Grid& grid, const std::vector<Project>& scenarios) : m_grid(grid) {
+    m_scenarios.reserve(scenarios.size());
+    for (const Project& scenario : scenarios) {
+        m_scenarios.emplace_back(scenario, grid);
     }
 }
 
@@ -55,21 +49,27 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result) {
         return false;
     }
     std::optional<double> margin = leastMargin(result);
-    for (Project& scenario : m_scenarios) {
-        if (!margin) {
-            return false;
-        }
-        scenario.cycle = result.project.cycle;
-        const SimulationResult other = simulate(scenario);
-        counts.visits += other.visits;
-        const std::optional<double> there = leastMargin(other);
+    for (std::size_t i = 0; margin && i < m_scenarios.size(); ++i) {
+        const auto other = m_scenarios[i].run(cycle, noTime_us, counts);
+        const std::optional<double> there = other ? leastMargin(*other) : std::nullopt;
         margin = there ? std::optional(std::min(*margin, *there)) : std::nullopt;
+        if (!margin) {
+            std::swap(m_scenarios[0], m_scenarios[i]);
+        }
     }
     if (!margin) {
         return false;
     }
     found.leastRelativeMargin = *margin;
     return offer(found);
+}
+
+bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
+    if (const auto result = runner.run(cycle, bestTime_us(), counts)) {
+        return judge(cycle, *result);
+    }
+    ++counts.evaluations;
+    return false;
 }
 
 bool Judge::offer(const FeasibleCycle& found) {

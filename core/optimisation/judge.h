@@ -1,36 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/optimise.h"
-
-#include <limits>
+#include "core/optimisation/cycle_runner.h"
 
 namespace sparkout {
-
-inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max();
-
-/// The time that cycles are compared by.
-[[nodiscard]] std::int64_t comparedTime_us(double time_s);
 
 /// Whether a is the better of two feasible cycles.
 [[nodiscard]] bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid);
 
-/// What a judge adds up beside the best cycle.
-struct SearchCounts {
-    long long evaluations = 0, visits = 0;
-    std::array<long long, constraintKinds> cuts{};
-    void add(const SearchCounts& other);
-};
-
 /// Decides on cycles by their simulation, and keeps the best.
 class Judge {
 public:
-    Judge(const Grid& grid, const std::vector<Project>& scenarios)
-        : m_grid(grid), m_scenarios(scenarios) {}
+    Judge(const Grid& grid, const std::vector<Project>& scenarios);
 
-    /// A cycle of the grid as it was run; one that is slower than the best is not looked at
-    /// further. True: it is the new best.
+    /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is.
     bool judge(const GridCycle& cycle, const SimulationResult& result);
+    /// Runs and judges a cycle.
+    bool decide(const GridCycle& cycle, CycleRunner& runner);
     /// A best cycle found elsewhere.
     bool offer(const FeasibleCycle& found);
 
@@ -43,7 +29,7 @@ private:
     std::optional<double> leastMargin(const SimulationResult& result);
 
     const Grid& m_grid;
-    std::vector<Project> m_scenarios;
+    std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
 };
 

@@ -23,7 +23,7 @@
 namespace sparkout {
 
 enum class SearchMethod {
-    full,   ///< simulates every cycle of the grid: the reference
+    full,   ///< runs every cycle of the grid from the blank, until it is decided
     pruned, ///< the same answer, proven, from fewer simulations
 };
 
@@ -43,7 +43,7 @@ struct SearchCheckpoint {
 struct SearchProgress {
     std::optional<FeasibleCycle> best; ///< so far
     double bound_s = 0;                ///< no feasible cycle is quicker than this and the best
-    long long evaluations = 0;         ///< cycles run to their end
+    long long evaluations = 0;         ///< cycles decided on one by one
     double share = 0;                  ///< of the grid done; full search
 };
 
@@ -69,7 +69,7 @@ struct SearchSummary {
     Cycle cycle;               ///< the best one, as a project states it
     double bound_s = 0;        ///< no cycle of the grid that holds is quicker
     std::int64_t gridSize = 0; ///< cycles in the grid
-    long long evaluations = 0; ///< cycles run to their end
+    long long evaluations = 0; ///< cycles decided on one by one
     long long visits = 0;      ///< radii under the wheel, of all runs
     /// How often each requirement cut, by kind: a cycle counts for each it breaks, a branch that
     /// was dropped at a pass once.

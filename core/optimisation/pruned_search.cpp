@@ -2,10 +2,7 @@
 #include "core/optimisation/pruned_search.h"
 
 #include "core/optimisation/judge.h"
-#include "core/optimisation/pass_cuts.h"
 #include "core/optimisation/time_bound.h"
-#include "core/simulation/cycle_steps.h"
-#include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,17 +41,10 @@ public:
         : m_grid(grid)
         , m_options(options)
         , m_judge(grid, options.scenarios)
-        , m_cuts(project)
+        , m_runner(project, grid)
         , m_total(makeBlank(project.part).totalInfeed_mm)
         , m_bound(project, grid, m_total)
-        , m_gauge(project.gauge.control == Control::gauge) {
-        for (const std::size_t stages : grid.stageCounts()) {
-            m_projects.resize(std::max(m_projects.size(), stages + 1));
-            m_projects[stages] = std::make_unique<Project>(project);
-            m_projects[stages]->runs.clear();
-            m_projects[stages]->cycle.stages.assign(stages, {});
-        }
-    }
+        , m_gauge(project.gauge.control == Control::gauge) {}
 
     SearchSummary run() {
         begin();
@@ -95,16 +85,10 @@ private:
         for (const std::size_t stages : m_grid.stageCounts()) {
             seed(stages);
             Prefix root;
-            root.steps = firstSteps(*m_projects[stages]);
+            root.steps = m_runner.begin(stages);
             root.stages = stages;
             add(std::move(root), 0);
         }
-    }
-
-    static std::shared_ptr<const CycleSteps> firstSteps(const Project& project) {
-        return project.operation == Operation::traverse
-                   ? traverseSteps(project, Zone::nz, nullptr, {})
-                   : plungeSteps(project, nullptr, {});
     }
 
     /// A first answer to prune by: the quickest feasible cycle with the same feeds in all stages.
@@ -120,10 +104,7 @@ private:
             }
             GridCycle cycle(stages, {setting, 1});
             cycle.back().steps = 0;
-            m_projects[stages]->cycle = m_grid.cycle(cycle);
-            const SimulationResult result = simulate(*m_projects[stages]);
-            m_judge.counts.visits += result.visits;
-            if (m_judge.judge(cycle, result)) {
+            if (m_judge.decide(cycle, m_runner)) {
                 return;
             }
         }
@@ -201,7 +182,7 @@ private:
                 break;
             }
             ++count;
-            if (const auto kind = m_cuts.broken(run, stage)) {
+            if (const auto kind = m_runner.cuts().broken(run, stage)) {
                 ++m_judge.counts.cuts[static_cast<std::size_t>(*kind)];
                 break;
             }
@@ -251,13 +232,10 @@ private:
             prefix.steps = steps.copy();
             add(std::move(prefix), least_s);
         } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
-            m_projects[from.stages]->cycle = m_grid.cycle(prefix.cycle);
             if (m_gauge) {
-                m_judge.judge(prefix.cycle, steps.copy()->finish(prefix.counts));
+                m_judge.judge(prefix.cycle, m_runner.finish(prefix.cycle, steps, prefix.counts));
             } else {
-                const SimulationResult result = simulate(*m_projects[from.stages]);
-                m_judge.counts.visits += result.visits;
-                m_judge.judge(prefix.cycle, result);
+                m_judge.decide(prefix.cycle, m_runner);
             }
         }
     }
@@ -265,11 +243,10 @@ private:
     const Grid& m_grid;
     const SearchOptions& m_options;
     Judge m_judge;
-    PassCuts m_cuts;
+    CycleRunner m_runner;
     double m_total; ///< |R_first − R_t| [mm]
     TimeBound m_bound;
     bool m_gauge;
-    std::vector<std::unique_ptr<Project>> m_projects; ///< by number of stages
     std::priority_queue<Branch> m_branches;
     long long m_order = 0;
 };
