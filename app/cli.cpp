@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_io.h"
+#include "app/cli_optimise.h"
 #include "app/cli_report.h"
 #include "app/examples.h"
-#include "core/project/project_file.h"
-#include "core/project/safe_file.h"
 #include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
@@ -19,12 +19,12 @@ namespace sparkout::cli {
 
 namespace {
 
-enum Exit { done = 0, refused = 1, usage = 2, cannotReachSize = 3, requirementFails = 4 };
-
 constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
+  sparkout-cli optimize FILE [--robust] [--method search|full] [--stages N,…]
+                        [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
   sparkout-cli validate FILE
   sparkout-cli examples DIR
   sparkout-cli --version | --help
@@ -33,21 +33,26 @@ simulate   runs the cycle of a project file
   --json     prints one JSON object
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
+optimize   finds the quickest cycle of the file's grid that holds every requirement
+  --robust   it must hold in every phase of the stock against the feeds, too
+  --method   search: proves the answer from few runs; full: runs every cycle
+  --stages   numbers of stages to try, instead of the file's
+  --time-limit  ends the search after so many seconds, as Ctrl+C does: the best
+             so far stays, with the time that no cycle is quicker than
+  --threads  of the full search, instead of one a processor; the answer is the same
+  --json     prints one JSON object
+  -o         writes the project with the cycle found
 validate   checks a project file: one line a fault
 examples   writes the example projects into a folder, which is made if need be
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check).
+4 a requirement fails (--check); 5 no cycle of the grid is feasible.
 )";
 
 struct Options {
     std::string command, operand, trace;
     bool json = false, check = false;
 };
-
-void print(std::FILE* stream, const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), stream);
-}
 
 /// Whether everything printed so far has reached the standard output.
 bool outputTaken() {
@@ -59,52 +64,9 @@ bool outputTaken() {
     return false;
 }
 
-int usageError(const std::string& message) {
-    print(stderr, "sparkout-cli: " + message + "; see sparkout-cli --help\n");
-    return usage;
-}
-
-std::string describe(const FileError& error) {
-    std::string text = error.path + ": " + fileStepText(error.step);
-    if (error.systemError != 0) {
-        text += ": " + std::string(std::strerror(error.systemError));
-    }
-    if (error.freeBytes) {
-        text += " (" + std::to_string(*error.freeBytes) + " bytes free)";
-    }
-    return text + '\n';
-}
-
-/// Reads and checks a project; prints every fault, one a line.
-std::optional<Project> load(const std::string& file) {
-    const auto content = readFile(file, limits::fileBytes);
-    if (const auto* error = std::get_if<FileError>(&content)) {
-        print(stderr, describe(*error));
-        return std::nullopt;
-    }
-    ReadResult read = readProject(std::get<std::string>(content));
-    for (const Issue& issue : read.issues) {
-        print(stderr, issueLine(file, issue) + '\n');
-    }
-    if (read.issues.size() == limits::issues) {
-        print(stderr, file + ": no further faults are listed\n");
-    }
-    return std::move(read.project);
-}
-
-int save(const std::string& file, const std::string& content) {
-    if (const auto error = writeFileSafely(file, content)) {
-        print(stderr, describe(*error));
-        return refused;
-    }
-    return done;
-}
-
 /// Whether writing to the file would lose a project, by a slip on the command line.
 bool replacesProject(const std::string& file, const std::string& project) {
-    std::error_code ignored;
-    return std::filesystem::path(file).extension() == ".sparkout"
-           || std::filesystem::equivalent(file, project, ignored);
+    return std::filesystem::path(file).extension() == ".sparkout" || isSameFile(file, project);
 }
 
 int runSimulate(const Options& options) {
@@ -197,6 +159,9 @@ int run(const std::vector<std::string>& arguments) {
     if (arguments.size() == 1 && arguments[0] == "--version") {
         print(stdout, "sparkout-cli " + std::string(version) + '\n');
         return done;
+    }
+    if (!arguments.empty() && arguments[0] == "optimize") {
+        return runOptimise({arguments.begin() + 1, arguments.end()});
     }
     Options options;
     if (const int failed = parse(arguments, options)) {

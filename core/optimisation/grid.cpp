@@ -25,34 +25,56 @@ std::vector<double> levelValues(const Levels& levels) {
     return values;
 }
 
+namespace {
+
+double levelCount(const Levels& levels) {
+    if (const auto* stepped = std::get_if<SteppedLevels>(&levels); stepped && stepped->step > 0) {
+        return std::floor((stepped->to - stepped->from) / stepped->step + 1e-6) + 1;
+    }
+    return static_cast<double>(levelValues(levels).size());
+}
+
+} // namespace
+
 Grid::Grid(const Project& project)
-    : m_operation(project.operation), m_stock_mm(project.part.stock_mm) {
+    : m_operation(project.operation), m_stock_mm(project.part.stock_mm), m_fault(read(project)) {}
+
+GridFault Grid::read(const Project& project) {
     if (!project.optimisation) {
-        return;
+        return GridFault::notGiven;
     }
     const Optimisation& asked = *project.optimisation;
     const bool traverse = m_operation == Operation::traverse;
+    const Levels& radial = traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min;
+    const Levels axial = traverse ? asked.axial_feed_mm_min : Levels{std::vector<double>{0}};
+    const double settings = levelCount(radial) * levelCount(axial);
+    const double steps = std::ceil(m_stock_mm / asked.stock_step_mm - 1e-9) - 1;
+    if (settings < 1) {
+        return GridFault::noLevels;
+    }
+    if (settings > mostSettings) {
+        return GridFault::tooManyLevels;
+    }
+    if (steps > mostStockSteps) {
+        return GridFault::tooManySteps;
+    }
     m_step_mm = asked.stock_step_mm;
-    m_steps = static_cast<int>(std::ceil(m_stock_mm / m_step_mm - 1e-9)) - 1;
+    m_steps = static_cast<int>(steps);
     m_nonIncreasing = asked.non_increasing;
-    for (const double radial :
-         levelValues(traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min)) {
-        if (!traverse) {
-            m_settings.push_back({radial, 0});
-            continue;
-        }
-        for (const double axial : levelValues(asked.axial_feed_mm_min)) {
-            m_settings.push_back({radial, axial});
+    for (const double radialFeed : levelValues(radial)) {
+        for (const double axialFeed : levelValues(axial)) {
+            m_settings.push_back({radialFeed, axialFeed});
         }
     }
     for (const double number : asked.stages) {
         const auto count = static_cast<std::size_t>(number);
         const bool known =
             std::find(m_stageCounts.begin(), m_stageCounts.end(), count) != m_stageCounts.end();
-        if (!known && count >= 1 && static_cast<int>(count) - 1 <= m_steps && !m_settings.empty()) {
+        if (!known && count >= 1 && static_cast<int>(count) - 1 <= m_steps) {
             m_stageCounts.push_back(count);
         }
     }
+    return m_stageCounts.empty() ? GridFault::tooFewSteps : GridFault::none;
 }
 
 bool Grid::mayFollow(std::size_t first, std::size_t second) const {

@@ -22,6 +22,17 @@ struct GridStage {
 };
 using GridCycle = std::vector<GridStage>;
 
+/// Why a grid has no cycles.
+enum class GridFault {
+    none,
+    notGiven,      ///< the project has no optimisation
+    noLevels,      ///< a feed of its kind of grinding has no levels
+    tooManyLevels, ///< more than mostSettings
+    tooManySteps,  ///< of stock, more than mostStockSteps
+    tooFewSteps,   ///< of stock, for the numbers of stages
+};
+inline constexpr double mostSettings = 5000, mostStockSteps = 100'000;
+
 /// The cycles that a project's optimisation asks for: every stage takes any listed feeds; stage
 /// stocks are positive multiples of the stock step that sum to the part's, the last stage takes
 /// the remainder, however small; with non_increasing neither feed rises from stage to stage.
@@ -30,9 +41,10 @@ using GridCycle = std::vector<GridStage>;
 /// feed, the axial feed and the stock, each as listed, stocks rising.
 class Grid {
 public:
-    /// A project whose optimisation is given; without it, or without levels, the grid is empty.
+    /// With a fault the grid is empty.
     explicit Grid(const Project& project);
 
+    [[nodiscard]] GridFault fault() const { return m_fault; }
     [[nodiscard]] const std::vector<FeedSetting>& settings() const { return m_settings; }
     [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
     /// Steps of stock that all stages but the last share; each takes at least one.
@@ -55,6 +67,7 @@ public:
     [[nodiscard]] Cycle cycle(const GridCycle& cycle) const;
 
 private:
+    [[nodiscard]] GridFault read(const Project& project);
     [[nodiscard]] bool complete(GridCycle& cycle, std::size_t stages) const;
     [[nodiscard]] bool advance(GridCycle& cycle) const;
 
@@ -64,6 +77,7 @@ private:
     bool m_nonIncreasing = false;
     std::vector<FeedSetting> m_settings;
     std::vector<std::size_t> m_stageCounts;
+    GridFault m_fault;
 };
 
 /// The levels one by one; a step that ends within a millionth of it at `to` reaches it.

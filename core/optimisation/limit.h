@@ -39,4 +39,9 @@ namespace sparkout {
 /// that the requirements are held against: for a free position the second bound alone is taken.
 [[nodiscard]] double steplessLimit_s(const Project& project);
 
+/// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T.
+[[nodiscard]] inline double gapToLimit(double time_s, double limit_s) {
+    return time_s > 0 ? 1 - limit_s / time_s : 0;
+}
+
 } // namespace sparkout

@@ -4,8 +4,9 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace sparkout {
@@ -34,6 +35,8 @@ RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& sou
     SearchOptions search = options.search;
     while (summary.rounds < options.mostRounds) {
         summary.search = optimise(project, search);
+        summary.evaluations += summary.search.evaluations;
+        summary.visits += summary.search.visits;
         if (summary.rounds++ == 0 && summary.search.best) {
             summary.nominalTime_us = summary.search.best->time_us;
         }
@@ -62,15 +65,21 @@ RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& sou
     return summary;
 }
 
-std::vector<Project> stockPhases(const Project& project, int phases) {
+std::vector<Project> stockPhases(const Project& project, int phases, double from) {
     std::vector<Project> spread;
     for (const double infeed_mm : infeedsOfStages(project)) {
         for (int i = 0; i < phases && infeed_mm > 0; ++i) {
             spread.push_back(project);
-            spread.back().part.stock_mm += infeed_mm * i / phases;
+            spread.back().part.stock_mm += infeed_mm * (i + from) / phases;
         }
     }
     return spread;
+}
+
+// Multiples of the golden section, without their whole part, fill the unit evenly.
+std::vector<Project> freshStockPhases(const Project& best, int round) {
+    const double turns = (std::numbers::phi - 1) * round;
+    return stockPhases(best, 16, turns - std::floor(turns));
 }
 
 } // namespace sparkout

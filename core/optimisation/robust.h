@@ -20,6 +20,8 @@ struct RobustSummary {
     SearchSummary search;            ///< of the last round
     std::vector<Project> added;      ///< the scenarios that had to be added
     int rounds = 0;                  ///< searches made
+    long long evaluations = 0;       ///< of all rounds
+    long long visits = 0;            ///< of all rounds, without the tests
     bool holdsInSample = false;      ///< none of the last round's scenarios failed
     std::int64_t nominalTime_us = 0; ///< of the first round's best; 0: none
 };
@@ -31,7 +33,12 @@ struct RobustSummary {
                                              const RobustOptions& options = {});
 
 /// The project with stocks spread evenly over one infeed of each stage of its cycle, `phases` a
-/// stage: where the last step falls decides on the size, and corners alone miss it.
-[[nodiscard]] std::vector<Project> stockPhases(const Project& project, int phases = 16);
+/// stage, from a share of a phase on: where the last step falls decides on the size, and corners
+/// alone miss it.
+[[nodiscard]] std::vector<Project> stockPhases(const Project& project, int phases = 16,
+                                               double from = 0);
+
+/// Stock phases that differ from round to round, evenly over many rounds.
+[[nodiscard]] std::vector<Project> freshStockPhases(const Project& best, int round);
 
 } // namespace sparkout
