@@ -8,6 +8,7 @@
 #include "core/optimisation/limit.h"
 #include "core/project/project_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -157,6 +158,9 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
         report.search = optimise(project, search);
     }
     report.limit_s = steplessLimit_s(project);
+    if (report.search.status == SearchStatus::stopped) { // no cycle at all is quicker than that
+        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
+    }
     if (report.search.best) {
         report.binding =
             bindingRequirements(project, *report.search.best,

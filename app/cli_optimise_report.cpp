@@ -108,6 +108,11 @@ std::string statusText(const OptimiseReport& report) {
            + fixed(minutes(search.bound_s), 4) + " min";
 }
 
+std::string gridText(std::int64_t size) {
+    return size == std::numeric_limits<std::int64_t>::max() ? "more than 9e18"
+                                                            : std::to_string(size);
+}
+
 std::string givenText(const OptimiseReport& report, double best_s) {
     const Given given(report.project);
     if (!given.time_s) {
@@ -155,8 +160,8 @@ std::string optimiseText(const OptimiseReport& report) {
             + '\n';
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
     const long long visits = report.robust ? report.robust->visits : search.visits;
-    return text + "search               " + std::to_string(search.gridSize)
-           + " cycles in the grid, " + std::to_string(judged) + " judged, " + std::to_string(visits)
+    return text + "search               " + gridText(search.gridSize) + " cycles in the grid, "
+           + std::to_string(judged) + " judged, " + std::to_string(visits)
            + " visits of a radius\n";
 }
 

@@ -50,6 +50,9 @@ struct SearchProgress {
 struct SearchOptions {
     SearchMethod method = SearchMethod::pruned;
     unsigned threads = 0; ///< of the full search; 0: as many as the machine has
+    /// The pruned search's, about; with less of it the order of its branches, never its answer,
+    /// is another.
+    std::size_t memory_bytes = std::size_t{1} << 30;
     /// The part's other states in which the cycle must hold: projects whose cycles are replaced.
     std::vector<Project> scenarios;
     std::optional<SearchCheckpoint> resume;                ///< full search

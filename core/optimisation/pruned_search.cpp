@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -35,6 +36,15 @@ struct Branch {
     }
 };
 
+/// What a prefix takes in memory, about.
+std::size_t prefixBytes(const Project& project, const Grid& grid) {
+    constexpr std::size_t numbersPerLane = 12, rest = 4096;
+    const int sections = project.operation == Operation::traverse ? 3 : project.sections + 1;
+    const auto lanes = static_cast<std::size_t>(sections * project.part.radii_per_section);
+    return lanes * numbersPerLane * sizeof(double)
+           + grid.settings().size() * sizeof(std::pair<double, std::size_t>) + rest;
+}
+
 class PrunedSearch {
 public:
     PrunedSearch(const Project& project, const Grid& grid, const SearchOptions& options)
@@ -44,26 +54,24 @@ public:
         , m_runner(project, grid)
         , m_total(makeBlank(project.part).totalInfeed_mm)
         , m_bound(project, grid, m_total)
-        , m_gauge(project.gauge.control == Control::gauge) {}
+        , m_gauge(project.gauge.control == Control::gauge)
+        , m_most(options.memory_bytes / prefixBytes(project, grid)) {}
 
     SearchSummary run() {
         begin();
         SearchSummary summary;
-        while (!m_branches.empty() && !isSlower(m_branches.top().bound_s)) {
-            summary.bound_s = std::max(summary.bound_s, m_branches.top().bound_s);
+        while (const auto branch = take()) {
             if (m_options.stop.stop_requested()) {
                 summary.status = SearchStatus::stopped;
                 break;
             }
-            const Branch branch = m_branches.top();
-            m_branches.pop();
-            push(branch.prefix, branch.index + 1);
-            explore(*branch.prefix, branch.prefix->next[branch.index].second, branch.bound_s);
+            push(branch->prefix, branch->index + 1);
+            explore(*branch->prefix, branch->prefix->next[branch->index].second, branch->bound_s);
             if (m_options.onProgress) {
-                m_options.onProgress(
-                    {m_judge.best(), summary.bound_s, m_judge.counts.evaluations, 0});
+                m_options.onProgress({m_judge.best(), m_least_s, m_judge.counts.evaluations, 0});
             }
         }
+        summary.bound_s = m_least_s;
         summary.best = m_judge.best();
         if (summary.status != SearchStatus::stopped && summary.best) {
             summary.status = SearchStatus::proved;
@@ -139,10 +147,34 @@ private:
         push(std::make_shared<const Prefix>(std::move(prefix)), 0);
     }
 
+    // Each prefix that is kept has one branch. When there are too many the newest is taken first,
+    // depth first, which keeps few; its bound is not below that of the branch it came from.
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
-            m_branches.push({prefix->next[index].first, ++m_order, prefix, index});
+            Branch branch{prefix->next[index].first, ++m_order, prefix, index};
+            if (m_branches.size() < m_most) {
+                m_branches.push(std::move(branch));
+            } else {
+                m_newest.push_back(std::move(branch));
+            }
         }
+    }
+
+    std::optional<Branch> take() {
+        while (!m_newest.empty()) {
+            const Branch branch = std::move(m_newest.back());
+            m_newest.pop_back();
+            if (!isSlower(branch.bound_s)) {
+                return branch;
+            }
+        }
+        if (m_branches.empty() || isSlower(m_branches.top().bound_s)) {
+            return std::nullopt;
+        }
+        Branch branch = m_branches.top();
+        m_branches.pop();
+        m_least_s = std::max(m_least_s, branch.bound_s);
+        return branch;
     }
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
@@ -248,7 +280,10 @@ private:
     TimeBound m_bound;
     bool m_gauge;
     std::priority_queue<Branch> m_branches;
+    std::vector<Branch> m_newest; ///< beyond the most branches in order
+    std::size_t m_most;
     long long m_order = 0;
+    double m_least_s = 0; ///< no cycle that is left is quicker
 };
 
 } // namespace

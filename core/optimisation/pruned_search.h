@@ -17,7 +17,8 @@
 ///    end their stages elsewhere: with scenarios nothing is merged.
 /// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
 ///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
-///    the bound of the next one holds for all that is left.
+///    the bound of the next one holds for all that is left; those beyond the memory given newest
+///    first, their bounds not below the last one taken in order.
 /// 4. Cuts. A branch is dropped when PassCuts tells that its passes break a requirement.
 ///
 /// Whatever remains is judged as the full search does, from the same result of the same passes.

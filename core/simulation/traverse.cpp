@@ -28,9 +28,8 @@ public:
         : CycleSteps(Run(project, compliantPoints(project), trajectory, stop),
                      static_cast<std::size_t>(gaugeZone))
         , m_project(project)
-        , m_plunge1(m_run.makeCut(zoneLengths(project).rz1))
-        , m_plunge2(m_run.makeCut(zoneLengths(project).rz2))
-        , m_stroke(m_run.makeCut(0))
+        , m_plunge1(sharedCut(zoneLengths(project).rz1))
+        , m_plunge2(sharedCut(zoneLengths(project).rz2))
         , m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm()))
         , m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm()))
         , m_travel_mm(project.part.length_mm - project.wheel.width_mm
@@ -43,7 +42,7 @@ public:
     bool step(const StepFeed& feed) override {
         if (feed.axialFeed_mm_min != m_axialFeed) {
             m_axialFeed = feed.axialFeed_mm_min;
-            m_run.setWidth(m_stroke, std::min(m_axialFeed / rpm(), m_project.wheel.width_mm));
+            m_stroke = sharedCut(std::min(m_axialFeed / rpm(), m_project.wheel.width_mm));
         }
         m_stage = feed.stage;
         doubleStroke(feed.infeed_mm);
@@ -57,6 +56,10 @@ public:
 
 private:
     static constexpr std::size_t zoneCount = 3;
+
+    std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {
+        return std::make_shared<const CutWidth>(m_run.makeCut(width_mm));
+    }
 
     double rpm() const { return m_project.machine.work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
@@ -73,11 +76,11 @@ private:
     void doubleStroke(double infeed) {
         ++m_steps;
         plungeIn(infeed);
-        dwell(Zone::rz1, Step::e2, m_plunge1, m_entryDwell);
+        dwell(Zone::rz1, Step::e2, *m_plunge1, m_entryDwell);
         stroke({Step::e3, Step::e1, Step::e1});
-        dwell(Zone::rz2, Step::e2, m_plunge2, m_exitDwell);
+        dwell(Zone::rz2, Step::e2, *m_plunge2, m_exitDwell);
         stroke({Step::e4, Step::e2, Step::e3});
-        dwell(Zone::rz1, Step::e5, m_plunge1, m_entryDwell);
+        dwell(Zone::rz1, Step::e5, *m_plunge1, m_entryDwell);
     }
 
     /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
@@ -88,7 +91,7 @@ private:
         const double perRevolution = feed / rpm();
         for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
             const Place at = place(Zone::rz1, Step::e1, m);
-            m_run.cut(0, 1, m_plunge1,
+            m_run.cut(0, 1, *m_plunge1,
                       {m_run.fed_mm, perRevolution * (m - 1), perRevolution, infeed}, &at,
                       {.duration_s = revolution_s(), .radialFeed_mm = infeed});
             m_run.advance(revolution_s(), m_stage);
@@ -110,13 +113,13 @@ private:
         const std::array places{place(Zone::rz1, steps[0]), place(Zone::nz, steps[1]),
                                 place(Zone::rz2, steps[2])};
         m_run.cut(
-            0, zoneCount, m_stroke, {.base = m_run.fed_mm}, places.data(),
+            0, zoneCount, *m_stroke, {.base = m_run.fed_mm}, places.data(),
             {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = m_infeed});
         m_run.advance(duration, m_stage);
     }
 
     const Project& m_project;
-    CutWidth m_plunge1, m_plunge2, m_stroke;
+    std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< the same in copies
     int m_entryDwell, m_exitDwell;
     double m_travel_mm;
     double m_axialFeed = 0;

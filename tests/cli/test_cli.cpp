@@ -5,9 +5,9 @@
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
+#include "tests/cli/cli_process.h"
 #include "tests/core/project_samples.h"
 
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -21,45 +21,13 @@
 #include <unistd.h>
 
 using namespace sparkout;
+using namespace cli_process;
 using nlohmann::json;
 
 namespace {
 
-struct Outcome {
-    int status = -1; ///< exit status, −1 for a signal
-    std::string out;
-    std::string err;
-
-    std::string text() const { return std::to_string(status) + '\n' + out + err; }
-};
-
-Outcome outcomeOf(QProcess& process) {
-    const int patience_ms = 60'000;
-    if (!process.waitForFinished(patience_ms)) {
-        process.kill();
-        process.waitForFinished();
-        return {-2, {}, "it hangs"};
-    }
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput().toStdString(),
-            process.readAllStandardError().toStdString()};
-}
-
-Outcome run(const QStringList& arguments, const QStringList& environment = {}) {
-    QProcess process;
-    if (!environment.isEmpty()) {
-        process.setEnvironment(environment);
-    }
-    process.start(SPARKOUT_CLI, arguments);
-    return outcomeOf(process);
-}
-
 QString samplePath(const std::string& name) {
     return QString::fromStdString(samples::sourcePath("tests/data/projects/" + name + ".sparkout"));
-}
-
-std::size_t lines(const std::string& text) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -123,7 +91,8 @@ private slots:
     void helpAndVersionSucceed() {
         const Outcome help = run({"--help"});
         QCOMPARE(help.status, 0);
-        for (const char* word : {"simulate", "validate", "examples", "--trace", "Exit status"}) {
+        for (const char* word :
+             {"simulate", "optimize", "validate", "examples", "--trace", "Exit status"}) {
             QVERIFY2(help.out.find(word) != std::string::npos, word);
         }
         QCOMPARE(run({"--version"}).out, "sparkout-cli " + std::string(version) + "\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the quickest cycle: the pruned search against the full one, and the laws that
 // hold for the best cycle of any grid.
+#include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
@@ -9,6 +10,7 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/core/project_fixtures.h"
+#include "tests/core/project_samples.h"
 #include "tests/registry.h"
 
 #include <QTest>
@@ -165,7 +167,9 @@ bool same(const std::optional<FeasibleCycle>& a, const std::optional<FeasibleCyc
                    && a->leastRelativeMargin == b->leastRelativeMargin));
 }
 
-constexpr unsigned cases = 500;
+unsigned caseCount() {
+    return static_cast<unsigned>(samples::sized(500, 100, 3000));
+}
 
 SearchSummary search(const Project& project, SearchMethod method, unsigned threads = 1) {
     SearchOptions options;
@@ -218,7 +222,7 @@ private slots:
 
     void theCasesAreValidAndOfEveryKind() {
         std::map<std::string, int> seen;
-        for (unsigned seed = 0; seed < cases; ++seed) {
+        for (unsigned seed = 0; seed < caseCount(); ++seed) {
             const Project p = smallCase(seed);
             for (const Issue& issue : validate(p)) {
                 QVERIFY2(issue.severity != Severity::error, issue.path.c_str());
@@ -234,14 +238,15 @@ private slots:
         }
         QCOMPARE(seen.size(), std::size_t{9});
         for (const auto& [kind, times] : seen) {
-            QVERIFY2(times >= 20, (kind + " " + std::to_string(times)).c_str());
+            QVERIFY2(times * 30 >= static_cast<int>(caseCount()),
+                     (kind + " " + std::to_string(times)).c_str());
         }
     }
 
     void bothSearchesFindTheCycleOfPlainRunsWithFewerVisits() {
         int found = 0;
         long long plainVisits = 0, prunedVisits = 0;
-        for (unsigned seed = 0; seed < cases; ++seed) {
+        for (unsigned seed = 0; seed < caseCount(); ++seed) {
             const Project p = smallCase(seed);
             const PlainSearch plain(p);
             const SearchSummary full = search(p, SearchMethod::full);
@@ -257,7 +262,8 @@ private slots:
             prunedVisits += pruned.visits;
         }
         // the cases must not all be easy or all be hopeless
-        QVERIFY2(found > 100 && found < 480, QByteArray::number(found));
+        const int all = static_cast<int>(caseCount());
+        QVERIFY2(found > all / 5 && found < all - all / 20, QByteArray::number(found));
         QVERIFY2(prunedVisits < plainVisits / 5,
                  QByteArray::number(prunedVisits) + " of " + QByteArray::number(plainVisits));
     }
@@ -336,6 +342,75 @@ private slots:
             const SearchSummary part = optimise(p, options);
             QVERIFY(noSlower(whole, part));
         }
+    }
+
+    void withoutMemoryTheAnswerIsTheSame() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary whole = search(p, SearchMethod::pruned);
+            for (const std::size_t bytes : {std::size_t{0}, std::size_t{50'000}}) {
+                SearchOptions options;
+                options.memory_bytes = bytes;
+                options.onProgress = [&](const SearchProgress& progress) {
+                    if (whole.best) {
+                        QVERIFY(progress.bound_s <= whole.best->time_us * 1e-6 + 2e-6);
+                    }
+                };
+                const SearchSummary little = optimise(p, options);
+                QVERIFY(little.status == whole.status);
+                QVERIFY(same(little.best, whole.best));
+            }
+        }
+    }
+
+    // Each requirement that binds, dropped or loosened, lets a quicker cycle of the grid in.
+    void whatBindsBreaksInAQuickerCycle() {
+        int bound = 0;
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            Project p = smallCase(seed);
+            const SearchSummary best = search(p, SearchMethod::pruned);
+            if (!best.best) {
+                continue;
+            }
+            std::vector<ConstraintKind> broken; // by all quicker cycles of the grid
+            const Grid grid(p);
+            for (GridCycle cycle; grid.next(cycle);) {
+                p.cycle = grid.cycle(cycle);
+                const SimulationResult result = simulate(p);
+                for (const ConstraintResult& each : evaluateConstraints(result)) {
+                    if (!each.holds && std::llround(result.time_s * 1e6) < best.best->time_us) {
+                        broken.push_back(each.kind);
+                    }
+                }
+            }
+            for (const ConstraintKind kind : bindingRequirements(p, *best.best)) {
+                QVERIFY(std::find(broken.begin(), broken.end(), kind) != broken.end());
+                ++bound;
+            }
+        }
+        QVERIFY(bound > 10);
+    }
+
+    // One stage, one feed too many: what the next feed breaks binds, and nothing else.
+    void theRequirementThatTheNextFeedBreaksBinds() {
+        Project p = fixtures::plunge();
+        p.material.burn_rise_k.reset();
+        p.part.lower_deviation_um = -200;
+        p.part.upper_deviation_um = 200;
+        p.part.tolerance = {};
+        p.optimisation = Optimisation{};
+        p.optimisation->stages = {1};
+        p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.6, 1.2};
+        p.cycle.stages = {fixtures::plungeStage(0.6, p.part.stock_mm)};
+        p.machine.wheel_drive_kw = simulate(p).peakPower_w / 1000 * 1.001;
+        const SearchSummary best = search(p, SearchMethod::pruned);
+        QVERIFY(best.best && best.best->cycle[0].setting == 1);
+        QVERIFY(bindingRequirements(p, *best.best)
+                == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
+        p.machine.wheel_drive_kw.reset();
+        const SearchSummary free = search(p, SearchMethod::pruned);
+        QVERIFY(free.best && free.best->cycle[0].setting == 2);
+        QVERIFY(bindingRequirements(p, *free.best).empty());
     }
 
     void relaxingALimitNeverSlows() {
