@@ -133,8 +133,8 @@ std::optional<std::string> refusal(const Project& project) {
     case GridFault::tooManySteps:
         return "/optimisation/stock_step_mm: more than "
                + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
-    case GridFault::tooFewSteps:
-        return "/optimisation/stages: the stock has fewer steps than there are stages";
+    case GridFault::noDivision:
+        return "/optimisation: the stock cannot be divided into these numbers of stages";
     }
     if (project.optimisation->scenarios != OptimisationScenarios::nominal) {
         return "/optimisation/scenarios: only nominal is searched; --robust varies the stock";

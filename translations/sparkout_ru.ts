@@ -1915,6 +1915,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile. Interrupted surfaces (keyways, splines) are beyond the model: the wheel is taken to meet metal at every angle.</source>
             <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
         </message>
+        <message>
+            <source>Stock of the last stage</source>
+            <translation>Припуск последней ступени</translation>
+        </message>
+        <message>
+            <source>Least and most, in cycles of several stages.</source>
+            <translation>Наименьший и наибольший, в циклах из нескольких ступеней.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>

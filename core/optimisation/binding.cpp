@@ -43,8 +43,8 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
     for (std::size_t z = 0; z + 1 < best.size(); ++z) {
         const bool beforeLast = z + 2 == best.size();
         const int most =
-            beforeLast ? grid.stockSteps() - taken : best[z].steps + best[z + 1].steps - 1;
-        for (int steps = 1; steps <= most; ++steps) {
+            beforeLast ? grid.mostSteps() - taken : best[z].steps + best[z + 1].steps - 1;
+        for (int steps = grid.leastOf(best.size() - z, taken); steps <= most; ++steps) {
             GridCycle other = best;
             other[z].steps = steps;
             other[z + 1].steps += beforeLast ? 0 : best[z].steps - steps;

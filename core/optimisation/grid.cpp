@@ -60,6 +60,13 @@ GridFault Grid::read(const Project& project) {
     }
     m_step_mm = asked.stock_step_mm;
     m_steps = static_cast<int>(steps);
+    if (asked.last_stock_mm) {
+        const auto stepsTo = [this](double left_mm) { return (m_stock_mm - left_mm) / m_step_mm; };
+        const double most = std::floor(stepsTo((*asked.last_stock_mm)[0]) + 1e-6);
+        const double least = std::ceil(stepsTo((*asked.last_stock_mm)[1]) - 1e-6);
+        m_steps = static_cast<int>(std::clamp(most, 0.0, steps));
+        m_leastSteps = static_cast<int>(std::clamp(least, 0.0, steps + 1));
+    }
     m_nonIncreasing = asked.non_increasing;
     for (const double radialFeed : levelValues(radial)) {
         for (const double axialFeed : levelValues(axial)) {
@@ -70,11 +77,13 @@ GridFault Grid::read(const Project& project) {
         const auto count = static_cast<std::size_t>(number);
         const bool known =
             std::find(m_stageCounts.begin(), m_stageCounts.end(), count) != m_stageCounts.end();
-        if (!known && count >= 1 && static_cast<int>(count) - 1 <= m_steps) {
+        const bool divides =
+            count == 1 || std::max(static_cast<int>(count) - 1, m_leastSteps) <= m_steps;
+        if (!known && count >= 1 && divides) {
             m_stageCounts.push_back(count);
         }
     }
-    return m_stageCounts.empty() ? GridFault::tooFewSteps : GridFault::none;
+    return m_stageCounts.empty() ? GridFault::noDivision : GridFault::none;
 }
 
 bool Grid::mayFollow(std::size_t first, std::size_t second) const {
@@ -87,7 +96,8 @@ std::int64_t Grid::size() const {
     double total = 0;
     for (const std::size_t stages : m_stageCounts) {
         std::vector<double> ways(m_settings.size(), 1.0); // of setting stages up to this one
-        double splits = 1;
+        double splits = 1,
+               tooFew = stages > 1 ? 1 : 0; // ways to share m_steps, and fewer than least
         for (std::size_t z = 1; z < stages; ++z) {
             std::vector<double> longer(m_settings.size(), 0.0);
             for (std::size_t a = 0; a < m_settings.size(); ++a) {
@@ -96,13 +106,27 @@ std::int64_t Grid::size() const {
                 }
             }
             ways = longer;
-            splits = splits * (m_steps - static_cast<double>(z) + 1) / static_cast<double>(z);
+            const auto parts = static_cast<double>(z);
+            splits = splits * (m_steps - parts + 1) / parts;
+            tooFew = tooFew * std::max(0.0, m_leastSteps - parts) / parts;
         }
-        total += splits * std::accumulate(ways.begin(), ways.end(), 0.0);
+        total += (splits - tooFew) * std::accumulate(ways.begin(), ways.end(), 0.0);
     }
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
     return total < 9e18 ? std::llround(total) : most;
 }
+
+namespace {
+
+int stepsTaken(const GridCycle& cycle) {
+    int taken = 0;
+    for (const GridStage& stage : cycle) {
+        taken += stage.steps;
+    }
+    return taken;
+}
+
+} // namespace
 
 // Any setting may follow itself and each stage but the last leaves a step for those to come, so
 // what is begun can always be completed.
@@ -112,7 +136,10 @@ bool Grid::complete(GridCycle& cycle, std::size_t stages) const {
         while (!cycle.empty() && !mayFollow(cycle.back().setting, setting)) {
             ++setting;
         }
-        cycle.push_back({setting, cycle.size() + 1 < stages ? 1 : 0});
+        cycle.push_back({setting, 0});
+        if (cycle.size() < stages) {
+            cycle.back().steps = leastOf(stages - cycle.size() + 1, stepsTaken(cycle));
+        }
     }
     return true;
 }
@@ -123,18 +150,16 @@ bool Grid::advance(GridCycle& cycle) const {
         const std::size_t z = cycle.size() - 1;
         GridStage& stage = cycle.back();
         if (z + 1 < stages) {
-            int taken = static_cast<int>(stages - z) - 2; // the stages between it and the last
-            for (const GridStage& each : cycle) {
-                taken += each.steps;
-            }
-            if (taken < m_steps) {
+            const int between = static_cast<int>(stages - z) - 2; // stages up to the last
+            if (stepsTaken(cycle) + between < m_steps) {
                 ++stage.steps;
                 return complete(cycle, stages);
             }
         }
         for (++stage.setting; stage.setting < m_settings.size(); ++stage.setting) {
             if (z == 0 || mayFollow(cycle[z - 1].setting, stage.setting)) {
-                stage.steps = z + 1 < stages ? 1 : 0;
+                stage.steps = 0;
+                stage.steps = z + 1 < stages ? leastOf(stages - z, stepsTaken(cycle)) : 0;
                 return complete(cycle, stages);
             }
         }

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,13 +30,14 @@ enum class GridFault {
     noLevels,      ///< a feed of its kind of grinding has no levels
     tooManyLevels, ///< more than mostSettings
     tooManySteps,  ///< of stock, more than mostStockSteps
-    tooFewSteps,   ///< of stock, for the numbers of stages
+    noDivision,    ///< of the stock into so many stages, the last within its bounds
 };
 inline constexpr double mostSettings = 5000, mostStockSteps = 100'000;
 
 /// The cycles that a project's optimisation asks for: every stage takes any listed feeds; stage
 /// stocks are positive multiples of the stock step that sum to the part's, the last stage takes
-/// the remainder, however small; with non_increasing neither feed rises from stage to stage.
+/// the remainder, however small, in cycles of several stages within last_stock_mm; with
+/// non_increasing neither feed rises from stage to stage.
 ///
 /// Grid order: the numbers of stages as listed, then stage by stage from the first on the radial
 /// feed, the axial feed and the stock, each as listed, stocks rising.
@@ -47,8 +49,13 @@ public:
     [[nodiscard]] GridFault fault() const { return m_fault; }
     [[nodiscard]] const std::vector<FeedSetting>& settings() const { return m_settings; }
     [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
-    /// Steps of stock that all stages but the last share; each takes at least one.
-    [[nodiscard]] int stockSteps() const { return m_steps; }
+    /// Steps of stock that all stages but the last share at most, and at least; each takes one.
+    [[nodiscard]] int mostSteps() const { return m_steps; }
+    [[nodiscard]] int leastSteps() const { return m_leastSteps; }
+    /// Steps that the first of so many stages up to the last takes at least, behind `taken`.
+    [[nodiscard]] int leastOf(std::size_t stagesLeft, int taken) const {
+        return stagesLeft == 2 ? std::max(1, m_leastSteps - taken) : 1;
+    }
     /// May a stage with the second setting follow one with the first?
     [[nodiscard]] bool mayFollow(std::size_t first, std::size_t second) const;
     /// Stock left [mm] when so many steps of it have been taken.
@@ -73,7 +80,7 @@ private:
 
     Operation m_operation;
     double m_stock_mm, m_step_mm = 0;
-    int m_steps = 0;
+    int m_steps = 0, m_leastSteps = 0;
     bool m_nonIncreasing = false;
     std::vector<FeedSetting> m_settings;
     std::vector<std::size_t> m_stageCounts;

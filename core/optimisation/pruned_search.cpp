@@ -112,15 +112,21 @@ private:
             }
             GridCycle cycle(stages, {setting, 1});
             cycle.back().steps = 0;
+            if (stages > 1) {
+                cycle[stages - 2].steps = m_grid.leastOf(2, static_cast<int>(stages) - 2);
+            }
             if (m_judge.decide(cycle, m_runner)) {
                 return;
             }
         }
     }
 
-    /// Steps of stock that are taken at most behind the next stage of a prefix.
+    /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
+    [[nodiscard]] int leastTaken(const Prefix& prefix) const {
+        return prefix.taken + m_grid.leastOf(prefix.stages - prefix.cycle.size(), prefix.taken);
+    }
     [[nodiscard]] int mostTaken(const Prefix& prefix) const {
-        return m_grid.stockSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
+        return m_grid.mostSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
     }
     [[nodiscard]] static bool isLast(const Prefix& prefix) {
         return prefix.cycle.size() + 1 == prefix.stages;
@@ -138,7 +144,7 @@ private:
                 continue;
             }
             const double bound_s =
-                std::max(least_s, boundOf(prefix, prefix.steps->run(), s, prefix.taken + 1));
+                std::max(least_s, boundOf(prefix, prefix.steps->run(), s, leastTaken(prefix)));
             if (!isSlower(bound_s)) {
                 prefix.next.emplace_back(bound_s, s);
             }
@@ -181,9 +187,9 @@ private:
         if (isLast(from)) {
             runStage(from, setting, {0, 0}, least_s);
         } else if (m_gauge) {
-            runStage(from, setting, {from.taken + 1, mostTaken(from)}, least_s);
+            runStage(from, setting, {leastTaken(from), mostTaken(from)}, least_s);
         } else {
-            for (int taken = from.taken + 1; taken <= mostTaken(from); ++taken) {
+            for (int taken = leastTaken(from); taken <= mostTaken(from); ++taken) {
                 runStage(from, setting, {taken, taken}, least_s);
             }
         }

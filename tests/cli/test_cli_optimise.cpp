@@ -102,7 +102,10 @@ private slots:
         row("too many steps", R"({"optimisation": {"stock_step_mm": 1e-9}})",
             "/optimisation/stock_step_mm: ");
         row("too few steps", R"({"optimisation": {"stages": [3], "stock_step_mm": 0.1}})",
-            "/optimisation/stages: ");
+            "/optimisation: ");
+        row("nothing to share",
+            R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
+            "/optimisation: ");
         row("other parts", R"({"optimisation": {"scenarios": "corners"}})",
             "/optimisation/scenarios: ");
         row("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");

@@ -128,6 +128,10 @@ Project smallCase(unsigned seed) {
         const double scale = dice.uniform(0.5, 2);
         grid.radial_feed_mm_min = std::vector<double>{1.2 * scale, 0.3 * scale, 0.6 * scale};
     }
+    if (dice.chance(0.3)) {
+        const double least = 0.005 * dice.integer(0, 3);
+        grid.last_stock_mm = std::vector<double>{least, least + 0.005 * dice.integer(1, 3)};
+    }
     p.optimisation = grid;
     addOptions(p, dice);
     return p;
@@ -215,6 +219,10 @@ private slots:
                     sum += stage.stock_mm;
                 }
                 QVERIFY(fixtures::within(sum, p.part.stock_mm, 1e-12));
+                const double last_mm = grid.cycle(cycle).stages.back().stock_mm;
+                const auto& bounds = p.optimisation->last_stock_mm;
+                QVERIFY(cycle.size() == 1 || !bounds
+                        || (last_mm > bounds->front() - 1e-9 && last_mm < bounds->back() + 1e-9));
             }
             QVERIFY(count == grid.size());
         }
