@@ -39,26 +39,38 @@ std::optional<double> Judge::leastMargin(const SimulationResult& result) {
     return holds ? std::optional(least) : std::nullopt;
 }
 
-bool Judge::judge(const GridCycle& cycle, const SimulationResult& result) {
+std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) {
+    for (std::size_t i = 0; i < m_scenarios.size(); ++i) {
+        const auto result = m_scenarios[i].run(cycle, noTime_us, counts);
+        const std::optional<double> there = result ? leastMargin(*result) : std::nullopt;
+        if (!there) {
+            std::swap(m_scenarios[0], m_scenarios[i]);
+            return std::nullopt;
+        }
+        margin = std::min(margin, *there);
+    }
+    return margin;
+}
+
+bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
     FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0};
     if (found.time_us > bestTime_us()) {
         return false;
     }
-    std::optional<double> margin = leastMargin(result);
-    for (std::size_t i = 0; margin && i < m_scenarios.size(); ++i) {
-        const auto other = m_scenarios[i].run(cycle, noTime_us, counts);
-        const std::optional<double> there = other ? leastMargin(*other) : std::nullopt;
-        margin = there ? std::optional(std::min(*margin, *there)) : std::nullopt;
-        if (!margin) {
-            std::swap(m_scenarios[0], m_scenarios[i]);
+    const std::optional<double> margin = leastMargin(result);
+    const int all = m_scenarios.empty() ? 0 : merged; // the first comes first in grid order
+    bool best = false;
+    for (int more = 0; margin && more <= all; ++more) {
+        if (const auto least = leastMargin(found.cycle, *margin)) {
+            found.leastRelativeMargin = *least;
+            best |= offer(found);
+        }
+        if (more < all) {
+            ++found.cycle[cycle.size() - 2].steps;
         }
     }
-    if (!margin) {
-        return false;
-    }
-    found.leastRelativeMargin = *margin;
-    return offer(found);
+    return best;
 }
 
 bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {

@@ -14,7 +14,9 @@ public:
     Judge(const Grid& grid, const std::vector<Project>& scenarios);
 
     /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is.
-    bool judge(const GridCycle& cycle, const SimulationResult& result);
+    /// On the part itself so many further cycles, with one step of stock more in the stage before
+    /// the last each, came out the same.
+    bool judge(const GridCycle& cycle, const SimulationResult& result, int merged = 0);
     /// Runs and judges a cycle.
     bool decide(const GridCycle& cycle, CycleRunner& runner);
     /// A best cycle found elsewhere.
@@ -27,6 +29,8 @@ public:
 private:
     /// The least relative margin; nothing when a requirement fails.
     std::optional<double> leastMargin(const SimulationResult& result);
+    /// The same on the scenarios, from that of the part.
+    std::optional<double> leastMargin(const GridCycle& cycle, double margin);
 
     const Grid& m_grid;
     std::vector<CycleRunner> m_scenarios; ///< the one that failed last first

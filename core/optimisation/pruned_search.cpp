@@ -21,7 +21,8 @@ struct Prefix {
     std::size_t stages = 0; ///< of the whole cycle
     GridCycle cycle;        ///< so far
     std::vector<int> counts;
-    int taken = 0;                                    ///< steps of stock
+    int taken = 0;  ///< steps of stock
+    int merged = 0; ///< further ends of its last stage on the same step
     std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
 };
 using PrefixPtr = std::shared_ptr<const Prefix>;
@@ -246,32 +247,37 @@ private:
     /// The ends that the state after a step has reached.
     void takeEnds(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count,
                   Ends& ends, double least_s) {
-        const bool merges = m_options.scenarios.empty();
-        for (bool first = true;
-             ends.taken <= ends.last && ended(steps, later(isLast(from), ends.taken));
-             ++ends.taken) {
-            if (first || !merges) {
-                end(from, setting, steps, count, ends.taken, least_s);
+        const int first = ends.taken;
+        while (ends.taken <= ends.last && ended(steps, later(isLast(from), ends.taken))) {
+            ++ends.taken;
+        }
+        const bool single = !m_options.scenarios.empty() && from.cycle.size() + 2 != from.stages;
+        for (int taken = first; taken < ends.taken; ++taken) {
+            end(from, setting, steps, count, {taken, single ? taken : ends.taken - 1}, least_s);
+            if (!single) {
+                break;
             }
-            first = false;
         }
     }
 
-    void end(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count, int taken,
-             double least_s) {
+    /// Goes on from ends that fall on one step.
+    void end(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count,
+             Ends merged, double least_s) {
         Prefix prefix;
         prefix.stages = from.stages;
         prefix.cycle = from.cycle;
         prefix.counts = from.counts;
         prefix.counts.push_back(count);
-        prefix.cycle.push_back({setting, isLast(from) ? 0 : taken - from.taken});
-        prefix.taken = taken;
+        prefix.cycle.push_back({setting, isLast(from) ? 0 : merged.taken - from.taken});
+        prefix.taken = merged.taken;
+        prefix.merged = isLast(from) ? from.merged : merged.last - merged.taken;
         if (!isLast(from)) {
             prefix.steps = steps.copy();
             add(std::move(prefix), least_s);
         } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
             if (m_gauge) {
-                m_judge.judge(prefix.cycle, m_runner.finish(prefix.cycle, steps, prefix.counts));
+                m_judge.judge(prefix.cycle, m_runner.finish(prefix.cycle, steps, prefix.counts),
+                              prefix.merged);
             } else {
                 m_judge.decide(prefix.cycle, m_runner);
             }

@@ -14,7 +14,8 @@
 /// 2. Merged states. Ends that fall on one step leave one state. From the end with the most stock
 ///    left every continuation of the others is possible, with the same passes, hence the same time
 ///    and margins, and it comes first in grid order. So this one alone is gone on from. Other parts
-///    end their stages elsewhere: with scenarios nothing is merged.
+///    end their stages elsewhere: with scenarios only ends of the stage before the last are merged,
+///    and where the part itself holds, each of their cycles is run on the scenarios.
 /// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
 ///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
 ///    the bound of the next one holds for all that is left; those beyond the memory given newest
