@@ -2,8 +2,8 @@
 #include "core/quality/burn_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace sparkout {
 
@@ -46,7 +46,7 @@ private:
 } // namespace
 
 BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
-    constexpr double stepsPerScale = 50;
+    constexpr double stepsPerScale = 64;
     constexpr double fewest = 16, most = 4096;
     const double deepest = std::max(deepest_mm, 0.0);
     const BurnLimitPoint surface = model.limitPoint(U, 0);
@@ -66,120 +66,66 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
     m_pieces.push_back({inverse, 0, 0});
 }
 
+std::optional<BurnStretch> BurnTable::over(double low_mm, double high_mm,
+                                           double totalInfeed_mm) const {
+    constexpr double enough = 7e-7; ///< at the points between the nodes, of the value there
+    const double centre = (high_mm + low_mm) / 2, half = (high_mm - low_mm) / 2;
+    const auto value = [&](double t) { return usage(1, centre + half * t); };
+    // Through the values at t = −1, −√½, 0, √½ and 1, even and odd parts apart.
+    constexpr double node = 1 / std::numbers::sqrt2;
+    const double v0 = value(0), n1 = value(-node), n2 = value(node), e1 = value(-1), e2 = value(1);
+    const double evenEnd = (e1 + e2) / 2 - v0, evenNode = (n1 + n2) / 2 - v0;
+    const double oddEnd = (e2 - e1) / 2, oddNode = (n2 - n1) / (2 * node);
+    const double cubic = 2 * (oddEnd - oddNode), square = 4 * evenNode - evenEnd;
+    const double by = 1 / half, byBy = by * by;
+    const BurnStretch found{.total = totalInfeed_mm,
+                            .low = low_mm,
+                            .centre = centre,
+                            .c = {v0, (oddEnd - cubic) * by, square * byBy, cubic * byBy * by,
+                                  (evenEnd - square) * byBy * byBy}};
+    // cos π/8 and cos 3π/8: the error of such a polynomial is largest near them.
+    constexpr double outer = 0.92387953251128674, inner = 0.38268343236508977;
+    for (const double t : {-outer, -inner, inner, outer}) {
+        const double given = value(t);
+        if (!(std::abs(found.usage(1, totalInfeed_mm - centre - half * t) - given)
+              <= enough * given)) {
+            return std::nullopt;
+        }
+    }
+    return found;
+}
+
 namespace {
 
-/// Lanes looked at together, with one secant; lanes whose largest bound is compared at once.
-constexpr std::size_t blockLanes = 64, groupLanes = 8;
-
-/// 1/√a along the secant over the stocks of some lanes.
-struct Secant {
-    double inverse = 0, slope = 0; ///< at the stock `from`, and per mm beyond it
-    double from = 0;
-};
-
-struct DepthRange {
-    double least = 0, most = 0;
-};
-
-// Each loop is written once and compiled for two vector units, as the pass is (pass_kernel.cpp).
-[[gnu::always_inline]] inline DepthRange depthsIn(const double* __restrict depth,
-                                                  std::size_t count) {
-    double least = depth[0], most = depth[0];
-#pragma omp simd reduction(min : least) reduction(max : most)
+// Written once and compiled for two vector units, as the pass is (pass_kernel.cpp).
+[[gnu::always_inline]] inline double worstOf(const BurnStretch& stretch,
+                                             const double* __restrict root,
+                                             const double* __restrict depth, std::size_t count) {
+    const BurnStretch local = stretch; // its numbers stay in registers
+    double worst = 0;
+#pragma omp simd reduction(max : worst)
     for (std::size_t i = 0; i < count; ++i) {
-        least = depth[i] < least ? depth[i] : least;
-        most = depth[i] > most ? depth[i] : most;
+        const double used = local.usage(root[i], depth[i]);
+        worst = used > worst ? used : worst;
     }
-    return {least, most};
+    return worst;
 }
-DepthRange depthsBaseline(const double* depth, std::size_t count) {
-    return depthsIn(depth, count);
+double worstBaseline(const BurnStretch& stretch, const double* root, const double* depth,
+                     std::size_t count) {
+    return worstOf(stretch, root, depth, count);
 }
-[[gnu::target("avx2")]] DepthRange depthsAvx2(const double* depth, std::size_t count) {
-    return depthsIn(depth, count);
-}
-
-using Bounds = std::array<double, blockLanes>;
-
-/// The bounds of the lanes, 0 up to the end of the last group; returns the largest.
-[[gnu::always_inline]] inline double boundsIn(const double* __restrict root,
-                                              const double* __restrict depth, Bounds& bounds,
-                                              std::size_t count, double total,
-                                              const Secant& secant) {
-    double* __restrict bound = bounds.data();
-    const double inverse = secant.inverse, slope = secant.slope, from = total - secant.from;
-    double most = 0;
-#pragma omp simd reduction(max : most)
-    for (std::size_t i = 0; i < count; ++i) {
-        const double b = root[i] * (inverse + slope * (from - depth[i]));
-        bound[i] = b;
-        most = b > most ? b : most;
-    }
-    for (std::size_t i = count; i % groupLanes != 0; ++i) {
-        bound[i] = 0;
-    }
-    return most;
-}
-double boundsBaseline(const double* root, const double* depth, Bounds& bounds, std::size_t count,
-                      double total, const Secant& secant) {
-    return boundsIn(root, depth, bounds, count, total, secant);
-}
-[[gnu::target("avx2")]] double boundsAvx2(const double* root, const double* depth, Bounds& bounds,
-                                          std::size_t count, double total, const Secant& secant) {
-    return boundsIn(root, depth, bounds, count, total, secant);
-}
-
-double largestOf(const double* group) {
-    const double a = std::max(std::max(group[0], group[1]), std::max(group[2], group[3]));
-    const double b = std::max(std::max(group[4], group[5]), std::max(group[6], group[7]));
-    return std::max(a, b);
+[[gnu::target("avx2")]] double worstAvx2(const BurnStretch& stretch, const double* root,
+                                         const double* depth, std::size_t count) {
+    return worstOf(stretch, root, depth, count);
 }
 
 const bool hasAvx2 = __builtin_cpu_supports("avx2");
 
 } // namespace
 
-BurnTable::Worst BurnTable::worst(const double* root, const double* depth_mm, std::size_t count,
-                                  double totalInfeed_mm, double atLeast, std::size_t guess) const {
-    constexpr double tableError = 4e-6; ///< of the secant's ends and of the lane's value
-    const auto usageOf = [&](std::size_t lane) {
-        return usage(root[lane], totalInfeed_mm - depth_mm[lane]);
-    };
-    Worst found{atLeast, count};
-    const auto look = [&](std::size_t lane) {
-        const double used = usageOf(lane);
-        if (used > found.usage) {
-            found = {used, lane};
-        }
-    };
-    look(std::min(guess, count - 1));
-    Bounds bounds;
-    for (std::size_t first = 0; first < count; first += blockLanes) {
-        const std::size_t lanes = std::min(blockLanes, count - first);
-        const double* depth = depth_mm + first;
-        const auto [least, most] =
-            hasAvx2 ? depthsAvx2(depth, lanes) : depthsBaseline(depth, lanes);
-        const double low = std::max(0.0, totalInfeed_mm - most), high = totalInfeed_mm - least;
-        Secant secant{usage(1, low) * (1 + tableError), 0, low};
-        if (high > low) {
-            secant.slope = (usage(1, high) * (1 + tableError) - secant.inverse) / (high - low);
-        }
-        const double largest =
-            hasAvx2 ? boundsAvx2(root + first, depth, bounds, lanes, totalInfeed_mm, secant)
-                    : boundsBaseline(root + first, depth, bounds, lanes, totalInfeed_mm, secant);
-        for (std::size_t i = 0; largest > found.usage && i < lanes; i += groupLanes) {
-            const double* group = bounds.data() + i;
-            if (largestOf(group) <= found.usage) {
-                continue;
-            }
-            for (std::size_t j = 0; j < groupLanes; ++j) {
-                if (group[j] > found.usage) {
-                    look(first + i + j);
-                }
-            }
-        }
-    }
-    return found.lane < count ? found : Worst{};
+double BurnStretch::worst(const double* root, const double* depth_mm, std::size_t count) const {
+    return hasAvx2 ? worstAvx2(*this, root, depth_mm, count)
+                   : worstBaseline(*this, root, depth_mm, count);
 }
 
 } // namespace sparkout

@@ -3,17 +3,33 @@
 
 #include "core/quality/burn.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace sparkout {
 
+/// 1/√a of the limiting cut over one stretch of stocks, as a polynomial of
+/// x = max(stock, low) − centre, stock = total − depth [mm].
+struct BurnStretch {
+    double total = 0, low = 0, centre = 0;
+    std::array<double, 5> c{}; ///< of x⁰…x⁴
+
+    /// √a over its limit for a radius at this depth below first touch.
+    [[nodiscard, gnu::always_inline]] double usage(double root, double depth_mm) const {
+        const double stock = total - depth_mm;
+        const double x = (stock > low ? stock : low) - centre;
+        const double xx = x * x;
+        return root * ((c[0] + c[1] * x) + xx * ((c[2] + c[3] * x) + xx * c[4]));
+    }
+    /// The largest usage of `count` lanes.
+    [[nodiscard]] double worst(const double* root, const double* depth_mm, std::size_t count) const;
+};
+
 /// The limiting √a of burn against the stock left, tabulated for the passes of a run: 1/√a as a
 /// parabola in each of equal steps of the stock, off by less than 1e-6 of √a up to 1 mm of stock.
 /// Made once for a run or a scenario, in some 20 µs.
-///
-/// A pass needs the lanes only where bound() exceeds the worst so far: the stock left is nowhere
-/// less than what the programmed infeed leaves.
 class BurnTable {
 public:
     /// For stocks from 0 to `deepest`, and U = U_burn.
@@ -32,20 +48,10 @@ public:
     /// The limiting √a, rising with the stock; below 0 as at 0, beyond the deepest as there.
     [[nodiscard]] double limit(double stock_mm) const { return 1 / usage(1, stock_mm); }
 
-    struct Worst {
-        double usage = 0;
-        std::size_t lane = 0;
-    };
-    /// The worst of `count` lanes after a pass: roots √a of the pass, depths below first touch and
-    /// the depth of the target below it (|R_first − R_t|). A worst not above `atLeast` is not
-    /// looked for: usage 0. `guess` is a lane to look at first, the last worst one.
-    ///
-    /// 1/√a falls with the stock and is convex, so over the stocks of neighbouring lanes its
-    /// secant is above it: only lanes whose bound by the secant is not below the worst so far are
-    /// looked up.
-    [[nodiscard]] Worst worst(const double* root, const double* depth_mm, std::size_t count,
-                              double totalInfeed_mm, double atLeast = 0,
-                              std::size_t guess = 0) const;
+    /// 1/√a over the stocks from `low` to `high` of the total infeed |R_first − R_t| as one
+    /// polynomial, off by less than 1e-6 of itself; nothing where none of its degree is that good.
+    [[nodiscard]] std::optional<BurnStretch> over(double low_mm, double high_mm,
+                                                  double totalInfeed_mm) const;
     /// No lane of a pass can be worse: its largest √a at the least stock that t_П leaves, t_П that
     /// of the pass's last radius.
     [[nodiscard]] double bound(double largestRoot, double fed_mm, double totalInfeed_mm) const {

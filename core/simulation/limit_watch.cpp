@@ -73,23 +73,76 @@ Place LimitWatch::unpack(std::uint64_t number, const SimulationResult& result,
     return place;
 }
 
-void LimitWatch::lookThrough(const Lanes& lanes, const PassRange& range, const Place* places) {
-    const std::size_t guess = m_lane >= range.first ? m_lane - range.first : 0;
-    const BurnTable::Worst worst =
-        m_burn->worst(lanes.root.data() + range.first, lanes.depth_mm.data() + range.first,
-                      range.count, m_total, m_usage, guess);
-    if (!(worst.usage > m_usage)) {
-        return;
+void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
+                       const PassFeed& feed, const Place* places) {
+    const double fed = std::max(feed.at(0), feed.at(1));
+    if (m_burn->bound(root, fed, m_total) > m_usage) {
+        if (fed > m_stretchEnd) {
+            openStretch(lanes, fed);
+        }
+        const double most = worst(lanes, range);
+        if (most > m_usage) {
+            m_usage = most;
+            keep(lanes, range, places);
+        }
     }
-    const std::size_t lane = range.first + worst.lane;
-    m_usage = worst.usage;
-    m_lane = lane;
-    std::size_t zone = 0, radius = worst.lane;
+    constexpr double quietReach = 0.02; ///< of the whole infeed
+    m_quietEnd = mostFed(feed) + quietReach * m_total;
+    m_quietRoot = m_usage * m_burn->limit(m_total - m_quietEnd);
+}
+
+/// From the most that is left anywhere to below what this pass may leave, as far as one polynomial
+/// reaches. Radii only grow deeper, so none leaves it at its upper end.
+void LimitWatch::openStretch(const Lanes& lanes, double fed_mm) {
+    constexpr double leastSpread = 1e-3; ///< of the whole infeed
+    const double least = *std::min_element(lanes.depth_mm.begin(), lanes.depth_mm.end());
+    const double left = std::max(0.0, m_total - fed_mm);
+    const double high = std::max(m_total - least, left + leastSpread * m_total);
+    const double spread = high - left;
+    for (const double further : {3.0, 1.0, 0.0}) {
+        const double low = std::max(0.0, left - further * spread);
+        m_stretch = m_burn->over(low, high, m_total);
+        if (m_stretch) {
+            m_stretchEnd = low > 0 ? m_total - low : std::numeric_limits<double>::max();
+            return;
+        }
+    }
+    constexpr double tryAgain = 0.1;
+    m_stretchEnd = fed_mm + tryAgain * spread;
+}
+
+double LimitWatch::usage(const Lanes& lanes, std::size_t lane) const {
+    return m_stretch ? m_stretch->usage(lanes.root[lane], lanes.depth_mm[lane])
+                     : m_burn->usage(lanes.root[lane], m_total - lanes.depth_mm[lane]);
+}
+
+double LimitWatch::worst(const Lanes& lanes, const PassRange& range) const {
+    if (m_stretch) {
+        return m_stretch->worst(lanes.root.data() + range.first,
+                                lanes.depth_mm.data() + range.first, range.count);
+    }
+    double most = 0;
+    for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
+        most = std::max(most, usage(lanes, lane));
+    }
+    return most;
+}
+
+/// The visit of this pass that is the worst so far.
+void LimitWatch::keep(const Lanes& lanes, const PassRange& range, const Place* places) {
+    const std::size_t end = range.first + range.count;
+    if (m_lane < range.first || m_lane >= end || usage(lanes, m_lane) != m_usage) {
+        m_lane = range.first; // mostly it is the lane that it was before
+        while (m_lane + 1 < end && usage(lanes, m_lane) != m_usage) {
+            ++m_lane;
+        }
+    }
+    std::size_t zone = 0, radius = m_lane - range.first;
     for (; radius >= m_radii; radius -= m_radii) { // few zones: a division takes longer
         ++zone;
     }
-    m_worst = {.depth_mm = lanes.root[lane] * lanes.root[lane],
-               .stock_mm = std::max(0.0, m_total - lanes.depth_mm[lane]),
+    m_worst = {.depth_mm = lanes.root[m_lane] * lanes.root[m_lane],
+               .stock_mm = std::max(0.0, m_total - lanes.depth_mm[m_lane]),
                .radius = static_cast<int>(radius),
                .at = places[zone]};
 }

@@ -7,7 +7,9 @@
 #include "core/simulation/result.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 
 namespace sparkout {
 
@@ -15,9 +17,11 @@ namespace sparkout {
 /// of the stages do not answer [MODEL-8]: the visit nearest to burning, and the last cut of each
 /// radius for the roughness. What is not asked for costs nothing; no pass allocates.
 ///
-/// Burn is judged by the depth of cut over the greatest one whose damaged layer stays within the
-/// stock left (BurnTable). The lanes are looked through only after a pass whose bound exceeds the
-/// worst so far; worst and bound are the table's, true to a millionth of √a.
+/// Burn is judged by √a over the greatest one whose damaged layer stays within the stock left. Most
+/// passes are done with at a glance: no lane is nearer than their largest √a would be at a stock a
+/// little less than any they leave. Those that may be the worst so far are looked through by the
+/// polynomial of a stretch of stocks, or where none fits by the table, true to two millionths of
+/// √a.
 class LimitWatch {
 public:
     LimitWatch(const Project& project, const Blank& blank);
@@ -30,14 +34,15 @@ public:
     /// After a pass whose largest √a is `root`; `places[i]` is the place of the i-th zone.
     void passDone(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
                   const Place* places) {
-        if (m_burn && m_burn->bound(root, std::max(feed.at(0), feed.at(1)), m_total) > m_usage) {
-            lookThrough(lanes, range, places);
+        if (m_burn && (root > m_quietRoot || mostFed(feed) > m_quietEnd)) {
+            judge(lanes, range, root, feed, places);
         }
     }
-    /// Forgets the worst so far; the lanes' last cuts are the lanes'.
+    /// Forgets the worst so far, for lanes from the start; their last cuts are the lanes'.
     void restart() {
-        m_usage = 0;
+        m_usage = m_quietRoot = 0;
         m_worst = {};
+        m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
     /// √a over its limit, of the visit nearest to burning so far; 0 where burn is not asked for.
     [[nodiscard]] double burnUsage() const { return m_usage; }
@@ -48,14 +53,25 @@ private:
     [[nodiscard]] static std::uint64_t pack(const Place* places, std::size_t count);
     [[nodiscard]] static Place unpack(std::uint64_t number, const SimulationResult& result,
                                       std::size_t section);
-    void lookThrough(const Lanes& lanes, const PassRange& range, const Place* places);
+    /// No radius stands deeper after a pass of this feed.
+    [[nodiscard]] static double mostFed(const PassFeed& feed) { return feed.base + feed.cap; }
+    void judge(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
+               const Place* places);
+    void openStretch(const Lanes& lanes, double fed_mm);
+    [[nodiscard]] double usage(const Lanes& lanes, std::size_t lane) const;
+    [[nodiscard]] double worst(const Lanes& lanes, const PassRange& range) const;
+    void keep(const Lanes& lanes, const PassRange& range, const Place* places);
 
     std::size_t m_radii;
     double m_total; ///< |R_first − R_t| [mm]
     bool m_keepsLast;
     std::shared_ptr<const BurnTable> m_burn; ///< the same in copies of a run
-    double m_usage = 0;                      ///< √a over its limit, of the worst visit
-    std::size_t m_lane = 0;                  ///< of that visit
+    std::optional<BurnStretch> m_stretch;    ///< of the stocks the passes are at
+    double m_stretchEnd = std::numeric_limits<double>::lowest(); ///< its greatest t_П [mm]
+    double m_quietRoot = 0; ///< √a up to which no pass is a new worst, up to t_П = m_quietEnd
+    double m_quietEnd = std::numeric_limits<double>::lowest();
+    double m_usage = 0;     ///< √a over its limit, of the worst visit
+    std::size_t m_lane = 0; ///< of that visit
     BurnVisit m_worst;
 };
 

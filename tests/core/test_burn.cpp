@@ -344,45 +344,40 @@ private slots:
         QVERIFY(close(table.limit(0.1), std::sqrt(model.burnFreeDepth(700)), 1e-12));
     }
 
-    void worstLaneOfAPassIsFound() {
-        const BurnModel model(hotSteel());
-        const BurnTable table(model, 700, 0.2);
-        const std::vector<double> root{0.05, 0.06, 0.07, 0.06};
-        const std::vector<double> depth{0.1, 0.199, 0.1, 0.21};
-        const BurnTable::Worst worst = table.worst(root.data(), depth.data(), 4, 0.2);
-        QCOMPARE(worst.lane, std::size_t(3)); // beyond the target: nothing left
-        QCOMPARE(worst.usage, table.usage(0.06, 0));
-        QVERIFY(table.usage(0.06, 0) > table.usage(0.06, 0.001));
-        QCOMPARE(table.worst(root.data(), depth.data(), 4, 0.2, worst.usage).usage, 0.0);
-        QCOMPARE(table.worst(root.data(), depth.data(), 4, 0.2, 0.99 * worst.usage).lane,
-                 std::size_t(3));
-    }
-
-    // Lanes that differ by a thousandth, over narrow and wide ranges of stock, some beyond size.
-    void worstOfNearlyEqualLanesIsFound() {
-        QVERIFY(holds("worst lane", [] {
+    void polynomialOfAStretchIsTheTableToAMillionth() {
+        int found = 0;
+        QVERIFY(holds("stretch", [&found] {
             const BurnModel model(anyCutting());
             const double U = between(200, 1500), deepest = decades(-3, -0.1);
             const BurnTable table(model, U, deepest);
-            const auto count = static_cast<std::size_t>(between(1, 200));
-            const double from = between(-0.1, 1) * deepest, width = decades(-4, 0) * deepest;
-            const double spread = decades(-6, -1);
+            const double low = between(0, 1) * deepest;
+            const double high = low + decades(-6, 0) * (deepest - low);
+            const auto stretch = table.over(low, high, deepest);
+            if (!stretch) {
+                return;
+            }
+            ++found;
             std::vector<double> root, depth;
             double most = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double stock = from + between(0, width);
+            for (int i = 0; i < 9; ++i) {
+                const double stock = between(low, high);
+                RC_ASSERT(close(stretch->usage(1, deepest - stock), table.usage(1, stock), 1e-6));
+                root.push_back(between(0, 1));
                 depth.push_back(deepest - stock);
-                root.push_back(table.limit(stock) * (0.8 + between(0, spread)));
-                most = std::max(most, table.usage(root.back(), deepest - depth.back()));
+                most = std::max(most, stretch->usage(root.back(), depth.back()));
             }
-            const auto guess = static_cast<std::size_t>(between(0, 250));
-            const auto worst = table.worst(root.data(), depth.data(), count, deepest, 0.7, guess);
-            RC_ASSERT(close(worst.usage, most, 1e-13));
-            RC_ASSERT(
-                close(table.usage(root[worst.lane], deepest - depth[worst.lane]), most, 1e-13));
-            RC_ASSERT(table.worst(root.data(), depth.data(), count, deepest, 1.0, guess).usage
-                      == 0);
+            RC_ASSERT(stretch->worst(root.data(), depth.data(), root.size()) == most);
+            RC_ASSERT(close(stretch->usage(1, deepest - low / 2), stretch->usage(1, deepest - low),
+                            1e-9));
         }));
+        QVERIFY2(found > 100, qPrintable(QString::number(found)));
+    }
+    void narrowStretchesHaveAPolynomialAndTheWholeCurveHasNone() {
+        const BurnTable table(BurnModel(hotSteel()), 700, 0.2);
+        for (double low = 0; low < 0.2; low += 0.002) {
+            QVERIFY(table.over(low, low + 0.002, 0.2));
+        }
+        QVERIFY(!table.over(0, 0.2, 0.2));
     }
 
     // The bound of a pass spares its lanes only where none of them can be the worst.

@@ -26,7 +26,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr int patience = 25; ///< events a dialog or a menu may stay
+constexpr int patience = 25;    ///< events a dialog or a menu may stay
+constexpr int notesToTell = 20; ///< of a monkey in trouble
 
 /// Which widget it is, over restarts of the window.
 QString identityOf(const QWidget& widget) {
@@ -90,8 +91,11 @@ QString Monkey::run() {
         m_trouble = QStringLiteral("the last run does not end");
     }
     m_bench.settle();
-    if (m_trouble.isEmpty() && !m_warnings.take().isEmpty()) {
-        m_trouble = QStringLiteral("a warning after the last event");
+    if (const QStringList warned = m_warnings.take(); !warned.isEmpty() && m_trouble.isEmpty()) {
+        m_trouble = QStringLiteral("after the last event: ") + warned.join(u'\n');
+    }
+    if (!m_trouble.isEmpty()) {
+        m_trouble += QStringLiteral("\nWhat it did last:\n") + m_lastNotes.join(QString());
     }
     return m_trouble;
 }
@@ -101,8 +105,13 @@ QStringList Monkey::missed() const {
 }
 
 void Monkey::note(const QString& what) {
-    m_log.write(QStringLiteral("%1 %2\n").arg(m_done).arg(what).toUtf8());
+    const QString line = QStringLiteral("%1 %2\n").arg(m_done).arg(what);
+    m_log.write(line.toUtf8());
     m_log.flush(); // the last line tells what a crash came of
+    m_lastNotes += line;
+    if (m_lastNotes.size() > notesToTell) {
+        m_lastNotes.removeFirst();
+    }
 }
 
 /// A timer each time: one does not fire again while it is in a dialog's loop.

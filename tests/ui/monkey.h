@@ -69,6 +69,7 @@ private:
     QTemporaryDir m_folder;
     QStringList m_files;
     QFile m_log;
+    QStringList m_lastNotes;
     WarningCatcher m_warnings;
     Bench m_bench;
 };

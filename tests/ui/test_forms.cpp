@@ -19,6 +19,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QTest>
 
 #include <clocale>
@@ -131,6 +132,25 @@ private slots:
             }
         }
         QVERIFY2(edited > 30, qPrintable(QString::number(edited)));
+    }
+
+    // A field loses the focus while it goes, and its row would look at what is gone.
+    void theRowsOfAPageGoBeforeTheirFields() {
+        Document document;
+        auto page = std::make_unique<FormPage>(Page::machine, document);
+        int fields = 0, rowsLeft = 0;
+        for (FormRow* row : page->rows()) {
+            const QPointer<FormRow> alive(row);
+            connect(row->editor().widget(), &QObject::destroyed, this, [&, alive] {
+                ++fields;
+                rowsLeft += !alive.isNull();
+            });
+        }
+        const int rows = static_cast<int>(page->rows().size());
+        QVERIFY(rows > 5);
+        page.reset();
+        QCOMPARE(fields, rows);
+        QCOMPARE(rowsLeft, 0);
     }
 
     void typingInTheMiddleOfATextStaysThere() {

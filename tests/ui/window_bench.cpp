@@ -23,7 +23,10 @@ bool aboutThePlatform(const QString& text) {
 }
 
 void collect(QtMsgType type, const QMessageLogContext& context, const QString& text) {
-    if (type != QtDebugMsg && type != QtInfoMsg && !aboutThePlatform(text)) {
+    if (aboutThePlatform(text)) {
+        return; // hundreds of them would hide what matters
+    }
+    if (type != QtDebugMsg && type != QtInfoMsg) {
         const std::lock_guard lock(warningsMutex);
         warnings += text;
     }

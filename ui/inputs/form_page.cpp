@@ -59,6 +59,10 @@ FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* set
     showProject(true);
 }
 
+FormPage::~FormPage() {
+    qDeleteAll(m_rows); // before the fields go, which lose the focus as they do
+}
+
 bool FormPage::shows(const StructInfo& table) const {
     for (const Field& field : table.fields) {
         if (field.page == m_page && (!field.nested || field.kind == Kind::objectList)) {

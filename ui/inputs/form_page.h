@@ -40,6 +40,7 @@ public:
     /// Without settings the user's own catalogues are kept as long as the page lives.
     FormPage(Page page, Document& document, QWidget* parent = nullptr,
              Settings* settings = nullptr);
+    ~FormPage() override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
