@@ -48,7 +48,7 @@ GridFault Grid::read(const Project& project) {
     const Levels& radial = traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min;
     const Levels axial = traverse ? asked.axial_feed_mm_min : Levels{std::vector<double>{0}};
     const double settings = levelCount(radial) * levelCount(axial);
-    const double steps = std::ceil(m_stock_mm / asked.stock_step_mm - 1e-9) - 1;
+    const double steps = std::max(0.0, std::ceil(m_stock_mm / asked.stock_step_mm - 1e-9) - 1);
     if (settings < 1) {
         return GridFault::noLevels;
     }

@@ -30,9 +30,9 @@ enum class GridFault {
     noLevels,      ///< a feed of its kind of grinding has no levels
     tooManyLevels, ///< more than mostSettings
     tooManySteps,  ///< of stock, more than mostStockSteps
-    noDivision,    ///< of the stock into so many stages, the last within its bounds
+    noDivision,    ///< of the stock into these numbers of stages, the last within its bounds
 };
-inline constexpr double mostSettings = 5000, mostStockSteps = 100'000;
+inline constexpr double mostSettings = 5000, mostStockSteps = 10'000;
 
 /// The cycles that a project's optimisation asks for: every stage takes any listed feeds; stage
 /// stocks are positive multiples of the stock step that sum to the part's, the last stage takes
@@ -49,9 +49,8 @@ public:
     [[nodiscard]] GridFault fault() const { return m_fault; }
     [[nodiscard]] const std::vector<FeedSetting>& settings() const { return m_settings; }
     [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
-    /// Steps of stock that all stages but the last share at most, and at least; each takes one.
+    /// Steps of stock that all stages but the last share at most; each takes at least one.
     [[nodiscard]] int mostSteps() const { return m_steps; }
-    [[nodiscard]] int leastSteps() const { return m_leastSteps; }
     /// Steps that the first of so many stages up to the last takes at least, behind `taken`.
     [[nodiscard]] int leastOf(std::size_t stagesLeft, int taken) const {
         return stagesLeft == 2 ? std::max(1, m_leastSteps - taken) : 1;
