@@ -227,6 +227,31 @@ private slots:
         }
     }
 
+    // Tables 2 and 3 of the thesis [MODEL-10]: the notes state the program's own numbers.
+    void theNotesOf30h6StateTheNumbersBesideThoseOfTheTables() {
+        for (const char* name : {"shaft-30h6-factory", "shaft-30h6-optimal"}) {
+            const SimulationResult& run = result(name);
+            QStringList above;
+            for (const SectionResult& zone : run.sections) {
+                const double um =
+                    zone.diameterDeviationMin_mm * 1000 - run.project.part.lower_deviation_um;
+                above += QString::number(um, 'f', 1);
+            }
+            const QString notes = QString::fromStdString(run.project.notes);
+            const QString english =
+                QStringLiteral("ends at %1, %2 and %3 µm").arg(above[0], above[1], above[2]);
+            QVERIFY2(notes.contains(english), qPrintable(english));
+            const QString russian =
+                QStringLiteral("заканчивает на %1, %2 и %3 мкм").arg(above[0], above[1], above[2]);
+            QVERIFY2(notes.contains(QString(russian).replace(u'.', u',')), qPrintable(russian));
+        }
+        const double gain =
+            1 - result("shaft-30h6-optimal").time_s / result("shaft-30h6-factory").time_s;
+        const QString text = QStringLiteral("here it is %1 %").arg(gain * 100, 0, 'f', 1);
+        QVERIFY2(QString::fromStdString(result("shaft-30h6-optimal").project.notes).contains(text),
+                 qPrintable(text));
+    }
+
     // What the notes of the other examples say.
 
     void theSofterASectionOfThePlungedShaftTheLargerItEnds() {
