@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_batch_command.h"
 #include "app/cli_io.h"
+#include "app/cli_optimise.h"
 #include "app/cli_options.h"
 #include "app/cli_report.h"
 #include "app/examples.h"
@@ -21,6 +22,8 @@ constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
+  sparkout-cli optimize FILE [--robust] [--method search|full] [--stages N,…]
+                        [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
   sparkout-cli validate FILE
   sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
@@ -31,6 +34,15 @@ simulate   runs the cycle of a project file
   --json     prints one JSON object
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
+optimize   finds the quickest cycle of the file's grid that holds every requirement
+  --robust   it must hold in every phase of the stock against the feeds, too
+  --method   search: proves the answer from few runs; full: runs every cycle
+  --stages   numbers of stages to try, instead of the file's
+  --time-limit  ends the search after so many seconds, as Ctrl+C does: the best
+             so far stays, with the time that no cycle is quicker than
+  --threads  of the full search, instead of one a processor; the answer is the same
+  --json     prints one JSON object
+  -o         writes the project with the cycle found
 validate   checks a project file: one line a fault
 batch      runs the batch of a project file: its parts differ by the factors given there
   --parts N            parts, instead of the file's
@@ -51,16 +63,15 @@ batch-merge
 examples   writes the example projects into a folder, which is made if need be
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
-4 a requirement fails (--check); 130 or 143 a batch ended by Ctrl+C or SIGTERM.
+4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch
+ended by Ctrl+C or SIGTERM.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
 
 /// Whether writing to the file would lose a project, by a slip on the command line.
 bool replacesProject(const std::string& file, const std::string& project) {
-    std::error_code ignored;
-    return std::filesystem::path(file).extension() == ".sparkout"
-           || std::filesystem::equivalent(file, project, ignored);
+    return std::filesystem::path(file).extension() == ".sparkout" || isSameFile(file, project);
 }
 
 int runSimulate(const Options& options) {
@@ -122,6 +133,9 @@ int run(const std::vector<std::string>& arguments) {
     if (arguments.size() == 1 && arguments[0] == "--version") {
         print(stdout, "sparkout-cli " + std::string(version) + '\n');
         return done;
+    }
+    if (!arguments.empty() && arguments[0] == "optimize") {
+        return runOptimise({arguments.begin() + 1, arguments.end()});
     }
     Options options;
     if (const int failed = parse(arguments, options)) {

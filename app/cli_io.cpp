@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 #include <variant>
 
@@ -74,6 +75,11 @@ int save(const std::string& file, const std::string& content) {
         return refused;
     }
     return done;
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    return std::filesystem::equivalent(a, b, ignored);
 }
 
 } // namespace sparkout::cli

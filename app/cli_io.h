@@ -18,6 +18,7 @@ enum Exit {
     usage = 2,
     cannotReachSize = 3,
     requirementFails = 4,
+    nothingFeasible = 5,
     interrupted = 128
 };
 
@@ -42,5 +43,7 @@ void printIssues(const std::string& file, const Issues& issues);
 
 /// Writes a file; returns the exit status.
 [[nodiscard]] int save(const std::string& file, const std::string& content);
+
+[[nodiscard]] bool isSameFile(const std::string& a, const std::string& b);
 
 } // namespace sparkout::cli

@@ -1962,6 +1962,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Traverse: the wheel's width, from which the widths of cut follow. Plunge: the ground length.</source>
             <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
         </message>
+        <message>
+            <source>Stock of the last stage</source>
+            <translation>Припуск последней ступени</translation>
+        </message>
+        <message>
+            <source>Least and most, in cycles of several stages.</source>
+            <translation>Наименьший и наибольший, в циклах из нескольких ступеней.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>

@@ -268,6 +268,8 @@ CoupledSections::CoupledSections(const std::vector<double>& influence_mm_n,
 }
 
 CoupledSections::~CoupledSections() = default;
+CoupledSections::CoupledSections(const CoupledSections& other)
+    : m_solver(std::make_unique<Solver>(*other.m_solver)) {}
 CoupledSections::CoupledSections(CoupledSections&&) noexcept = default;
 CoupledSections& CoupledSections::operator=(CoupledSections&&) noexcept = default;
 

@@ -45,6 +45,7 @@ public:
     CoupledSections(const std::vector<double>& influence_mm_n, const std::vector<double>& widths_mm,
                     const ForceLaw& law, std::optional<ContactCompliance> contact = std::nullopt);
     ~CoupledSections();
+    CoupledSections(const CoupledSections& other);
     CoupledSections(CoupledSections&&) noexcept;
     CoupledSections& operator=(CoupledSections&&) noexcept;
 

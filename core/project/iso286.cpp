@@ -36,6 +36,7 @@ constexpr std::array<Row, 12> tolerances{{
 }};
 
 /// Fundamental deviations of shafts [µm]: es of d…h, ei of j…p; ISO 286-1 tables 4 and 5.
+namespace shafts {
 constexpr Row d{-20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230};
 constexpr Row e{-14, -20, -25, -32, -40, -50, -60, -72, -85, -100, -110, -125, -135};
 constexpr Row f{-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68};
@@ -47,6 +48,7 @@ constexpr Row k4to7{0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5};
 constexpr Row m{2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23};
 constexpr Row n{4, 8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37, 40};
 constexpr Row p{6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68};
+} // namespace shafts
 
 /// ES of J6, J7, J8 [µm], ISO 286-1 table 2.
 constexpr std::array<Row, 3> J6to8{{
@@ -77,20 +79,20 @@ SizeDeviations above(double lower, double width) {
 std::optional<SizeDeviations> shaft(char letter, int grade, std::size_t range) {
     const double IT = tolerance(grade, range);
     switch (letter) {
-    case 'd': return below(d[range], IT);
-    case 'e': return below(e[range], IT);
-    case 'f': return below(f[range], IT);
-    case 'g': return below(g[range], IT);
-    case 'h': return below(h[range], IT);
+    case 'd': return below(shafts::d[range], IT);
+    case 'e': return below(shafts::e[range], IT);
+    case 'f': return below(shafts::f[range], IT);
+    case 'g': return below(shafts::g[range], IT);
+    case 'h': return below(shafts::h[range], IT);
     case 'j':
         if (grade < 5 || grade > 7) {
             return {};
         }
-        return above((grade == 7 ? j7 : j5and6)[range], IT);
-    case 'k': return above(grade <= 7 ? k4to7[range] : 0, IT);
-    case 'm': return above(m[range], IT);
-    case 'n': return above(n[range], IT);
-    case 'p': return above(p[range], IT);
+        return above((grade == 7 ? shafts::j7 : shafts::j5and6)[range], IT);
+    case 'k': return above(grade <= 7 ? shafts::k4to7[range] : 0, IT);
+    case 'm': return above(shafts::m[range], IT);
+    case 'n': return above(shafts::n[range], IT);
+    case 'p': return above(shafts::p[range], IT);
     default: return {};
     }
 }
@@ -107,10 +109,10 @@ std::optional<double> upperOfInterference(char letter, int grade, std::size_t ra
         if (grade > finer && !smallest) {
             return {};
         }
-        return -k4to7[range] + raised;
-    case 'M': return grade == 6 && upTo[range] == 315 ? -9 : -m[range] + raised;
-    case 'N': return grade > finer && !smallest ? 0 : -n[range] + raised;
-    case 'P': return -p[range] + raised;
+        return -shafts::k4to7[range] + raised;
+    case 'M': return grade == 6 && upTo[range] == 315 ? -9 : -shafts::m[range] + raised;
+    case 'N': return grade > finer && !smallest ? 0 : -shafts::n[range] + raised;
+    case 'P': return -shafts::p[range] + raised;
     default: return {};
     }
 }

@@ -24,6 +24,12 @@ const StructInfo& tableOf<Optimisation>() {
                        .unit = "mm", .hard = {0, 5, true}, .soft = {0.001, 0.1},
                        .hint = SPARKOUT_NOOP("Input", "Stage stocks are multiples of it."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, last_stock_mm, .label = SPARKOUT_NOOP("Input", "Stock of the last stage"),
+            .unit = "mm", .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+            .count = 2,
+            .hint = SPARKOUT_NOOP("Input", "Least and most, in cycles of several stages."),
+            .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, non_increasing,
                        .label = SPARKOUT_NOOP("Input", "Feeds never rise"),
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),

@@ -3,6 +3,7 @@
 
 #include "core/field.h"
 
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -13,6 +14,8 @@ enum class OptimisationScenarios { nominal, corners, batch };
 struct Optimisation {
     std::vector<double> stages = {1, 2}; ///< numbers of stages tried
     double stock_step_mm = 0.01;         ///< [mm]
+    std::optional<std::vector<double>>
+        last_stock_mm; ///< least and most of the last of several [mm]
     bool non_increasing = false;
     OptimisationScenarios scenarios = OptimisationScenarios::nominal;
     Levels radial_feed_mm;     ///< traverse, per double stroke [mm]

@@ -35,7 +35,7 @@ LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     , m_total(blank.totalInfeed_mm)
     , m_keepsLast(project.part.tolerance.roughness_ra_um.has_value()) {
     if (const auto& rise = project.material.burn_rise_k) {
-        m_burn.emplace(BurnModel(project), *rise, m_total);
+        m_burn = std::make_shared<const BurnTable>(BurnModel(project), *rise, m_total);
     }
 }
 

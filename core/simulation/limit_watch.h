@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace sparkout {
@@ -43,6 +44,8 @@ public:
         m_worst = {};
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
+    /// √a over its limit, of the visit nearest to burning so far; 0 where burn is not asked for.
+    [[nodiscard]] double burnUsage() const { return m_usage; }
     /// Puts what was kept into the result, whose sections and counts are there.
     void put(SimulationResult& result, const Lanes& lanes) const;
 
@@ -62,8 +65,8 @@ private:
     std::size_t m_radii;
     double m_total; ///< |R_first − R_t| [mm]
     bool m_keepsLast;
-    std::optional<BurnTable> m_burn;
-    std::optional<BurnStretch> m_stretch; ///< of the stocks the passes are at
+    std::shared_ptr<const BurnTable> m_burn; ///< the same in copies of a run
+    std::optional<BurnStretch> m_stretch;    ///< of the stocks the passes are at
     double m_stretchEnd = std::numeric_limits<double>::lowest(); ///< its greatest t_П [mm]
     double m_quietRoot = 0; ///< √a up to which no pass is a new worst, up to t_П = m_quietEnd
     double m_quietEnd = std::numeric_limits<double>::lowest();

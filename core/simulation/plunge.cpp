@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/coupled_plunge.h"
-#include "core/simulation/run.h"
+#include "core/simulation/cycle_steps.h"
 #include "core/units.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 namespace sparkout {
 
 namespace {
-
-std::vector<double> infeeds(const Project& project) {
-    std::vector<double> feeds;
-    for (const Stage& stage : project.cycle.stages) {
-        feeds.push_back(stage.radial_feed_mm_min.value_or(0) / project.machine.work_speed_rpm);
-    }
-    return feeds;
-}
 
 /// The sections, and after them the free gauge position if there is one.
 std::vector<CompliantPoint> points(const Project& project) {
@@ -27,17 +20,15 @@ std::vector<CompliantPoint> points(const Project& project) {
     return sections;
 }
 
-/// One cycle of revolutions: all sections are fed by the same t_П, each for itself or coupled
-/// [MODEL-6].
-class PlungeCycle {
+/// Revolutions: all sections are fed by the same t_П, each for itself or coupled [MODEL-6].
+class PlungeSteps : public CycleSteps {
 public:
-    PlungeCycle(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
-        : m_project(project)
+    PlungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
+        : CycleSteps(Run(project, points(project), trajectory, stop), gaugePoint(project))
+        , m_project(project)
         , m_sections(static_cast<std::size_t>(project.sections))
         , m_hasFreeGauge(project.gauge.position_mm.has_value())
         , m_stop(stop)
-        , m_run(project, points(project), trajectory, stop)
-        , m_control(project, infeeds(project), m_run.blank().totalInfeed_mm)
         , m_width(m_run.makeCut(project.part.length_mm))
         , m_places(m_sections) {
         for (std::size_t j = 0; j < m_places.size(); ++j) {
@@ -48,44 +39,17 @@ public:
         }
     }
 
-    SimulationResult run() {
-        const std::size_t gaugePoint =
-            m_hasFreeGauge ? m_sections : static_cast<std::size_t>(gaugeSection(m_project));
-        while (!m_control.finished() && !m_run.mustEnd()) {
-            const bool waits = m_control.waitsForSize();
-            const bool retracts = m_control.retracts();
-            const std::size_t stage = m_control.stage();
-            if (!revolution()) {
-                break; // in the middle of a revolution, which then does not count
-            }
-            m_control.stepDone(m_run.remaining(gaugePoint), m_run.fed_mm);
-            const double root = m_run.takeLargestRoot();
-            if (retracts && m_control.stage() == stage && root * root <= noProgress_mm) {
-                m_control.endStage();
-            }
-            m_idle = waits && root * root <= noProgress_mm ? m_idle + 1 : 0;
-            if (!m_control.finished() && m_idle >= idleRevolutions) {
-                m_run.setStatus(RunStatus::cannotReachSize);
-                break;
-            }
-        }
-        SimulationResult result = m_run.finish(m_control, gaugePoint, m_sections, {Zone::section});
-        if (m_coupling) {
-            m_coupling->putPeaks(result);
-        }
-        return result;
+    std::unique_ptr<CycleSteps> copy() const override {
+        return std::make_unique<PlungeSteps>(*this);
     }
 
-private:
-    static constexpr int idleRevolutions = 100;
-
-    /// t_П + (S_p/n)·(k+1)/K for radius k; after the revolution t_П += S_p/n. False: not finished.
-    bool revolution() {
-        ++m_revolutions;
-        const double infeed = m_control.nextInfeed(m_run.fed_mm);
+    /// t_П + (S_p/n)·(k+1)/K for radius k; after the revolution t_П += S_p/n.
+    bool step(const StepFeed& step) override {
+        ++m_steps;
+        const double infeed = step.infeed_mm;
         for (Place& place : m_places) {
-            place.stage = static_cast<int>(m_control.stage()) + 1;
-            place.cycleCount = m_revolutions;
+            place.stage = static_cast<int>(step.stage) + 1;
+            place.cycleCount = m_steps;
         }
         const double duration = units::secondsPerMinute / m_project.machine.work_speed_rpm;
         const PassFeed feed{m_run.fed_mm, 0, infeed, std::max(infeed, 0.0)};
@@ -98,8 +62,23 @@ private:
             m_run.cut(m_sections, 1, m_width, feed, nullptr, {});
         }
         m_run.fed_mm += infeed;
-        m_run.advance(duration, m_control.stage());
+        m_run.advance(duration, step.stage);
         return true;
+    }
+
+    SimulationResult finish(const std::vector<int>& stepsByStage) override {
+        SimulationResult result =
+            m_run.finish(stepsByStage, m_gaugePoint, m_sections, {Zone::section});
+        if (m_coupling) {
+            m_coupling->putPeaks(result);
+        }
+        return result;
+    }
+
+private:
+    static std::size_t gaugePoint(const Project& project) {
+        return static_cast<std::size_t>(project.gauge.position_mm ? project.sections
+                                                                  : gaugeSection(project));
     }
 
     bool couple(const PassFeed& feed) {
@@ -115,20 +94,45 @@ private:
     std::size_t m_sections;
     bool m_hasFreeGauge;
     std::stop_token m_stop;
-    Run m_run;
-    StageControl m_control;
     CutWidth m_width;
     std::vector<Place> m_places;
     std::optional<SectionCoupling> m_coupling; ///< with sections coupled
-    int m_revolutions = 0;
-    int m_idle = 0; ///< revolutions in a row that removed nothing
 };
+
+constexpr int idleRevolutions = 100;
 
 } // namespace
 
+std::unique_ptr<CycleSteps> plungeSteps(const Project& project, Trajectory* trajectory,
+                                        const std::stop_token& stop) {
+    return std::make_unique<PlungeSteps>(project, trajectory, stop);
+}
+
 SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
                                 const std::stop_token& stop) {
-    return PlungeCycle(project, trajectory, stop).run();
+    const std::unique_ptr<CycleSteps> steps = plungeSteps(project, trajectory, stop);
+    Run& run = steps->run();
+    StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
+    int idle = 0; // revolutions in a row that removed nothing
+    while (!control.finished() && !run.mustEnd()) {
+        const bool waits = control.waitsForSize();
+        const bool retracts = control.retracts();
+        const std::size_t stage = control.stage();
+        if (!steps->step({control.nextInfeed(run.fed_mm), stage})) {
+            break; // in the middle of a revolution, which then does not count
+        }
+        control.stepDone(steps->remaining(), run.fed_mm);
+        const double root = run.takeLargestRoot();
+        if (retracts && control.stage() == stage && root * root <= noProgress_mm) {
+            control.endStage();
+        }
+        idle = waits && root * root <= noProgress_mm ? idle + 1 : 0;
+        if (!control.finished() && idle >= idleRevolutions) {
+            run.setStatus(RunStatus::cannotReachSize);
+            break;
+        }
+    }
+    return steps->finish(control.stepsByStage());
 }
 
 } // namespace sparkout

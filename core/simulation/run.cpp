@@ -42,9 +42,6 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     for (const CompliantPoint& point : m_points) {
         m_lengthBefore.push_back(m_lengthBefore.back() + point.length_mm);
     }
-    m_result.project = project;
-    m_result.project.runs.clear();
-    m_result.engineVersion = version;
     m_result.timeByStage_s.assign(project.cycle.stages.size(), 0.0);
     m_result.sumsByStage.assign(project.cycle.stages.size(), {});
     if (m_trajectory) {
@@ -238,11 +235,14 @@ void keepLargestPeaks(SimulationResult& result) {
     result.peakPowerAt = power.at;
 }
 
-SimulationResult Run::finish(const StageControl& control, std::size_t gaugePoint,
+SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t gaugePoint,
                              std::size_t reported, const std::vector<Zone>& zones) {
+    m_result.project = m_project;
+    m_result.project.runs.clear();
+    m_result.engineVersion = version;
     closeStage();
     keepLargestPeaks(m_result);
-    m_result.countsByStage = control.stepsByStage();
+    m_result.countsByStage = stepsByStage;
     for (const int count : m_result.countsByStage) {
         m_result.cycleCount += count;
     }

@@ -26,6 +26,7 @@ struct CutWidth {
 };
 
 /// State and bookkeeping that traverse and plunge cycles share: lanes, time, peaks, trajectory.
+/// A copy goes on from where the run stands; the project must outlive both.
 /// Lanes are ordered zone by zone (section by section), K lanes each.
 class Run {
 public:
@@ -63,9 +64,19 @@ public:
     }
     void setStatus(RunStatus status) { m_result.status = status; }
 
-    /// Closes the books; the first `reported` points become the result's sections.
-    SimulationResult finish(const StageControl& control, std::size_t gaugePoint,
+    /// Closes the books of a run with so many steps in each stage; the first `reported` points
+    /// become the result's sections.
+    SimulationResult finish(const std::vector<int>& stepsByStage, std::size_t gaugePoint,
                             std::size_t reported, const std::vector<Zone>& zones);
+
+    /// What a run has reached so far, none of which ever falls: its books show it at the end.
+    [[nodiscard]] double time_s() const { return m_result.time_s; }
+    [[nodiscard]] long long visits() const { return m_result.visits; }
+    [[nodiscard]] double burnUsage() const { return m_watch.burnUsage(); }
+    /// Largest P_z·V_k [W] and largest a [mm] of a stage, from 0.
+    [[nodiscard]] const StageSums& sumsOf(std::size_t stage) const {
+        return m_result.sumsByStage[stage];
+    }
 
     double fed_mm = 0; ///< t_П
 

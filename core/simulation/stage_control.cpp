@@ -5,8 +5,15 @@
 
 namespace sparkout {
 
-namespace {
-constexpr double slack_mm = 1e-9; ///< added to every threshold, so that a last bit costs no step
+std::vector<double> infeedsOfStages(const Project& project) {
+    std::vector<double> feeds;
+    for (const Stage& stage : project.cycle.stages) {
+        feeds.push_back(project.operation == Operation::traverse
+                            ? stage.radial_feed_mm.value_or(0)
+                            : stage.radial_feed_mm_min.value_or(0)
+                                  / project.machine.work_speed_rpm);
+    }
+    return feeds;
 }
 
 StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
@@ -54,9 +61,9 @@ bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
         return m_steps[m_stage] >= sparkOut.count;
     }
     if (m_control == Control::position && sparkOut.mode == SparkOut::Mode::none) {
-        return fed_mm >= stageEndInfeed() - slack_mm;
+        return fed_mm >= stageEndInfeed() - stageSlack_mm;
     }
-    return remainingStock_mm <= m_laterStock[m_stage] + slack_mm;
+    return remainingStock_mm <= m_laterStock[m_stage] + stageSlack_mm;
 }
 
 void StageControl::stepDone(double remainingStock_mm, double fed_mm) {

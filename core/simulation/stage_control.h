@@ -7,6 +7,12 @@
 
 namespace sparkout {
 
+/// Added to every threshold, so that a last bit costs no step [mm].
+inline constexpr double stageSlack_mm = 1e-9;
+
+/// Infeed per step of each stage of the project's cycle [mm]; 0 where none is set.
+[[nodiscard]] std::vector<double> infeedsOfStages(const Project& project);
+
 /// Decides what is fed next and when a stage of the cycle ends [MODEL-7]. One step is a double
 /// stroke (traverse) or a revolution (plunge).
 class StageControl {

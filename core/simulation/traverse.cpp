@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/run.h"
+#include "core/simulation/cycle_steps.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace sparkout {
 
-namespace {
-
-/// A dwell in whole revolutions: ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell [MODEL-5].
 int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     if (dwell_s <= 0) {
         return 0;
@@ -20,82 +18,69 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
     return std::max(1, static_cast<int>(std::floor(x + 0.5 + 1e-9)));
 }
 
-std::vector<double> infeedsOfStages(const Project& project) {
-    std::vector<double> feeds;
-    for (const Stage& stage : project.cycle.stages) {
-        feeds.push_back(stage.radial_feed_mm.value_or(0));
-    }
-    return feeds;
-}
+namespace {
 
-/// One cycle of double strokes, step by step in the order of the table in MODEL-5.
-class TraverseCycle {
+/// Double strokes, step by step in the order of the table in MODEL-5.
+class TraverseSteps : public CycleSteps {
 public:
-    TraverseCycle(const Project& project, Zone gaugeZone, Trajectory* trajectory,
+    TraverseSteps(const Project& project, Zone gaugeZone, Trajectory* trajectory,
                   const std::stop_token& stop)
-        : m_project(project)
-        , m_gaugeZone(static_cast<std::size_t>(gaugeZone))
-        , m_run(project, compliantPoints(project), trajectory, stop)
-        , m_control(project, infeedsOfStages(project), m_run.blank().totalInfeed_mm)
-        , m_plunge1(m_run.makeCut(zoneLengths(project).rz1))
-        , m_plunge2(m_run.makeCut(zoneLengths(project).rz2))
-        , m_stroke(m_run.makeCut(0))
+        : CycleSteps(Run(project, compliantPoints(project), trajectory, stop),
+                     static_cast<std::size_t>(gaugeZone))
+        , m_project(project)
+        , m_plunge1(sharedCut(zoneLengths(project).rz1))
+        , m_plunge2(sharedCut(zoneLengths(project).rz2))
         , m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm()))
         , m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm()))
         , m_travel_mm(project.part.length_mm - project.wheel.width_mm
                       + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {}
 
-    SimulationResult run() {
-        std::size_t preparedStage = m_project.cycle.stages.size();
-        while (!m_control.finished() && !m_run.mustEnd()) {
-            if (m_control.stage() != preparedStage) {
-                preparedStage = m_control.stage();
-                prepareStage();
-            }
-            const bool waits = m_control.waitsForSize();
-            doubleStroke();
-            if (m_run.mustEnd()) {
-                break; // in the middle of a double stroke, which then does not count
-            }
-            m_control.stepDone(m_run.remaining(m_gaugeZone), m_run.fed_mm);
-            const double root = m_run.takeLargestRoot();
-            if (waits && !m_control.finished() && root * root <= noProgress_mm) {
-                m_run.setStatus(RunStatus::cannotReachSize);
-                break;
-            }
+    std::unique_ptr<CycleSteps> copy() const override {
+        return std::make_unique<TraverseSteps>(*this);
+    }
+
+    bool step(const StepFeed& feed) override {
+        if (feed.axialFeed_mm_min != m_axialFeed) {
+            m_axialFeed = feed.axialFeed_mm_min;
+            m_stroke = sharedCut(std::min(m_axialFeed / rpm(), m_project.wheel.width_mm));
         }
-        return m_run.finish(m_control, m_gaugeZone, zoneCount, {Zone::rz1, Zone::nz, Zone::rz2});
+        m_stage = feed.stage;
+        doubleStroke(feed.infeed_mm);
+        return !m_run.mustEnd();
+    }
+
+    SimulationResult finish(const std::vector<int>& stepsByStage) override {
+        return m_run.finish(stepsByStage, m_gaugePoint, zoneCount,
+                            {Zone::rz1, Zone::nz, Zone::rz2});
     }
 
 private:
     static constexpr std::size_t zoneCount = 3;
 
+    std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {
+        return std::make_shared<const CutWidth>(m_run.makeCut(width_mm));
+    }
+
     double rpm() const { return m_project.machine.work_speed_rpm; }
     double revolution_s() const { return units::secondsPerMinute / rpm(); }
-
-    void prepareStage() {
-        m_axialFeed = *m_project.cycle.stages[m_control.stage()].axial_feed_mm_min;
-        m_run.setWidth(m_stroke, std::min(m_axialFeed / rpm(), m_project.wheel.width_mm));
-    }
 
     Place place(Zone zone, Step step, int revolution = 1) const {
         return {.zone = zone,
                 .step = step,
                 .section = static_cast<int>(zone),
-                .stage = static_cast<int>(m_control.stage()) + 1,
-                .cycleCount = m_strokes,
+                .stage = static_cast<int>(m_stage) + 1,
+                .cycleCount = m_steps,
                 .revolution = revolution};
     }
 
-    void doubleStroke() {
-        ++m_strokes;
-        const double infeed = m_control.nextInfeed(m_run.fed_mm);
+    void doubleStroke(double infeed) {
+        ++m_steps;
         plungeIn(infeed);
-        dwell(Zone::rz1, Step::e2, m_plunge1, m_entryDwell);
+        dwell(Zone::rz1, Step::e2, *m_plunge1, m_entryDwell);
         stroke({Step::e3, Step::e1, Step::e1});
-        dwell(Zone::rz2, Step::e2, m_plunge2, m_exitDwell);
+        dwell(Zone::rz2, Step::e2, *m_plunge2, m_exitDwell);
         stroke({Step::e4, Step::e2, Step::e3});
-        dwell(Zone::rz1, Step::e5, m_plunge1, m_entryDwell);
+        dwell(Zone::rz1, Step::e5, *m_plunge1, m_entryDwell);
     }
 
     /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
@@ -106,10 +91,10 @@ private:
         const double perRevolution = feed / rpm();
         for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
             const Place at = place(Zone::rz1, Step::e1, m);
-            m_run.cut(0, 1, m_plunge1,
+            m_run.cut(0, 1, *m_plunge1,
                       {m_run.fed_mm, perRevolution * (m - 1), perRevolution, infeed}, &at,
                       {.duration_s = revolution_s(), .radialFeed_mm = infeed});
-            m_run.advance(revolution_s(), m_control.stage());
+            m_run.advance(revolution_s(), m_stage);
         }
         m_run.fed_mm += infeed;
     }
@@ -119,7 +104,7 @@ private:
             const Place at = place(zone, step, m);
             m_run.cut(static_cast<std::size_t>(zone), 1, width, {.base = m_run.fed_mm}, &at,
                       {.duration_s = revolution_s(), .radialFeed_mm = m_infeed});
-            m_run.advance(revolution_s(), m_control.stage());
+            m_run.advance(revolution_s(), m_stage);
         }
     }
 
@@ -128,33 +113,57 @@ private:
         const std::array places{place(Zone::rz1, steps[0]), place(Zone::nz, steps[1]),
                                 place(Zone::rz2, steps[2])};
         m_run.cut(
-            0, zoneCount, m_stroke, {.base = m_run.fed_mm}, places.data(),
+            0, zoneCount, *m_stroke, {.base = m_run.fed_mm}, places.data(),
             {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = m_infeed});
-        m_run.advance(duration, m_control.stage());
+        m_run.advance(duration, m_stage);
     }
 
     const Project& m_project;
-    std::size_t m_gaugeZone; ///< the gauge stands in its middle
-    Run m_run;
-    StageControl m_control;
-    CutWidth m_plunge1, m_plunge2, m_stroke;
+    std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< the same in copies
     int m_entryDwell, m_exitDwell;
     double m_travel_mm;
     double m_axialFeed = 0;
-    double m_infeed = 0; ///< of the running double stroke
-    int m_strokes = 0;
+    double m_infeed = 0;     ///< of the running double stroke
+    std::size_t m_stage = 0; ///< that it belongs to
 };
+
+SimulationResult simulateGauged(Zone gaugeZone, const Project& project, Trajectory* trajectory,
+                                const std::stop_token& stop) {
+    const std::unique_ptr<CycleSteps> steps = traverseSteps(project, gaugeZone, trajectory, stop);
+    Run& run = steps->run();
+    StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
+    while (!control.finished() && !run.mustEnd()) {
+        const bool waits = control.waitsForSize();
+        const Stage& stage = project.cycle.stages[control.stage()];
+        if (!steps->step(
+                {control.nextInfeed(run.fed_mm), control.stage(), *stage.axial_feed_mm_min})) {
+            break; // in the middle of a double stroke, which then does not count
+        }
+        control.stepDone(steps->remaining(), run.fed_mm);
+        const double root = run.takeLargestRoot();
+        if (waits && !control.finished() && root * root <= noProgress_mm) {
+            run.setStatus(RunStatus::cannotReachSize);
+            break;
+        }
+    }
+    return steps->finish(control.stepsByStage());
+}
 
 } // namespace
 
+std::unique_ptr<CycleSteps> traverseSteps(const Project& project, Zone gaugeZone,
+                                          Trajectory* trajectory, const std::stop_token& stop) {
+    return std::make_unique<TraverseSteps>(project, gaugeZone, trajectory, stop);
+}
+
 SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
                                   const std::stop_token& stop) {
-    return TraverseCycle(project, Zone::nz, trajectory, stop).run();
+    return simulateGauged(Zone::nz, project, trajectory, stop);
 }
 
 SimulationResult simulateTraverseGaugedIn(Zone zone, const Project& project,
                                           const std::stop_token& stop) {
-    return TraverseCycle(project, zone, nullptr, stop).run();
+    return simulateGauged(zone, project, nullptr, stop);
 }
 
 } // namespace sparkout

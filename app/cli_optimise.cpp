@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_optimise.h"
+
+#include "app/cli_io.h"
+#include "app/cli_optimise_report.h"
+#include "app/search_watch.h"
+#include "core/optimisation/binding.h"
+#include "core/optimisation/limit.h"
+#include "core/project/project_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace sparkout::cli {
+
+namespace {
+
+struct OptimiseOptions {
+    std::string file, output;
+    bool json = false, robust = false;
+    SearchMethod method = SearchMethod::pruned;
+    std::vector<double> stages; ///< empty: the file's
+    std::optional<double> timeLimit_s;
+    unsigned threads = 0;
+};
+
+template <class Number>
+std::optional<Number> numberIn(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(value)
+                                                                    : std::nullopt;
+}
+
+/// "1,2,3": numbers of stages, 1 to 5; empty where it is none.
+std::vector<double> stagesIn(std::string_view text) {
+    std::vector<double> stages;
+    while (true) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const auto count = numberIn<int>(text.substr(0, comma));
+        if (!count || *count < 1 || *count > 5) {
+            return {};
+        }
+        stages.push_back(*count);
+        if (comma == text.size()) {
+            return stages;
+        }
+        text.remove_prefix(comma + 1);
+    }
+}
+
+/// What an option's value may be; nothing where it has none.
+const char* valueOf(const std::string& option) {
+    if (option == "--method") {
+        return "search or full";
+    }
+    if (option == "--stages") {
+        return "numbers from 1 to 5 with commas between";
+    }
+    if (option == "--time-limit") {
+        return "a number of seconds";
+    }
+    if (option == "--threads") {
+        return "a number from 1 to 1024";
+    }
+    return option == "-o" ? "a file name" : nullptr;
+}
+
+bool readValue(const std::string& option, const std::string& value, OptimiseOptions& options) {
+    if (option == "--method") {
+        options.method = value == "full" ? SearchMethod::full : SearchMethod::pruned;
+        return value == "full" || value == "search";
+    }
+    if (option == "--stages") {
+        options.stages = stagesIn(value);
+        return !options.stages.empty();
+    }
+    if (option == "--time-limit") {
+        options.timeLimit_s = numberIn<double>(value);
+        return options.timeLimit_s && *options.timeLimit_s >= 0;
+    }
+    if (option == "--threads") {
+        const auto threads = numberIn<int>(value);
+        options.threads = static_cast<unsigned>(threads.value_or(0));
+        return threads && *threads >= 1 && *threads <= 1024;
+    }
+    options.output = value;
+    return !value.empty();
+}
+
+int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& options) {
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        if (argument == "--json") {
+            options.json = true;
+        } else if (argument == "--robust") {
+            options.robust = true;
+        } else if (const char* value = valueOf(argument)) {
+            if (++i == arguments.size() || !readValue(argument, arguments[i], options)) {
+                return usageError(argument + " needs " + value);
+            }
+        } else if (argument.size() > 1 && argument[0] == '-') {
+            return usageError("unknown option " + argument);
+        } else if (options.file.empty()) {
+            options.file = argument;
+        } else {
+            return usageError("one file or folder too many: " + argument);
+        }
+    }
+    if (options.file.empty()) {
+        return usageError("optimize needs a file");
+    }
+    return isSameFile(options.output, options.file)
+               ? usageError("-o would replace the project that is read: " + options.output)
+               : done;
+}
+
+/// Why the project's grid cannot be searched.
+std::optional<std::string> refusal(const Project& project) {
+    switch (Grid(project).fault()) {
+    case GridFault::none: break;
+    case GridFault::notGiven: return "/optimisation: what to search is not given";
+    case GridFault::noLevels:
+        return std::string("/optimisation: ")
+               + (project.operation == Operation::traverse ? "radial_feed_mm and axial_feed_mm_min"
+                                                           : "radial_feed_mm_min")
+               + " must be given";
+    case GridFault::tooManyLevels:
+        return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
+               + " settings of a stage's feeds";
+    case GridFault::tooManySteps:
+        return "/optimisation/stock_step_mm: more than "
+               + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
+    case GridFault::noDivision:
+        return "/optimisation: the stock cannot be divided into these numbers of stages";
+    }
+    if (project.optimisation->scenarios != OptimisationScenarios::nominal) {
+        return "/optimisation/scenarios: only nominal is searched; --robust varies the stock";
+    }
+    return std::nullopt;
+}
+
+OptimiseReport search(const Project& project, const OptimiseOptions& options) {
+    SearchWatch watch(options.timeLimit_s);
+    SearchOptions search;
+    search.method = options.method;
+    search.threads = options.threads;
+    search.onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); };
+    search.stop = watch.token();
+    OptimiseReport report;
+    report.project = project;
+    if (options.robust) {
+        report.robust = optimiseRobustly(project, freshStockPhases, {.search = search});
+        report.search = report.robust->search;
+    } else {
+        report.search = optimise(project, search);
+    }
+    report.limit_s = steplessLimit_s(project);
+    if (report.search.status == SearchStatus::stopped) { // no cycle at all is quicker than that
+        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
+    }
+    if (report.search.best) {
+        report.binding =
+            bindingRequirements(project, *report.search.best,
+                                report.robust ? report.robust->added : std::vector<Project>{});
+    }
+    return report;
+}
+
+} // namespace
+
+int runOptimise(const std::vector<std::string>& arguments) {
+    OptimiseOptions options;
+    if (const int failed = parseOptimise(arguments, options)) {
+        return failed;
+    }
+    std::optional<Project> project = load(options.file);
+    if (!project) {
+        return refused;
+    }
+    if (project->optimisation && !options.stages.empty()) {
+        project->optimisation->stages = options.stages;
+    }
+    if (const auto reason = refusal(*project)) {
+        print(stderr, options.file + ": " + *reason + '\n');
+        return refused;
+    }
+    const OptimiseReport report = search(*project, options);
+    if (options.json) {
+        print(stdout, optimiseJson(report));
+    } else if (hasAnswer(report)) {
+        print(stdout, optimiseText(report));
+    }
+    if (!hasAnswer(report)) {
+        print(stderr, options.file + ": " + noAnswerSentence(report) + '\n');
+        return nothingFeasible;
+    }
+    if (!options.output.empty()) {
+        project->cycle = report.search.cycle;
+        return save(options.output, writeProject(*project));
+    }
+    return done;
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_optimise_report.h"
+
+#include "app/cli_report.h"
+#include "core/optimisation/limit.h"
+#include "core/project/project_file.h"
+#include "core/simulation/simulate.h"
+#include "core/units.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array statusNames{"proved", "infeasible", "stopped"};
+
+const char* statusName(SearchStatus status) {
+    return statusNames[static_cast<std::size_t>(status)];
+}
+
+double minutes(double time_s) {
+    return time_s / units::secondsPerMinute;
+}
+double minutes(std::int64_t time_us) {
+    return minutes(static_cast<double>(time_us) * 1e-6);
+}
+
+/// The given cycle beside the one found.
+struct Given {
+    std::optional<double> time_s; ///< when it ends by itself
+    std::vector<const char*> fails;
+
+    explicit Given(const Project& project) {
+        const SimulationResult result = simulate(project);
+        if (result.status != RunStatus::completed) {
+            return;
+        }
+        time_s = result.time_s;
+        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
+            if (!each.holds) {
+                fails.push_back(constraintName(each.kind));
+            }
+        }
+    }
+};
+
+/// What cut, the most frequent first.
+std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& search) {
+    std::vector<std::pair<long long, const char*>> cuts;
+    for (int kind = 0; kind < constraintKinds; ++kind) {
+        if (const long long count = search.cuts[static_cast<std::size_t>(kind)]) {
+            cuts.emplace_back(count, constraintName(static_cast<ConstraintKind>(kind)));
+        }
+    }
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    return cuts;
+}
+
+ordered_json cycleJson(const OptimiseReport& report) {
+    Project best = report.project;
+    best.runs.clear();
+    best.cycle = report.search.cycle;
+    return ordered_json::parse(writeProject(best))["cycle"];
+}
+
+std::string joined(const std::vector<const char*>& names) {
+    std::string text;
+    for (const char* name : names) {
+        text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+    return text;
+}
+
+std::vector<const char*> bindingNames(const OptimiseReport& report) {
+    std::vector<const char*> names;
+    for (const ConstraintKind kind : report.binding) {
+        names.push_back(constraintName(kind));
+    }
+    return names;
+}
+
+std::string stageLine(const Stage& stage, std::size_t number) {
+    const std::string feeds = stage.radial_feed_mm
+                                  ? fixed(*stage.radial_feed_mm, 4) + " mm per double stroke, "
+                                        + fixed(*stage.axial_feed_mm_min, 0) + " mm/min axial"
+                                  : fixed(*stage.radial_feed_mm_min, 3) + " mm/min";
+    return "  stage " + std::to_string(number) + "            " + feeds + "; stock "
+           + fixed(stage.stock_mm, 4) + " mm\n";
+}
+
+std::string statusText(const OptimiseReport& report) {
+    const SearchSummary& search = report.search;
+    if (search.status == SearchStatus::proved) {
+        return report.robust ? "the quickest of the grid for the part and the stocks added, proved"
+                             : "the quickest of the grid, proved";
+    }
+    return "stopped: the best so far; none of the grid is quicker than "
+           + fixed(minutes(search.bound_s), 4) + " min";
+}
+
+std::string gridText(std::int64_t size) {
+    return size == std::numeric_limits<std::int64_t>::max() ? "more than 9e18"
+                                                            : std::to_string(size);
+}
+
+std::string givenText(const OptimiseReport& report, double best_s) {
+    const Given given(report.project);
+    if (!given.time_s) {
+        return "the file's cycle     does not end by itself\n";
+    }
+    const double saved = 1 - best_s / *given.time_s;
+    return "the file's cycle     " + fixed(minutes(*given.time_s), 4) + " min, "
+           + (given.fails.empty() ? "holds" : "fails: " + joined(given.fails))
+           + "; the one found takes " + fixed(std::abs(saved) * 100, 1)
+           + (saved < 0 ? " % longer\n" : " % less\n");
+}
+
+std::string robustText(const RobustSummary& robust, double best_s) {
+    const double nominal_s = static_cast<double>(robust.nominalTime_us) * 1e-6;
+    return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
+           + std::to_string(robust.rounds) + " rounds; costs "
+           + fixed((best_s / nominal_s - 1) * 100, 1) + " % of time\n";
+}
+
+} // namespace
+
+bool hasAnswer(const OptimiseReport& report) {
+    return report.search.best && (!report.robust || report.robust->holdsInSample);
+}
+
+std::string optimiseText(const OptimiseReport& report) {
+    const SearchSummary& search = report.search;
+    const double best_s = static_cast<double>(search.best->time_us) * 1e-6;
+    std::string text = "status               " + statusText(report) + '\n';
+    text += "machining time       " + fixed(minutes(best_s), 4) + " min; stepless limit "
+            + fixed(minutes(report.limit_s), 4) + " min, gap "
+            + fixed(gapToLimit(best_s, report.limit_s) * 100, 1) + " %\n";
+    for (std::size_t z = 0; z < search.cycle.stages.size(); ++z) {
+        text += stageLine(search.cycle.stages[z], z + 1);
+    }
+    text += givenText(report, best_s);
+    if (report.robust) {
+        text += robustText(*report.robust, best_s);
+    }
+    const std::string binding = joined(bindingNames(report));
+    text += "least margin         " + fixed(search.best->leastRelativeMargin * 100, 1) + " %\n";
+    text += "binding              "
+            + (binding.empty() ? "nothing: no cycle that differs in one setting is quicker"
+                               : binding + " in quicker cycles that differ in one setting")
+            + '\n';
+    const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
+    const long long visits = report.robust ? report.robust->visits : search.visits;
+    return text + "search               " + gridText(search.gridSize) + " cycles in the grid, "
+           + std::to_string(judged) + " judged, " + std::to_string(visits)
+           + " visits of a radius\n";
+}
+
+std::string optimiseJson(const OptimiseReport& report) {
+    const SearchSummary& search = report.search;
+    ordered_json root;
+    root["status"] = statusName(search.status);
+    root["cycle"] = nullptr;
+    root["cycle_time_min"] = nullptr;
+    root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
+    root["limit_time_min"] = minutes(report.limit_s);
+    root["gap"] = nullptr;
+    root["binding"] = bindingNames(report);
+    root["scenarios_added"] = report.robust ? report.robust->added.size() : 0;
+    if (search.best) {
+        const double best_s = static_cast<double>(search.best->time_us) * 1e-6;
+        root["cycle"] = cycleJson(report);
+        root["cycle_time_min"] = minutes(best_s);
+        root["gap"] = gapToLimit(best_s, report.limit_s);
+        root["least_relative_margin"] = search.best->leastRelativeMargin;
+    }
+    root["bound_time_min"] = minutes(search.bound_s);
+    root["grid_size"] = search.gridSize;
+    root["visits"] = report.robust ? report.robust->visits : search.visits;
+    ordered_json cuts = ordered_json::object();
+    for (const auto& [count, name] : cutsOf(search)) {
+        cuts[name] = count;
+    }
+    root["cut_by"] = std::move(cuts);
+    const Given given(report.project);
+    root["given"] = {{"cycle_time_min",
+                      given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
+                     {"fails", given.fails}};
+    if (report.robust) {
+        root["rounds"] = report.robust->rounds;
+        root["holds_in_sample"] = report.robust->holdsInSample;
+        root["nominal_time_min"] = minutes(report.robust->nominalTime_us);
+    }
+    return root.dump(2) + '\n';
+}
+
+std::string noAnswerSentence(const OptimiseReport& report) {
+    const SearchSummary& search = report.search;
+    std::string text;
+    if (search.best) {
+        text = "no cycle was found that holds in every phase of the stock";
+    } else if (search.status == SearchStatus::stopped) {
+        text = "stopped before a feasible cycle was found";
+    } else {
+        text = "no cycle of the grid is feasible";
+    }
+    std::string names;
+    for (const auto& [count, name] : cutsOf(search)) {
+        names += (names.empty() ? "; cut by " : ", ") + std::string(name) + " ("
+                 + std::to_string(count) + " times)";
+    }
+    return text + names;
+}
+
+} // namespace sparkout::cli

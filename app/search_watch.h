@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/optimise.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+
+namespace sparkout::cli {
+
+/// Watches a search from another thread: prints its progress to the standard error once a second,
+/// and stops it on Ctrl+C, SIGTERM or when its time is up. A second Ctrl+C ends the program.
+class SearchWatch {
+public:
+    explicit SearchWatch(std::optional<double> timeLimit_s);
+    ~SearchWatch();
+    SearchWatch(const SearchWatch&) = delete;
+    SearchWatch& operator=(const SearchWatch&) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return m_search.get_token(); }
+    /// By the search.
+    void note(const SearchProgress& progress);
+
+private:
+    void watch(const std::stop_token& ended);
+    void printProgress();
+
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+    std::optional<double> m_timeLimit_s;
+    std::stop_source m_search;
+    std::mutex m_mutex; ///< of the progress
+    std::optional<SearchProgress> m_progress;
+    std::condition_variable_any m_wake;
+    std::jthread m_thread; ///< last: begins when all is there
+};
+
+} // namespace sparkout::cli

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/cycle_runner.h"
+
+#include "core/simulation/stage_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+std::int64_t comparedTime_us(double time_s) {
+    return std::llround(time_s * 1e6);
+}
+
+void SearchCounts::add(const SearchCounts& other) {
+    evaluations += other.evaluations;
+    visits += other.visits;
+    for (std::size_t kind = 0; kind < cuts.size(); ++kind) {
+        cuts[kind] += other.cuts[kind];
+    }
+}
+
+CycleRunner::CycleRunner(const Project& project, const Grid& grid)
+    : m_grid(&grid), m_cuts(project) {
+    for (const std::size_t stages : grid.stageCounts()) {
+        m_starts.resize(std::max(m_starts.size(), stages + 1));
+        Start& start = m_starts[stages];
+        start.project = std::make_unique<Project>(project);
+        start.project->runs.clear();
+        start.project->cycle.stages.assign(stages, {});
+        start.steps = project.operation == Operation::traverse
+                          ? traverseSteps(*start.project, Zone::nz, nullptr, {})
+                          : plungeSteps(*start.project, nullptr, {});
+    }
+}
+
+std::shared_ptr<const CycleSteps> CycleRunner::begin(std::size_t stages) const {
+    return m_starts[stages].steps;
+}
+
+SimulationResult CycleRunner::finish(const GridCycle& cycle, const CycleSteps& steps,
+                                     const std::vector<int>& stepsByStage) {
+    m_starts[cycle.size()].project->cycle = m_grid->cycle(cycle);
+    return steps.copy()->finish(stepsByStage);
+}
+
+// Cycles of a grid neither spark out nor retract: none of their stages waits.
+std::optional<SimulationResult> CycleRunner::run(const GridCycle& cycle, std::int64_t slowest_us,
+                                                 SearchCounts& counts) {
+    Project& project = *m_starts[cycle.size()].project;
+    project.cycle = m_grid->cycle(cycle);
+    const std::unique_ptr<CycleSteps> steps = begin(cycle.size())->copy();
+    Run& run = steps->run();
+    StageControl control(project, infeedsOfStages(project), run.blank().totalInfeed_mm);
+    while (!control.finished() && !run.mustEnd()) {
+        const std::size_t stage = control.stage();
+        if (!steps->step({control.nextInfeed(run.fed_mm), stage,
+                          m_grid->settings()[cycle[stage].setting].axialFeed_mm_min})) {
+            break;
+        }
+        control.stepDone(steps->remaining(), run.fed_mm);
+        const auto broken = m_cuts.broken(run, stage);
+        if (broken) {
+            ++counts.cuts[static_cast<std::size_t>(*broken)];
+        }
+        if (broken || comparedTime_us(run.time_s()) > slowest_us) {
+            counts.visits += run.visits();
+            return std::nullopt;
+        }
+    }
+    counts.visits += run.visits();
+    return steps->finish(control.stepsByStage());
+}
+
+} // namespace sparkout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/optimise.h"
+#include "core/optimisation/pass_cuts.h"
+#include "core/simulation/cycle_steps.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max();
+
+/// The time that cycles are compared by.
+[[nodiscard]] std::int64_t comparedTime_us(double time_s);
+
+/// What a search adds up beside the best cycle.
+struct SearchCounts {
+    long long evaluations = 0, visits = 0;
+    std::array<long long, constraintKinds> cuts{};
+    void add(const SearchCounts& other);
+};
+
+/// Runs the cycles of a grid on one part, each from the blank and with the passes of simulate().
+/// What does not depend on the cycle (blank, limits) is made once.
+class CycleRunner {
+public:
+    /// The project of the grid, or another state of its part.
+    CycleRunner(const Project& project, const Grid& grid);
+
+    /// A cycle at the end of which all is as simulate() has it; nothing when it was stopped: slower
+    /// than `slowest_us`, or its passes break a requirement, which then counts as cut.
+    [[nodiscard]] std::optional<SimulationResult>
+    run(const GridCycle& cycle, std::int64_t slowest_us, SearchCounts& counts);
+    /// The steps of a cycle with so many stages before the first, to copy.
+    [[nodiscard]] std::shared_ptr<const CycleSteps> begin(std::size_t stages) const;
+    /// Closes the books of a run of this cycle, begun by a copy of begin().
+    [[nodiscard]] SimulationResult finish(const GridCycle& cycle, const CycleSteps& steps,
+                                          const std::vector<int>& stepsByStage);
+    [[nodiscard]] const PassCuts& cuts() const { return m_cuts; }
+
+private:
+    /// The steps refer to the project, whose cycle is put in place when they finish.
+    struct Start {
+        std::unique_ptr<Project> project;
+        std::shared_ptr<const CycleSteps> steps;
+    };
+
+    const Grid* m_grid;
+    PassCuts m_cuts;
+    std::vector<Start> m_starts; ///< by number of stages
+};
+
+} // namespace sparkout

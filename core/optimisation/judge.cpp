@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/judge.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) {
+    if (a.time_us != b.time_us) {
+        return a.time_us < b.time_us;
+    }
+    if (a.leastRelativeMargin != b.leastRelativeMargin) {
+        return a.leastRelativeMargin > b.leastRelativeMargin;
+    }
+    return grid.before(a.cycle, b.cycle);
+}
+
+Judge::Judge(const Grid& grid, const std::vector<Project>& scenarios) : m_grid(grid) {
+    m_scenarios.reserve(scenarios.size());
+    for (const Project& scenario : scenarios) {
+        m_scenarios.emplace_back(scenario, grid);
+    }
+}
+
+std::optional<double> Judge::leastMargin(const SimulationResult& result) {
+    if (result.status != RunStatus::completed) {
+        return std::nullopt;
+    }
+    bool holds = true;
+    double least = std::numeric_limits<double>::infinity();
+    for (const ConstraintResult& constraint : worstByKind(evaluateConstraints(result))) {
+        least = std::min(least, constraint.relativeMargin);
+        if (!constraint.holds) {
+            holds = false;
+            ++counts.cuts[static_cast<std::size_t>(constraint.kind)];
+        }
+    }
+    return holds ? std::optional(least) : std::nullopt;
+}
+
+std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) {
+    for (std::size_t i = 0; i < m_scenarios.size(); ++i) {
+        const auto result = m_scenarios[i].run(cycle, noTime_us, counts);
+        const std::optional<double> there = result ? leastMargin(*result) : std::nullopt;
+        if (!there) {
+            std::swap(m_scenarios[0], m_scenarios[i]);
+            return std::nullopt;
+        }
+        margin = std::min(margin, *there);
+    }
+    return margin;
+}
+
+bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
+    ++counts.evaluations;
+    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0};
+    if (found.time_us > bestTime_us()) {
+        return false;
+    }
+    const std::optional<double> margin = leastMargin(result);
+    const int all = m_scenarios.empty() ? 0 : merged; // the first comes first in grid order
+    bool best = false;
+    for (int more = 0; margin && more <= all; ++more) {
+        if (const auto least = leastMargin(found.cycle, *margin)) {
+            found.leastRelativeMargin = *least;
+            best |= offer(found);
+        }
+        if (more < all) {
+            ++found.cycle[cycle.size() - 2].steps;
+        }
+    }
+    return best;
+}
+
+bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
+    if (const auto result = runner.run(cycle, bestTime_us(), counts)) {
+        return judge(cycle, *result);
+    }
+    ++counts.evaluations;
+    return false;
+}
+
+bool Judge::offer(const FeasibleCycle& found) {
+    if (m_best && !isBetter(found, *m_best, m_grid)) {
+        return false;
+    }
+    m_best = found;
+    return true;
+}
+
+} // namespace sparkout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/cycle_runner.h"
+
+namespace sparkout {
+
+/// Whether a is the better of two feasible cycles.
+[[nodiscard]] bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid);
+
+/// Decides on cycles by their simulation, and keeps the best.
+class Judge {
+public:
+    Judge(const Grid& grid, const std::vector<Project>& scenarios);
+
+    /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is.
+    /// On the part itself so many further cycles, with one step of stock more in the stage before
+    /// the last each, came out the same.
+    bool judge(const GridCycle& cycle, const SimulationResult& result, int merged = 0);
+    /// Runs and judges a cycle.
+    bool decide(const GridCycle& cycle, CycleRunner& runner);
+    /// A best cycle found elsewhere.
+    bool offer(const FeasibleCycle& found);
+
+    [[nodiscard]] const std::optional<FeasibleCycle>& best() const { return m_best; }
+    [[nodiscard]] std::int64_t bestTime_us() const { return m_best ? m_best->time_us : noTime_us; }
+    SearchCounts counts;
+
+private:
+    /// The least relative margin; nothing when a requirement fails.
+    std::optional<double> leastMargin(const SimulationResult& result);
+    /// The same on the scenarios, from that of the part.
+    std::optional<double> leastMargin(const GridCycle& cycle, double margin);
+
+    const Grid& m_grid;
+    std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
+    std::optional<FeasibleCycle> m_best;
+};
+
+} // namespace sparkout

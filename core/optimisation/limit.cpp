@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/limit.h"
+
+#include "core/optimisation/grid.h"
+#include "core/process/coupled_sections.h"
+#include "core/process/profile.h"
+#include "core/quality/depth_limits.h"
+#include "core/simulation/cycle_steps.h"
+#include "core/simulation/stage_control.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int stockCells = 100, feedCells = 120;
+constexpr double slowestShare = 1e-3; ///< of the fastest axial feed: the cells' first upper end
+
+/// The greatest a feed can be: of the machine's range, or of what is set and searched.
+double greatest(const std::optional<std::vector<double>>& range, const Levels& levels,
+                const Project& project, std::optional<double> Stage::*feed) {
+    if (range && range->size() == 3) {
+        return (*range)[1];
+    }
+    double most = 0;
+    for (const double level : levelValues(levels)) {
+        most = std::max(most, level);
+    }
+    for (const Stage& stage : project.cycle.stages) {
+        most = std::max(most, (stage.*feed).value_or(0));
+    }
+    return most;
+}
+
+/// Least of the depths allowed at every pass [mm], and no more than what counts: the stock.
+double leastLimit(const Project& project, double b, double stock_mm) {
+    double least = project.part.stock_mm;
+    for (const DepthLimit& limit : depthLimits(project, b, stock_mm)) {
+        if (limit.kind != ConstraintKind::roughness) { // binds the last cut alone
+            least = std::min(least, limit.depth_mm);
+        }
+    }
+    return least;
+}
+
+/// The steps of a cycle as far as their time goes.
+class StepTimes {
+public:
+    explicit StepTimes(const Project& project)
+        : m_project(project)
+        , m_traverse(project.operation == Operation::traverse)
+        , m_revolution_s(units::secondsPerMinute / project.machine.work_speed_rpm) {
+        const Machine& machine = project.machine;
+        const Optimisation grid = project.optimisation.value_or(Optimisation{});
+        if (!m_traverse) {
+            infeed_mm = greatest(machine.limits.plunge_feed_mm_min, grid.radial_feed_mm_min,
+                                 project, &Stage::radial_feed_mm_min)
+                        / machine.work_speed_rpm;
+            return;
+        }
+        infeed_mm = greatest(machine.limits.radial_feed_mm, grid.radial_feed_mm, project,
+                             &Stage::radial_feed_mm);
+        m_fastest = greatest(machine.limits.axial_feed_mm_min, grid.axial_feed_mm_min, project,
+                             &Stage::axial_feed_mm_min);
+        m_dwells_s = m_revolution_s
+                     * (2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
+                        + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm));
+        m_travel_mm = project.part.length_mm - project.wheel.width_mm + machine.overrun_entry_mm
+                      + machine.overrun_exit_mm;
+    }
+
+    double infeed_mm = 0; ///< the greatest of a step
+
+    /// Least time of a step [s].
+    [[nodiscard]] double least_s() const { return m_traverse ? step_s(m_fastest) : m_revolution_s; }
+
+    /// ρ(s), or more [mm/s].
+    [[nodiscard]] double rate(double stock_mm) const {
+        if (!m_traverse) {
+            const double slices = isCoupled(m_project) ? m_project.sections : 1;
+            return leastLimit(m_project, m_project.part.length_mm / slices, stock_mm)
+                   / m_revolution_s;
+        }
+        double most = 0;
+        double low = 0; // the first cell goes on down to a standstill, where no drive is needed
+        for (int i = 0; i <= feedCells; ++i) {
+            const double high =
+                m_fastest * std::pow(slowestShare, 1 - static_cast<double>(i) / feedCells);
+            const double width =
+                std::min(std::max(low, m_fastest * 1e-9) / m_project.machine.work_speed_rpm,
+                         m_project.wheel.width_mm);
+            most = std::max(most, leastLimit(m_project, width, stock_mm) / (step_s(high) / 2));
+            low = high;
+        }
+        return most;
+    }
+
+private:
+    [[nodiscard]] double step_s(double axialFeed_mm_min) const {
+        return m_dwells_s + 2 * m_travel_mm / axialFeed_mm_min * units::secondsPerMinute;
+    }
+
+    const Project& m_project;
+    bool m_traverse;
+    double m_revolution_s, m_dwells_s = 0, m_travel_mm = 0;
+    double m_fastest = 0; ///< S_ax [mm/min]
+};
+
+} // namespace
+
+double steplessLimit_s(const Project& project) {
+    const Blank blank = makeBlank(project.part);
+    const StepTimes times(project);
+    if (times.infeed_mm <= 0) {
+        return 0;
+    }
+    const double all = blank.totalInfeed_mm - 2 * stageSlack_mm;
+    const double steps = std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
+    // a last step cut short still takes its dwells and strokes
+    double limit_s = steps * times.least_s();
+    if (project.gauge.control == Control::gauge && !project.gauge.position_mm) {
+        const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
+        const double cell = (all - deepest) / stockCells;
+        double sum_s = 0;
+        for (int i = 1; i <= stockCells && cell > 0; ++i) {
+            sum_s += cell / times.rate(2 * stageSlack_mm + i * cell);
+        }
+        limit_s = std::max(limit_s, sum_s);
+    }
+    return limit_s * (1 - 1e-9);
+}
+
+} // namespace sparkout

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+namespace sparkout {
+
+/// The stepless limit: no cycle that ends by the gauge and holds the requirements on burn, power
+/// and self-sharpening is quicker, however many stages it has and whatever their feeds [MODEL-8].
+///
+/// When the gauge ends the cycle, Π_rem ≤ slack. Π_rem is |R_first − R_t| less a mean of depths of
+/// the gauged section, so one of its radii stands within the slack of target or beyond. It came
+/// from a stock of at least Π, the least of the blank. Let s be the stock it has left. A pass of
+/// the width b takes a ≤ L_b(s after it), the least of the depths that the requirements allow; L
+/// rises with s (burn) or does not depend on it. Between two passes at least τ(v) passes: 1/n in
+/// plunge; in traverse the gauged zone sees two passes in a double stroke, whose dwells and two
+/// strokes at the axial feed v, b = min(v/n, B), are charged in halves. With
+///
+///     ρ(s) = max over v of L_b(s)/τ(v),
+///
+/// which does not fall with s, a pass from s₁ to s₂ < s₁ has
+///
+///     ∫_{s₂}^{s₁} ds/ρ(s) ≤ (s₁ − s₂)/ρ(s₂) = a/ρ(s₂) ≤ τ(v),
+///
+/// and the sum over all passes is T_lim = ∫₀^Π ds/ρ(s) ≤ T. The integral is taken as its lower
+/// sum, with ρ at the upper end of each cell; over a cell of v, L_b at its lower and τ at its upper
+/// end is not less than L_b/τ within. So what is returned is itself a bound. Of a pass no more than
+/// Π counts, so L_b = Π where nothing limits it.
+///
+/// Feeds are free up to the machine's range, without one up to the greatest of the grid and of the
+/// project's cycle. With the greatest infeed f of a step also T ≥ ⌈|R_first − R_t|/f⌉ steps, since
+/// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
+/// size is not gauged, only the second does.
+///
+/// Cycles that end by a count of spark-outs end without size, and are not meant. With sections
+/// coupled the drive has the power of all sections, of which one has at least its slice's.
+///
+/// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
+/// that the requirements are held against: for a free position the second bound alone is taken.
+[[nodiscard]] double steplessLimit_s(const Project& project);
+
+/// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T.
+[[nodiscard]] inline double gapToLimit(double time_s, double limit_s) {
+    return time_s > 0 ? 1 - limit_s / time_s : 0;
+}
+
+} // namespace sparkout

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/grid.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/result.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// The quickest cycle of a project's grid that holds every requirement [MODEL-8].
+///
+/// A cycle is feasible when it ends by itself and, for the part and in every scenario, every
+/// listed requirement holds, as simulate() and evaluateConstraints() find it: no surrogate takes
+/// part in the answer. Times are compared in whole microseconds, so that equal times are equal
+/// however their seconds were added up; among equal times the larger least relative margin wins,
+/// then the first in grid order. The best of a grid is thus one cycle, whatever the method, the
+/// number of threads and the order of the search.
+namespace sparkout {
+
+enum class SearchMethod {
+    full,   ///< runs every cycle of the grid from the blank, until it is decided
+    pruned, ///< the same answer, proven, from fewer simulations
+};
+
+/// A feasible cycle of the grid and what it is compared by.
+struct FeasibleCycle {
+    GridCycle cycle;
+    std::int64_t time_us = 0;
+    double leastRelativeMargin = 0;
+};
+
+/// Where a full search was stopped, to go on from.
+struct SearchCheckpoint {
+    GridCycle last; ///< the last cycle that was judged, all before it too; empty: none
+    std::optional<FeasibleCycle> best;
+};
+
+struct SearchProgress {
+    std::optional<FeasibleCycle> best; ///< so far
+    double bound_s = 0;                ///< no feasible cycle is quicker than this and the best
+    long long evaluations = 0;         ///< cycles decided on one by one
+    double share = 0;                  ///< of the grid done; full search
+};
+
+struct SearchOptions {
+    SearchMethod method = SearchMethod::pruned;
+    unsigned threads = 0; ///< of the full search; 0: as many as the machine has
+    /// The pruned search's, about; with less of it the order of its branches, never its answer,
+    /// is another.
+    std::size_t memory_bytes = std::size_t{1} << 30;
+    /// The part's other states in which the cycle must hold: projects whose cycles are replaced.
+    std::vector<Project> scenarios;
+    std::optional<SearchCheckpoint> resume;                ///< full search
+    std::function<void(const SearchProgress&)> onProgress; ///< by one thread at a time
+    std::stop_token stop;
+};
+
+enum class SearchStatus {
+    proved,     ///< the best cycle of the grid
+    infeasible, ///< no cycle of the grid is feasible
+    stopped,    ///< on request: best so far and bound
+};
+
+struct SearchSummary {
+    SearchStatus status = SearchStatus::infeasible;
+    std::optional<FeasibleCycle> best;
+    Cycle cycle;               ///< the best one, as a project states it
+    double bound_s = 0;        ///< no cycle of the grid that holds is quicker
+    std::int64_t gridSize = 0; ///< cycles in the grid
+    long long evaluations = 0; ///< cycles decided on one by one
+    long long visits = 0;      ///< radii under the wheel, of all runs
+    /// How often each requirement cut, by kind: a cycle counts for each it breaks, a branch that
+    /// was dropped at a pass once.
+    std::array<long long, constraintKinds> cuts{};
+    SearchCheckpoint checkpoint; ///< full search
+};
+
+/// Searches the grid of a valid project. An empty grid is infeasible.
+[[nodiscard]] SearchSummary optimise(const Project& project, const SearchOptions& options = {});
+
+} // namespace sparkout

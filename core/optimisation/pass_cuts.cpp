@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/pass_cuts.h"
+
+#include "core/process/coupled_sections.h"
+#include "core/quality/cutting.h"
+#include "core/quality/self_sharpening.h"
+
+namespace sparkout {
+
+namespace {
+constexpr double burnTableError = 1e-4; ///< of √a over its limit, generously
+constexpr double peakRounding = 1e-9;
+constexpr double wattsPerKilowatt = 1e3;
+} // namespace
+
+// With sections coupled peak power is an integral over the length, which the passes do not keep.
+PassCuts::PassCuts(const Project& project) : m_burn(project.material.burn_rise_k.has_value()) {
+    const Machine& machine = project.machine;
+    if (machine.wheel_drive_kw && !isCoupled(project)) {
+        m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + peakRounding);
+    }
+    if (machine.work_drive_kw && !isCoupled(project)) {
+        const Cutting cutting = cuttingOf(project);
+        m_workPower_w = *machine.work_drive_kw * wattsPerKilowatt * cutting.Vk_mm_s
+                        / cutting.Vd_mm_s * (1 + peakRounding);
+    }
+    if (const auto model = selfSharpening(project)) {
+        if (const auto depth = model->limitDepth()) {
+            m_depth_mm = *depth * (1 + peakRounding);
+        }
+    }
+}
+
+std::optional<ConstraintKind> PassCuts::broken(const Run& run, std::size_t stage) const {
+    const StageSums& sums = run.sumsOf(stage);
+    if (m_burn && run.burnUsage() > 1 + burnTableError) {
+        return ConstraintKind::burn;
+    }
+    if (m_depth_mm && sums.depth_mm.value > *m_depth_mm) {
+        return ConstraintKind::selfSharpening;
+    }
+    if (m_wheelPower_w && sums.power_w.value > *m_wheelPower_w) {
+        return ConstraintKind::wheelPower;
+    }
+    if (m_workPower_w && sums.power_w.value > *m_workPower_w) {
+        return ConstraintKind::workPower;
+    }
+    return std::nullopt;
+}
+
+} // namespace sparkout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+#include "core/simulation/run.h"
+
+#include <optional>
+
+namespace sparkout {
+
+/// Tells in the middle of a cycle that it cannot hold a requirement on its passes. The nearness to
+/// burning, the largest power and the largest depth only grow, so what is broken stays broken. Cut
+/// is only what is broken by more than the means of judging are off; the rest is left to the
+/// evaluation of the whole cycle.
+class PassCuts {
+public:
+    explicit PassCuts(const Project& project);
+    /// After a step of a stage, from 0.
+    [[nodiscard]] std::optional<ConstraintKind> broken(const Run& run, std::size_t stage) const;
+
+private:
+    bool m_burn;
+    std::optional<double> m_wheelPower_w, m_workPower_w; ///< P_z·V_k allowed by the two drives
+    std::optional<double> m_depth_mm;                    ///< of self-sharpening
+};
+
+} // namespace sparkout

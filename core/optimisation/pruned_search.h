@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/optimise.h"
+
+/// Why the pruned search finds the full search's cycle.
+///
+/// 1. Shared prefixes. A step depends on the state and its feed alone (CycleSteps), and a stage's
+///    end on the reading after its steps. So cycles that agree up to a stage have the same state
+///    behind it, bit by bit, and under gauge control, where no feed depends on the stocks, a stage
+///    run once to the last possible end passes through all its ends for all stocks. (Under position
+///    control the last step is cut short by the stock: each stock is run for itself,
+///    and what comes out is run again as the project states it, to the last bit of its stocks.)
+/// 2. Merged states. Ends that fall on one step leave one state. From the end with the most stock
+///    left every continuation of the others is possible, with the same passes, hence the same time
+///    and margins, and it comes first in grid order. So this one alone is gone on from. Other parts
+///    end their stages elsewhere: with scenarios only ends of the stage before the last are merged,
+///    and where the part itself holds, each of their cycles is run on the scenarios.
+/// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
+///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
+///    the bound of the next one holds for all that is left; those beyond the memory given newest
+///    first, their bounds not below the last one taken in order.
+/// 4. Cuts. A branch is dropped when PassCuts tells that its passes break a requirement.
+///
+/// Whatever remains is judged as the full search does, from the same result of the same passes.
+namespace sparkout {
+
+/// Fills everything but `cycle` and `gridSize`. Whenever it is stopped, the bound holds for all
+/// cycles of the grid.
+[[nodiscard]] SearchSummary prunedSearch(const Project& project, const Grid& grid,
+                                         const SearchOptions& options);
+
+} // namespace sparkout

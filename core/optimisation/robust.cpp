@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/robust.h"
+
+#include "core/simulation/simulate.h"
+#include "core/simulation/stage_control.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// The least relative margin of what fails; 0 when all holds.
+double worstFailure(const SimulationResult& result) {
+    if (result.status != RunStatus::completed) {
+        return -std::numeric_limits<double>::infinity();
+    }
+    double worst = 0;
+    for (const ConstraintResult& constraint : evaluateConstraints(result)) {
+        if (!constraint.holds) {
+            worst = std::min(worst, constraint.relativeMargin);
+        }
+    }
+    return worst;
+}
+
+} // namespace
+
+RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& source,
+                               const RobustOptions& options) {
+    RobustSummary summary;
+    SearchOptions search = options.search;
+    while (summary.rounds < options.mostRounds) {
+        summary.search = optimise(project, search);
+        summary.evaluations += summary.search.evaluations;
+        summary.visits += summary.search.visits;
+        if (summary.rounds++ == 0 && summary.search.best) {
+            summary.nominalTime_us = summary.search.best->time_us;
+        }
+        if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
+            return summary;
+        }
+        Project best = project;
+        best.cycle = summary.search.cycle;
+        double worst = 0;
+        std::optional<Project> failing;
+        for (Project& scenario : source(best, summary.rounds - 1)) {
+            scenario.cycle = best.cycle;
+            const double failure = worstFailure(simulate(scenario));
+            if (failure < worst) {
+                worst = failure;
+                failing = std::move(scenario);
+            }
+        }
+        if (!failing) {
+            summary.holdsInSample = true;
+            return summary;
+        }
+        search.scenarios.push_back(*failing);
+        summary.added.push_back(std::move(*failing));
+    }
+    return summary;
+}
+
+std::vector<Project> stockPhases(const Project& project, int phases, double from) {
+    std::vector<Project> spread;
+    for (const double infeed_mm : infeedsOfStages(project)) {
+        for (int i = 0; i < phases && infeed_mm > 0; ++i) {
+            spread.push_back(project);
+            spread.back().part.stock_mm += infeed_mm * (i + from) / phases;
+        }
+    }
+    return spread;
+}
+
+// Multiples of the golden section, without their whole part, fill the unit evenly.
+std::vector<Project> freshStockPhases(const Project& best, int round) {
+    const double turns = (std::numbers::phi - 1) * round;
+    return stockPhases(best, 16, turns - std::floor(turns));
+}
+
+} // namespace sparkout

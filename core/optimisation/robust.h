@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/optimise.h"
+
+#include <functional>
+#include <vector>
+
+namespace sparkout {
+
+/// The scenarios to test a cycle on in a round, from 0: fixed ones, or a fresh sample each time.
+using ScenarioSource = std::function<std::vector<Project>(const Project& best, int round)>;
+
+struct RobustOptions {
+    SearchOptions search; ///< its scenarios are in the set from the beginning
+    int mostRounds = 50;
+};
+
+struct RobustSummary {
+    SearchSummary search;            ///< of the last round
+    std::vector<Project> added;      ///< the scenarios that had to be added
+    int rounds = 0;                  ///< searches made
+    long long evaluations = 0;       ///< of all rounds
+    long long visits = 0;            ///< of all rounds, without the tests
+    bool holdsInSample = false;      ///< none of the last round's scenarios failed
+    std::int64_t nominalTime_us = 0; ///< of the first round's best; 0: none
+};
+
+/// Optimises, tests the best cycle on the source's scenarios, adds the one that fails by most to
+/// those it must hold in, and again, until none fails [MODEL-8]. The answer is the best of the
+/// grid for the scenarios in the set; that it holds in others is shown for the last sample alone.
+[[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& source,
+                                             const RobustOptions& options = {});
+
+/// The project with stocks spread evenly over one infeed of each stage of its cycle, `phases` a
+/// stage, from a share of a phase on: where the last step falls decides on the size, and corners
+/// alone miss it.
+[[nodiscard]] std::vector<Project> stockPhases(const Project& project, int phases = 16,
+                                               double from = 0);
+
+/// Stock phases that differ from round to round, evenly over many rounds.
+[[nodiscard]] std::vector<Project> freshStockPhases(const Project& best, int round);
+
+} // namespace sparkout

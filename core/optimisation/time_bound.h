@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/grid.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// How long a cycle of a grid takes at least from a state on.
+///
+/// The gauge ends the cycle when Π_rem ≤ 0, up to the control's slack of 1 nm. Π_rem is |R_first −
+/// R_t| = Π + ΔR less a mean of depths (of two opposite radii, or of all). A depth starts at ΔR or
+/// less and is cut to no more than the programmed infeed (a ≤ h = t_П − depth), so a mean beyond ΔR
+/// needs as much infeed. With later stock L < Π, as all in the grid are, at the end of a stage
+///
+///     t_П ≥ |R_first − R_t| − L − slack,
+///
+/// and under position control this is its end. A step of infeed x takes at least c(v) + x/S_rad in
+/// traverse (c: dwells and both strokes at the axial feed v; N_E1 ≥ n·x/S_rad), 1/n in plunge.
+/// Hence a stage's step of infeed x ≤ f costs at least x·r, r = c(v)/f + 1/S_rad (plunge: 1/(n·f)):
+/// what is fed in a stage of feed f takes at least r a mm, and whatever the stages to come, each mm
+/// at least the least r of those settings that may come. A running stage must feed at least up to
+/// its nearest end at its own r. The last stage, whose feed is known, must make all of the steps
+/// ⌈infeed/f⌉ (under position control the last one may be short).
+class TimeBound {
+public:
+    TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm);
+
+    /// Infeed of a step of the setting [mm].
+    [[nodiscard]] double infeed_mm(std::size_t setting) const { return m_rates[setting].infeed_mm; }
+    /// Least time [s] from t_П = `fed_mm` on to the end of the cycle, in a stage of the setting
+    /// that does not end before the stock left is `later_mm` and that is the last or not.
+    [[nodiscard]] double rest_s(std::size_t setting, double fed_mm, double later_mm,
+                                bool last) const;
+
+private:
+    struct Rate {
+        double infeed_mm = 0;     ///< f
+        double fixed_s = 0;       ///< of a step, whatever it feeds
+        double step_s = 0;        ///< of a full step
+        double s_per_mm = 0;      ///< r
+        double next_s_per_mm = 0; ///< least r of the settings that may follow, itself among them
+    };
+    std::vector<Rate> m_rates;
+    double m_total;
+    bool m_shortLastStep;
+};
+
+} // namespace sparkout

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the searches for the quickest cycle are. The lines are `BENCH name value target ratio`:
+// value in ns of processor time, or a count; ratio to the time allowed, or to another search of the
+// same run. The exit status is 1 when a ratio is beyond four times its target.
+#include "core/optimisation/optimise.h"
+#include "core/optimisation/robust.h"
+#include "core/project/project_file.h"
+#include "core/project/safe_file.h"
+
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <variant>
+#include <vector>
+
+using namespace sparkout;
+
+namespace {
+
+constexpr double ns = 1e9;
+
+Project example(const std::string& name) {
+    const auto text =
+        readFile(SPARKOUT_SOURCE_DIR "/resources/examples/" + name, limits::fileBytes);
+    return readProject(std::get<std::string>(text)).project.value();
+}
+
+SteppedLevels steps(double step, int count) {
+    return {step, step * count, step};
+}
+
+/// The shaft 30h6 with accuracy, burn and power; 144 settings of a stage's feeds, 14 last stocks.
+Project shaft(double stages) {
+    Project p = example("shaft-30h6-factory.sparkout");
+    p.optimisation = Optimisation{};
+    p.optimisation->stages = {stages};
+    p.optimisation->stock_step_mm = 0.005;
+    p.optimisation->last_stock_mm = std::vector<double>{0.005, 0.07};
+    p.optimisation->radial_feed_mm = steps(0.001, 12);
+    p.optimisation->axial_feed_mm_min = steps(300, 12);
+    return p;
+}
+
+/// A plunge with so many feeds and levels of stock, and up to five stages.
+Project plunge(int feeds, int levels) {
+    Project p = example("plunge-shaft-two-stage.sparkout");
+    p.optimisation->stages = {1, 2, 3, 4, 5};
+    p.optimisation->stock_step_mm = p.part.stock_mm / levels;
+    p.optimisation->radial_feed_mm_min = steps(0.8 / feeds, feeds);
+    return p;
+}
+
+/// 64 corners: stock, runout, dullness, flow stress, wheel diameter and compliance, two each.
+std::vector<Project> corners(const Project& part) {
+    std::vector<Project> all{part};
+    const auto vary = [&all](const auto& change) {
+        std::vector<Project> both = all;
+        for (Project& p : both) {
+            change(p);
+        }
+        all.insert(all.end(), both.begin(), both.end());
+    };
+    vary([](Project& p) { p.part.stock_mm += 0.01; });
+    vary([](Project& p) { p.part.initial_runout_mm += 0.01; });
+    vary([](Project& p) { p.wheel.dullness += 0.01; });
+    vary([](Project& p) { p.material.flow_stress_mpa *= 1.05; });
+    vary([](Project& p) { p.wheel.diameter_mm -= 20; });
+    vary([](Project& p) {
+        ZoneCompliance& zones = std::get<ZoneCompliance>(p.machine.compliance_mm_per_n);
+        zones.rz1 *= 1.1;
+        zones.nz *= 1.1;
+        zones.rz2 *= 1.1;
+    });
+    return all;
+}
+
+struct Timed {
+    SearchSummary search;
+    double cpu_s = 0;
+};
+
+template <class Search>
+double processorTime_s(const Search& search) {
+    const std::clock_t begin = std::clock();
+    search();
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+Timed timed(const Project& project, SearchMethod method) {
+    Timed result;
+    SearchOptions options;
+    options.method = method;
+    result.cpu_s = processorTime_s([&] { result.search = optimise(project, options); });
+    return result;
+}
+
+bool beyond = false;
+
+void report(const char* name, double value, double target, double ratio) {
+    std::printf("BENCH %s %.4g %.2f %.3f\n", name, value, target, ratio);
+    beyond |= ratio > 4 * target;
+}
+
+/// Against the processor time allowed [s].
+void report(const char* name, const Timed& result, double allowed_s) {
+    report(name, result.cpu_s * ns, 1, result.cpu_s / allowed_s);
+    beyond |= result.search.status != SearchStatus::proved;
+}
+
+/// What a stopped search knows: 1 − bound/best after 2 s of processor time.
+void stopped(const char* name, const Project& project) {
+    SearchOptions options;
+    std::stop_source stop;
+    options.stop = stop.get_token();
+    const std::clock_t begin = std::clock();
+    options.onProgress = [&](const SearchProgress&) {
+        if (std::clock() - begin > 2 * CLOCKS_PER_SEC) {
+            stop.request_stop();
+        }
+    };
+    const SearchSummary search = optimise(project, options);
+    const double best_s = static_cast<double>(search.best.value().time_us) * 1e-6;
+    std::printf("BENCH %s %.3g - -\n", name, 1 - search.bound_s / best_s);
+}
+
+void robust(const Project& project, double nominal_s) {
+    RobustSummary summary;
+    const double cpu_s = processorTime_s([&] {
+        summary = optimiseRobustly(project, [](const Project& best, int) { return corners(best); });
+    });
+    report("optimise_robust_64_corners", cpu_s * ns, 10, cpu_s / nominal_s);
+    beyond |= !summary.holdsInSample;
+}
+
+} // namespace
+
+int main() {
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // each line when it is known
+    const Project two = shaft(2);
+    const Timed pruned = timed(two, SearchMethod::pruned);
+    report("optimise_pruned_290304", pruned, 0.5);
+    const Timed full = timed(two, SearchMethod::full);
+    report("optimise_full_290304", full, 20); // 10 s on two cores
+    beyond |= full.search.gridSize != 290304
+              || full.search.best.value().cycle != pruned.search.best.value().cycle;
+    std::printf("BENCH optimise_visits_full_per_pruned %lld - %.0f\n", full.search.visits,
+                static_cast<double>(full.search.visits)
+                    / static_cast<double>(pruned.search.visits));
+    report("optimise_pruned_three_stages_9e8", timed(shaft(3), SearchMethod::pruned), 60);
+    report("optimise_plunge_10_feeds_10_levels", timed(plunge(10, 10), SearchMethod::pruned), 1);
+    stopped("optimise_plunge_20_feeds_40_levels_gap_after_2_s", plunge(20, 40));
+    robust(two, pruned.cpu_s);
+    return beyond ? 1 : 0;
+}

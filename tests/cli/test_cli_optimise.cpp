@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `sparkout-cli optimize` as a user meets it: the real program, its exit status, what it prints and
+// writes, and Ctrl+C.
+#include "core/optimisation/binding.h"
+#include "core/optimisation/limit.h"
+#include "core/optimisation/optimise.h"
+#include "core/simulation/simulate.h"
+#include "tests/cli/cli_process.h"
+#include "tests/core/project_samples.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <clocale>
+#include <cmath>
+#include <csignal>
+
+using namespace sparkout;
+using namespace cli;
+using nlohmann::json;
+
+namespace {
+
+/// The shaft 30h6 with a grid of 1143 cycles.
+json shaft() {
+    json file = json::parse(
+        samples::readText(samples::sourcePath("resources/examples/shaft-30h6-factory.sparkout")));
+    file["optimisation"] = {{"stages", json::array({1, 2})},
+                            {"stock_step_mm", 0.01},
+                            {"radial_feed_mm", {0.002, 0.004, 0.006}},
+                            {"axial_feed_mm_min", {800, 1600, 2400}}};
+    return file;
+}
+
+/// The same with so many cycles that no search comes to its end.
+json endless() {
+    json file = shaft();
+    file["optimisation"]["stages"] = json::array({5});
+    file["optimisation"]["stock_step_mm"] = 0.001;
+    file["optimisation"]["radial_feed_mm"] = {{"from", 0.001}, {"to", 0.012}, {"step", 0.0005}};
+    file["optimisation"]["axial_feed_mm_min"] = {{"from", 300}, {"to", 3600}, {"step", 100}};
+    return file;
+}
+
+Project projectOf(const json& file) {
+    return readProject(file.dump()).project.value();
+}
+
+} // namespace
+
+class TestCliOptimise : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+        m_shaft = save("shaft.sparkout", shaft());
+    }
+
+    void usageErrors_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no file") << QStringList{};
+        QTest::newRow("empty file name") << QStringList{""};
+        QTest::newRow("two files") << QStringList{"a", "b"};
+        QTest::newRow("unknown option") << QStringList{"a", "--check"};
+        QTest::newRow("unknown method") << QStringList{"a", "--method", "guess"};
+        QTest::newRow("no method") << QStringList{"a", "--method"};
+        QTest::newRow("no stage") << QStringList{"a", "--stages", "0"};
+        QTest::newRow("six stages") << QStringList{"a", "--stages", "1,6"};
+        QTest::newRow("empty stage") << QStringList{"a", "--stages", "1,,2"};
+        QTest::newRow("half a stage") << QStringList{"a", "--stages", "1.5"};
+        QTest::newRow("no thread") << QStringList{"a", "--threads", "0"};
+        QTest::newRow("negative time") << QStringList{"a", "--time-limit", "-1"};
+        QTest::newRow("no time") << QStringList{"a", "--time-limit", "nan"};
+        QTest::newRow("no output") << QStringList{"a", "-o"};
+        QTest::newRow("empty output") << QStringList{"a", "-o", ""};
+        QTest::newRow("over its input") << QStringList{m_shaft, "-o", m_shaft};
+    }
+    void usageErrors() {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = optimize(arguments);
+        QCOMPARE(outcome.status, 2);
+        QCOMPARE(lines(outcome.err), std::size_t{1});
+        QVERIFY(outcome.err.starts_with("sparkout-cli: "));
+        QVERIFY(outcome.out.empty());
+    }
+
+    void whatCannotBeSearchedIsRefused_data() {
+        QTest::addColumn<QString>("patch");
+        QTest::addColumn<QString>("path");
+        const auto row = [](const char* name, const char* patch, const char* path) {
+            QTest::newRow(name) << patch << path;
+        };
+        row("no grid", R"({"optimisation": null})", "/optimisation: ");
+        row("no feeds", R"({"optimisation": {"radial_feed_mm": null}})", "/optimisation: ");
+        row("no axial feeds", R"({"optimisation": {"axial_feed_mm_min": null}})",
+            "/optimisation: ");
+        row("too many feeds",
+            R"({"optimisation": {"radial_feed_mm": {"from": 1e-9, "to": 0.9, "step": 1e-9}}})",
+            "/optimisation: ");
+        row("too many steps", R"({"optimisation": {"stock_step_mm": 1e-9}})",
+            "/optimisation/stock_step_mm: ");
+        row("too few steps", R"({"optimisation": {"stages": [3], "stock_step_mm": 0.1}})",
+            "/optimisation: ");
+        row("nothing to share",
+            R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
+            "/optimisation: ");
+        row("other parts", R"({"optimisation": {"scenarios": "corners"}})",
+            "/optimisation/scenarios: ");
+        row("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");
+    }
+    void whatCannotBeSearchedIsRefused() {
+        QFETCH(QString, patch);
+        QFETCH(QString, path);
+        json file = shaft();
+        file.merge_patch(json::parse(patch.toStdString()));
+        const QString saved = save("refused.sparkout", file);
+        const Outcome outcome = optimize({saved});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.out.empty());
+        QVERIFY2(outcome.err.find((saved + ": " + path).toStdString()) != std::string::npos,
+                 outcome.err.c_str());
+    }
+
+    void jsonSaysWhatTheEngineFinds() {
+        const Project project = projectOf(shaft());
+        const SearchSummary found = optimise(project);
+        const double limit_s = steplessLimit_s(project);
+        const Outcome outcome = optimize({m_shaft, "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("status") == "proved");
+        const double time_s = static_cast<double>(found.best.value().time_us) * 1e-6;
+        QCOMPARE(answer.at("cycle_time_min").get<double>(), time_s / 60);
+        QCOMPARE(answer.at("limit_time_min").get<double>(), limit_s / 60);
+        QCOMPARE(answer.at("gap").get<double>(), 1 - limit_s / time_s);
+        QVERIFY(answer.at("evaluations") == found.evaluations);
+        QVERIFY(answer.at("visits") == found.visits);
+        QVERIFY(answer.at("grid_size") == found.gridSize);
+        QVERIFY(answer.at("scenarios_added") == 0);
+        json binding = json::array();
+        for (const ConstraintKind kind : bindingRequirements(project, *found.best)) {
+            binding.push_back(constraintName(kind));
+        }
+        QVERIFY(!binding.empty() && answer.at("binding") == binding);
+        json file = shaft();
+        file["cycle"] = answer.at("cycle");
+        Project alone = project;
+        alone.cycle = found.cycle;
+        QVERIFY(sameProject(projectOf(file), alone));
+    }
+
+    void theWrittenCycleHoldsAndTakesTheTimeStated() {
+        const QString written = m_folder.filePath("best.sparkout");
+        const json answer = json::parse(optimize({m_shaft, "--json", "-o", written}).out);
+        const Outcome outcome = run({"simulate", written, "--check", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const double time_min = json::parse(outcome.out).at("cycle_time_min").get<double>();
+        QVERIFY(std::abs(time_min - answer.at("cycle_time_min").get<double>()) <= 1e-8);
+        json file = json::parse(samples::readText(written.toStdString()));
+        file["cycle"] = shaft()["cycle"];
+        QVERIFY(sameProject(projectOf(file), projectOf(shaft()))); // nothing else is changed
+    }
+
+    void theFullSearchFindsTheSame() {
+        const json pruned = json::parse(optimize({m_shaft, "--json"}).out);
+        for (const char* threads : {"1", "3"}) {
+            const QStringList full{m_shaft, "--method", "full", "--threads", threads, "--json"};
+            const json answer = json::parse(optimize(full).out);
+            for (const char* key : {"cycle", "cycle_time_min", "least_relative_margin"}) {
+                QVERIFY(answer.at(key) == pruned.at(key));
+            }
+            QVERIFY(answer.at("evaluations") == answer.at("grid_size"));
+            QVERIFY(answer.at("visits") > pruned.at("visits"));
+        }
+    }
+
+    void stagesReplaceTheFiles() {
+        const json one = json::parse(optimize({m_shaft, "--stages", "1", "--json"}).out);
+        const json three = json::parse(optimize({m_shaft, "--stages", "3,2,1", "--json"}).out);
+        QVERIFY(one.at("grid_size") == 9);
+        QVERIFY(one.at("cycle").at("stages").size() == 1);
+        QVERIFY(three.at("grid_size") == 9 + 81 * 14 + 729 * 91);
+        QVERIFY(three.at("cycle_time_min") <= one.at("cycle_time_min"));
+    }
+
+    void nothingFeasibleExits5AndNamesWhatCuts() {
+        json file = shaft();
+        file["machine"]["wheel_drive_kw"] = 0.001;
+        const QString saved = save("weak.sparkout", file);
+        const QString written = m_folder.filePath("never.sparkout");
+        const Outcome outcome = optimize({saved, "-o", written});
+        QCOMPARE(outcome.status, 5);
+        QVERIFY(outcome.out.empty());
+        QVERIFY2(outcome.err.find("no cycle of the grid is feasible; cut by wheel_power (")
+                     != std::string::npos,
+                 outcome.err.c_str());
+        QVERIFY(!QFile::exists(written));
+        const json answer = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(answer.at("status") == "infeasible");
+        QVERIFY(answer.at("cycle").is_null() && answer.at("gap").is_null());
+    }
+
+    void robustHoldsInThePhasesOfTheStock() {
+        json file = shaft();
+        file["optimisation"]["radial_feed_mm"] = {0.001, 0.002, 0.004, 0.006};
+        const QString saved = save("phases.sparkout", file);
+        const json nominal = json::parse(optimize({saved, "--json"}).out);
+        const Outcome outcome = optimize({saved, "--robust", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("holds_in_sample") == true);
+        QVERIFY(answer.at("scenarios_added") > 0); // else the part as it is would have done
+        QVERIFY(answer.at("nominal_time_min") == nominal.at("cycle_time_min"));
+        QVERIFY(answer.at("cycle_time_min") >= nominal.at("cycle_time_min"));
+    }
+
+    void interruptKeepsTheBestAndTheBound() {
+        QProcess process;
+        process.setReadChannel(QProcess::StandardError);
+        process.start(SPARKOUT_CLI, {"optimize", save("endless.sparkout", endless()), "--json"});
+        QByteArray progress;
+        while (!progress.contains("best ")) {
+            QVERIFY(process.waitForReadyRead(30'000));
+            progress += process.readAllStandardError();
+        }
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        checkStopped(outcomeOf(process));
+    }
+
+    void theTimeLimitKeepsTheBestAndTheBound() {
+        checkStopped(
+            optimize({save("endless.sparkout", endless()), "--time-limit", "2", "--json"}));
+    }
+
+    /// The thesis's cycles of table 3 lie in the grid of their examples.
+    void theCycleFoundIsNoSlowerThanThePublishedOnes() {
+        std::vector<json> answers;
+        for (const char* name : {"factory", "optimal"}) {
+            const std::string file = "resources/examples/shaft-30h6-" + std::string(name);
+            const auto path = samples::sourcePath(file + ".sparkout");
+            answers.push_back(
+                json::parse(optimize({QString::fromStdString(path.string()), "--json"}).out));
+            const json& given = answers.back().at("given");
+            QVERIFY(given.at("fails").empty());
+            QVERIFY(answers.back().at("cycle_time_min") <= given.at("cycle_time_min"));
+        }
+        QVERIFY(answers[0].at("cycle") == answers[1].at("cycle")); // of one part and grid
+        QVERIFY(answers[1].at("given").at("cycle_time_min")
+                < answers[0].at("given").at("cycle_time_min"));
+    }
+
+private:
+    static Outcome optimize(QStringList arguments) {
+        arguments.prepend("optimize");
+        return run(arguments);
+    }
+
+    QString save(const QString& name, const json& file) {
+        const QString path = m_folder.filePath(name);
+        QFile saved(path);
+        const std::string text = file.dump();
+        if (!saved.open(QIODevice::WriteOnly) || saved.write(text.c_str()) < 0) {
+            qFatal("cannot write");
+        }
+        return path;
+    }
+
+    static void checkStopped(const Outcome& outcome) {
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("status") == "stopped");
+        QVERIFY(answer.at("bound_time_min") > 0);
+        QVERIFY(answer.at("bound_time_min") <= answer.at("cycle_time_min"));
+        json file = endless();
+        file["cycle"] = answer.at("cycle");
+        const Project best = projectOf(file);
+        const SimulationResult alone = simulate(best);
+        for (const ConstraintResult& each : evaluateConstraints(alone)) {
+            QVERIFY(each.holds);
+        }
+        QVERIFY(std::abs(alone.time_s / 60 - answer.at("cycle_time_min").get<double>()) <= 1e-8);
+    }
+
+    QTemporaryDir m_folder;
+    QString m_shaft;
+};
+
+QTEST_GUILESS_MAIN(TestCliOptimise)
+#include "test_cli_optimise.moc"
