@@ -21,10 +21,10 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array statusNames{"proved", "infeasible", "stopped"};
+constexpr std::array searchStatusNames{"proved", "infeasible", "stopped"};
 
 const char* statusName(SearchStatus status) {
-    return statusNames[static_cast<std::size_t>(status)];
+    return searchStatusNames[static_cast<std::size_t>(status)];
 }
 
 double minutes(double time_s) {

@@ -14,10 +14,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t stopAsked = 0;
 
 extern "C" void interrupt(int signal) {
-    interrupted = 1;
+    stopAsked = 1;
     std::signal(signal, SIG_DFL); // the next one ends the program
 }
 
@@ -50,7 +50,7 @@ void SearchWatch::watch(const std::stop_token& ended) {
         const auto now = std::chrono::steady_clock::now();
         const bool late =
             m_timeLimit_s && std::chrono::duration<double>(now - m_begin).count() > *m_timeLimit_s;
-        if (interrupted || late) {
+        if (stopAsked || late) {
             m_search.request_stop();
         }
         if (now >= next) {

@@ -1776,7 +1776,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Thermal diffusivity</source>
-            <translation>Температуропроводность</translation>
+            <translation>Температуро&#xad;проводность</translation>
         </message>
         <message>
             <source>Burn temperature rise</source>
@@ -4226,11 +4226,11 @@ target, µm</source>
         </message>
         <message>
             <source>Actual feed, µm per revolution</source>
-            <translation>Фактическая подача, мкм/об</translation>
+            <translation>Факт. подача, мкм/об</translation>
         </message>
         <message>
             <source>Actual feed, µm per pass</source>
-            <translation>Фактическая подача, мкм за проход</translation>
+            <translation>Факт. подача, мкм/проход</translation>
         </message>
     </context>
     <context>

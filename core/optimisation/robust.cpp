@@ -29,7 +29,7 @@ double worstFailure(const SimulationResult& result) {
 
 } // namespace
 
-RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& source,
+RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                const RobustOptions& options) {
     RobustSummary summary;
     SearchOptions search = options.search;

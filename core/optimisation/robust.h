@@ -9,7 +9,7 @@
 namespace sparkout {
 
 /// The scenarios to test a cycle on in a round, from 0: fixed ones, or a fresh sample each time.
-using ScenarioSource = std::function<std::vector<Project>(const Project& best, int round)>;
+using FreshScenarios = std::function<std::vector<Project>(const Project& best, int round)>;
 
 struct RobustOptions {
     SearchOptions search; ///< its scenarios are in the set from the beginning
@@ -29,7 +29,7 @@ struct RobustSummary {
 /// Optimises, tests the best cycle on the source's scenarios, adds the one that fails by most to
 /// those it must hold in, and again, until none fails [MODEL-8]. The answer is the best of the
 /// grid for the scenarios in the set; that it holds in others is shown for the last sample alone.
-[[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const ScenarioSource& source,
+[[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 
 /// The project with stocks spread evenly over one infeed of each stage of its cycle, `phases` a

@@ -41,7 +41,7 @@ void changeByHand(QWidget* widget) {
             QTest::keyClick(number, Qt::Key_Down);
         }
         if (number->text() == before) { // empty: not given
-            QTest::keyClicks(number, QStringLiteral("3"));
+            QTest::keyClicks(number, QStringLiteral("10"));
         }
         QTest::keyClick(number, Qt::Key_Return);
     } else if (auto* line = qobject_cast<QLineEdit*>(widget)) {
