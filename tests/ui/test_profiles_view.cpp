@@ -796,7 +796,10 @@ void TestProfilesView::aZoneChosenIsShownLarge() {
         const QCPAxisRect* rect = view.across()->axisRect(0);
         const double share = double(std::min(rect->width(), rect->height()))
                              / std::min(view.across()->width(), view.across()->height());
-        QVERIFY2(share > 0.5, qPrintable(QString::number(share)));
+        QVERIFY2(share > 0.5, qPrintable(QStringLiteral("%1 of %2×%3")
+                                             .arg(share)
+                                             .arg(view.across()->width())
+                                             .arg(view.across()->height())));
     }
     QTest::keyClick(section, Qt::Key_Home);
     QCOMPARE(view.across()->axisRectCount(), 3);

@@ -15,7 +15,7 @@ namespace {
 constexpr int numberLines = 2; ///< and one of the roundness
 constexpr double markSize_px = 8;
 constexpr int besideLetters = 26; ///< room for numbers beside a cell
-constexpr int tallest = QWIDGETSIZE_MAX - 1;
+constexpr int tallest = 100'000;
 
 int widthOf(const QString& lines, const QFontMetrics& metrics) {
     int width = 0;
