@@ -1403,10 +1403,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Наибольшее радиальное биение на всей длине шлифования.</translation>
         </message>
         <message>
-            <source>Roughness Ra</source>
-            <translation>Шероховатость Ra</translation>
-        </message>
-        <message>
             <source>Greatest arithmetic mean roughness the drawing allows.</source>
             <translation>Наибольшее среднее арифметическое отклонение профиля по чертежу.</translation>
         </message>
@@ -1776,7 +1772,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Thermal diffusivity</source>
-            <translation>Температуро&#xad;проводность</translation>
+            <translation>Температуро­проводность</translation>
         </message>
         <message>
             <source>Burn temperature rise</source>
@@ -1969,6 +1965,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Least and most, in cycles of several stages.</source>
             <translation>Наименьший и наибольший, в циклах из нескольких ступеней.</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <translation>Шероховатость</translation>
         </message>
     </context>
     <context>

@@ -73,7 +73,7 @@ const StructInfo& tableOf<Tolerance>() {
             .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
             .hint = SPARKOUT_NOOP("Input", "Greatest radial runout over the whole ground length."),
             .source = "MODEL-7"),
-        SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness Ra"),
+        SPARKOUT_FIELD(Tolerance, roughness_ra_um, .label = SPARKOUT_NOOP("Input", "Roughness"),
                        .symbol = "Ra", .unit = "µm", .hard = {0, 100, true}, .soft = {0.05, 6.3},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not required"), .page = Page::part,
                        .hint = SPARKOUT_NOOP(

@@ -14,6 +14,7 @@
 #include "ui/session/texts.h"
 
 #include <QGridLayout>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -336,6 +337,7 @@ void FormPage::showPath(const std::string& path, bool focus) {
     widget()->layout()->activate(); // it may just have come into sight
     const auto show = [this, focus](QWidget* widget, QWidget* focused) {
         ensureWidgetVisible(widget);
+        QTimer::singleShot(0, widget, [this, widget] { ensureWidgetVisible(widget); }); // laid out
         if (focus && focused) {
             focused->setFocus(Qt::OtherFocusReason);
         }
