@@ -2735,11 +2735,6 @@ target, µm</source>
             <translation>; заготовка %1 мкм от целевого</translation>
         </message>
         <message>
-            <source>ΔD %1 µm %2</source>
-            <comment>deviations of the diameter, short; then ✓ or ✗</comment>
-            <translation>ΔD %1 мкм %2</translation>
-        </message>
-        <message>
             <source>runout %1 µm</source>
             <translation>биение %1 мкм</translation>
         </message>
@@ -2790,6 +2785,11 @@ target, µm</source>
         <message>
             <source>RONt %1 µm, eccentricity %2 µm</source>
             <translation>RONt %1 мкм, эксцентриситет %2 мкм</translation>
+        </message>
+        <message>
+            <source>ΔD %1 %2</source>
+            <comment>deviations of the diameter in µm, short; then ✓ or ✗</comment>
+            <translation>ΔD %1 %2</translation>
         </message>
     </context>
     <context>

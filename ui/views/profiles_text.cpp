@@ -53,7 +53,7 @@ QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profil
     const QString runout = um(profile.radialRunout_mm, decimals);
     const bool out = outOfField(series, profile);
     if (brief) {
-        return tr("ΔD %1 µm %2", "deviations of the diameter, short; then ✓ or ✗")
+        return tr("ΔD %1 %2", "deviations of the diameter in µm, short; then ✓ or ✗")
                    .arg(diameters, out ? QStringLiteral("✗") : QStringLiteral("✓"))
                + u'\n' + tr("runout %1 µm").arg(runout);
     }
