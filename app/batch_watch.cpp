@@ -3,9 +3,9 @@
 
 #include "app/cli_io.h"
 #include "app/cli_report.h"
+#include "app/stop_signals.h"
 
 #include <condition_variable>
-#include <csignal>
 #include <mutex>
 #include <string>
 
@@ -13,33 +13,9 @@
 
 namespace sparkout::cli {
 
-namespace {
-
-std::atomic<int> caught = 0;
-static_assert(std::atomic<int>::is_always_lock_free, "a handler may touch nothing else");
-
-void catchSignal(int signal) {
-    caught = signal;
-}
-
-/// A signal that the caller has switched off, as `nohup` does, stays off.
-void handle(int signal) {
-    struct sigaction action = {};
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) {
-        return;
-    }
-    action = {};
-    action.sa_handler = catchSignal;
-    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-    sigaction(signal, &action, nullptr);
-}
-
-} // namespace
-
 BatchWatch::BatchWatch(std::int64_t parts, bool tells)
     : m_parts(parts), m_terminal(isatty(STDERR_FILENO) == 1), m_tells(tells || m_terminal) {
-    handle(SIGINT);
-    handle(SIGTERM);
+    catchStopSignals();
     m_thread = std::jthread([this](const std::stop_token& over) { watch(over); });
 }
 
@@ -51,10 +27,6 @@ BatchWatch::~BatchWatch() {
     }
 }
 
-int BatchWatch::caughtSignal() {
-    return caught;
-}
-
 void BatchWatch::watch(const std::stop_token& over) {
     constexpr auto look = std::chrono::milliseconds(20);
     constexpr int looksPerLine = 25; // twice a second
@@ -63,7 +35,7 @@ void BatchWatch::watch(const std::stop_token& over) {
     std::unique_lock lock(mutex);
     for (int looks = 1; !over.stop_requested(); ++looks) {
         wake.wait_for(lock, over, look, [] { return false; });
-        if (caught != 0) {
+        if (caughtSignal() != 0) {
             m_stop.request_stop();
         }
         if (m_tells && looks % looksPerLine == 0) {

@@ -22,9 +22,6 @@ public:
     [[nodiscard]] std::stop_token stop() const { return m_stop.get_token(); }
     [[nodiscard]] std::atomic<std::int64_t>* done() { return &m_done; }
 
-    /// The signal that ended the work; 0: none.
-    [[nodiscard]] static int caughtSignal();
-
 private:
     void watch(const std::stop_token& over);
     void tell();

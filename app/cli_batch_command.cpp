@@ -4,6 +4,7 @@
 #include "app/batch_watch.h"
 #include "app/cli_batch.h"
 #include "app/cli_io.h"
+#include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
 #include "core/project/blanks_csv.h"
 #include "core/project/project_file.h"
@@ -116,12 +117,12 @@ int runBatchCommand(const Options& options) {
     } else {
         status = printBatch(result, indices, options);
     }
-    if (BatchWatch::caughtSignal() == 0) {
+    if (caughtSignal() == 0) {
         return status;
     }
     print(stderr, "sparkout-cli: ended after " + std::to_string(result.statistics.parts) + " of "
                       + std::to_string(source.parts()) + " parts\n");
-    return interrupted + BatchWatch::caughtSignal();
+    return interrupted + caughtSignal();
 }
 
 int runBatchMerge(const Options& options) {

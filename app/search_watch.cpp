@@ -3,9 +3,9 @@
 
 #include "app/cli_io.h"
 #include "app/cli_report.h"
+#include "app/stop_signals.h"
 #include "core/units.h"
 
-#include <csignal>
 #include <utility>
 
 namespace sparkout::cli {
@@ -14,28 +14,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-volatile std::sig_atomic_t stopAsked = 0;
-
-extern "C" void interrupt(int signal) {
-    stopAsked = 1;
-    std::signal(signal, SIG_DFL); // the next one ends the program
-}
-
 std::string minutesText(double time_s) {
     return fixed(time_s / units::secondsPerMinute, 4) + " min";
 }
 
 } // namespace
 
-SearchWatch::SearchWatch(std::optional<double> timeLimit_s)
-    : m_timeLimit_s(timeLimit_s), m_thread([this](const std::stop_token& ended) { watch(ended); }) {
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
-}
-
-SearchWatch::~SearchWatch() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+SearchWatch::SearchWatch(std::optional<double> timeLimit_s) : m_timeLimit_s(timeLimit_s) {
+    catchStopSignals();
+    m_thread = std::jthread([this](const std::stop_token& ended) { watch(ended); });
 }
 
 void SearchWatch::note(const SearchProgress& progress) {
@@ -50,7 +37,7 @@ void SearchWatch::watch(const std::stop_token& ended) {
         const auto now = std::chrono::steady_clock::now();
         const bool late =
             m_timeLimit_s && std::chrono::duration<double>(now - m_begin).count() > *m_timeLimit_s;
-        if (stopAsked || late) {
+        if (caughtSignal() != 0 || late) {
             m_search.request_stop();
         }
         if (now >= next) {

@@ -17,7 +17,6 @@ namespace sparkout::cli {
 class SearchWatch {
 public:
     explicit SearchWatch(std::optional<double> timeLimit_s);
-    ~SearchWatch();
     SearchWatch(const SearchWatch&) = delete;
     SearchWatch& operator=(const SearchWatch&) = delete;
 
@@ -35,7 +34,7 @@ private:
     std::mutex m_mutex; ///< of the progress
     std::optional<SearchProgress> m_progress;
     std::condition_variable_any m_wake;
-    std::jthread m_thread; ///< last: begins when all is there
+    std::jthread m_thread; ///< the last member: it uses the others
 };
 
 } // namespace sparkout::cli
