@@ -164,6 +164,34 @@ private slots:
         QVERIFY2(missing.isEmpty(), qPrintable(missing.join(u'\n')));
     }
 
+    void rowsThatAreNoneAreRefusedAndStayInSight() {
+        Document document;
+        Project project = newProject(Operation::plunge);
+        project.machine.wheel_contact.emplace();
+        document.startUntitled(project);
+        FormPage page(Page::machine, document);
+        page.show();
+        auto* line = page.findChild<QLineEdit*>(QStringLiteral("/machine/wheel_contact/n_um_at_n"));
+        QVERIFY(line);
+        for (const QString& text : {u"50"_qs, u"0 x"_qs, u"10 50; 5 80"_qs, u"0 0"_qs}) {
+            line->setFocus();
+            line->selectAll();
+            QTest::keyClicks(line, text);
+            QTest::keyClick(line, Qt::Key_Return);
+            QCOMPARE(line->text(), text);
+            QCOMPARE(page.refusals().size(), std::size_t(1));
+            const NumberRows& kept = document.project().machine.wheel_contact->n_um_at_n;
+            const NumberRows begun{{{10, 50}}}; // in order until it was typed on
+            QVERIFY2(!kept || kept == begun, qPrintable(text));
+        }
+        line->selectAll();
+        QTest::keyClicks(line, u"0 50,5; 200 80.25"_qs);
+        QTest::keyClick(line, Qt::Key_Return);
+        QVERIFY(page.refusals().empty());
+        const NumberRows rows{{{0, 50.5}, {200, 80.25}}};
+        QVERIFY(document.project().machine.wheel_contact->n_um_at_n == rows);
+    }
+
     // A field loses the focus while it goes, and its row would look at what is gone.
     void theRowsOfAPageGoBeforeTheirFields() {
         Document document;
