@@ -255,6 +255,45 @@
         </message>
     </context>
     <context>
+        <name>Example</name>
+        <message>
+            <source>Bore 40H7, plunge with spark-out</source>
+            <translation>Отверстие 40H7, врезание с выхаживанием</translation>
+        </message>
+        <message>
+            <source>Shaft with four sections, two-stage plunge</source>
+            <translation>Вал из четырёх сечений, двухступенчатое врезание</translation>
+        </message>
+        <message>
+            <source>Shaft 30h6, factory cycle</source>
+            <translation>Вал 30h6, заводской цикл</translation>
+        </message>
+        <message>
+            <source>Shaft 30h6, optimal cycle</source>
+            <translation>Вал 30h6, оптимальный цикл</translation>
+        </message>
+        <message>
+            <source>Shaft 38.74h6, factory cycle</source>
+            <translation>Вал 38,74h6, заводской цикл</translation>
+        </message>
+        <message>
+            <source>Slender shaft with a soft middle</source>
+            <translation>Нежёсткий вал с податливой серединой</translation>
+        </message>
+        <message>
+            <source>Spark-out until size</source>
+            <translation>Выхаживание до размера</translation>
+        </message>
+        <message>
+            <source>Dull wheel</source>
+            <translation>Затупившийся круг</translation>
+        </message>
+        <message>
+            <source>Freshly dressed wheel</source>
+            <translation>Только что правленый круг</translation>
+        </message>
+    </context>
+    <context>
         <name>FeedText</name>
         <message>
             <source>programmed feed</source>
@@ -565,6 +604,30 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>&amp;Try again</source>
             <translation>&amp;Повторить</translation>
+        </message>
+        <message>
+            <source>Refused texts, which no file will hold:</source>
+            <translation>Отклонённый текст, который не попадёт в файл:</translation>
+        </message>
+        <message>
+            <source>Refused texts</source>
+            <translation>Отклонённый текст</translation>
+        </message>
+        <message>
+            <source>Everything else is saved, but what was refused is in no file. Go on without it?</source>
+            <translation>Всё остальное сохранено, но отклонённого текста нет ни в одном файле. Продолжить без него?</translation>
+        </message>
+        <message>
+            <source>Refused:</source>
+            <translation>Отклонено:</translation>
+        </message>
+        <message>
+            <source>&amp;Go on</source>
+            <translation>&amp;Продолжить</translation>
+        </message>
+        <message>
+            <source>&amp;Back to the fields</source>
+            <translation>&amp;Вернуться к полям</translation>
         </message>
     </context>
     <context>
@@ -3418,6 +3481,10 @@ target, µm</source>
             <source>mm^1.5</source>
             <translation>мм^1,5</translation>
         </message>
+        <message>
+            <source>mm/dbl stroke</source>
+            <translation>мм/дв.ход</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -4157,20 +4224,8 @@ target, µm</source>
             <translation>ближе всего к пределу: %1, %2</translation>
         </message>
         <message>
-            <source>%1 %2 µm</source>
-            <translation>%1 %2 мкм</translation>
-        </message>
-        <message>
             <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
             <translation>%1: припуск %2 мкм, подача %3 мкм/об, ширина %4 мм</translation>
-        </message>
-        <message>
-            <source>Allowed: %1</source>
-            <translation>Допускается: %1</translation>
-        </message>
-        <message>
-            <source>. Binding is %1: %2 used up.</source>
-            <translation>. Ближайший предел — %1: занято %2.</translation>
         </message>
         <message>
             <source>stage</source>
@@ -4231,6 +4286,14 @@ target, µm</source>
         <message>
             <source>Actual feed, µm per pass</source>
             <translation>Факт. подача, мкм/проход</translation>
+        </message>
+        <message>
+            <source> (%1 used)</source>
+            <translation> (занято %1)</translation>
+        </message>
+        <message>
+            <source>Allowed feed, µm: %1</source>
+            <translation>Допустимая подача, мкм: %1</translation>
         </message>
     </context>
     <context>
@@ -4405,6 +4468,14 @@ target, µm</source>
 %2</source>
             <translation>%1
 %2</translation>
+        </message>
+        <message>
+            <source>%1
+
+%2. %3. %4.</source>
+            <translation>%1
+
+%2. %3. %4.</translation>
         </message>
     </context>
     <context>
@@ -5364,6 +5435,10 @@ target, µm</source>
         <message>
             <source>Formulas of the step</source>
             <translation>Формулы этапа</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
     </context>
     <context>
@@ -6676,6 +6751,14 @@ target, µm</source>
         <message>
             <source>stage %1</source>
             <translation>ст. %1</translation>
+        </message>
+        <message>
+            <source>Between the circles of the minimum zone, MZCI (ISO 12181)</source>
+            <translation>По окружностям минимальной зоны (ISO 12181)</translation>
+        </message>
+        <message>
+            <source>Between the cylinders of the minimum zone, MZCY (ISO 12180)</source>
+            <translation>По цилиндрам минимальной зоны (ISO 12180)</translation>
         </message>
     </context>
     <context>

@@ -194,10 +194,11 @@ bool FileCommands::openAsCopy(const QString& path) {
 }
 
 bool FileCommands::mayDiscard() {
+    const QStringList refused = m_refused();
     if (!m_document.modified()) {
-        return true;
+        return refused.isEmpty() || mayLoseRefused(m_window, refused);
     }
-    switch (askUnsaved(m_window, m_document)) {
+    switch (askUnsaved(m_window, m_document, refused)) {
     case UnsavedAnswer::save: return save();
     case UnsavedAnswer::discard:
         if (m_guard.autosave() != nullptr) {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 class QWidget;
 
@@ -30,6 +31,8 @@ public:
     /// From now on files are locked and watched, and recovery files and earlier versions are kept
     /// in this folder. Without it nothing but the saved file is written.
     void protect(const QString& stateFolder, Autosave::Times times = {});
+    /// Where the texts come from that fields refused and no file holds.
+    void askRefusedTexts(std::function<QStringList()> texts) { m_refused = std::move(texts); }
     /// What the program begins with: unsaved work that was left is offered, then FILE is opened.
     void start(const QString& file);
 
@@ -42,7 +45,7 @@ public:
     void recoverWork();
     bool save();
     bool saveAs();
-    /// Asks what to do with unsaved changes; false when the user wants to stay.
+    /// Asks what to do with unsaved changes and refused texts; false when the user wants to stay.
     [[nodiscard]] bool mayDiscard();
     /// The same before the window closes; the changes that are given up stay recoverable a while.
     [[nodiscard]] bool mayClose();
@@ -90,6 +93,7 @@ private:
     QWidget* m_window;
     NoticeBar* m_notices;
     RecentFilesMenu* m_recent;
+    std::function<QStringList()> m_refused = [] { return QStringList(); };
     QString m_linksAccepted; ///< the file whose other names may keep the old text
     bool m_busy = false;     ///< a disk is being waited for
     FileGuard m_guard;

@@ -12,6 +12,7 @@
 #include "ui/playback_bar.h"
 #include "ui/recent_files_menu.h"
 #include "ui/sealed_state.h"
+#include "ui/session/texts.h"
 #include "ui/view_tabs.h"
 #include "ui/views/compliance_view.h"
 #include "ui/views/constraints_view.h"
@@ -277,6 +278,13 @@ void MainWindow::connectDocument() {
                      nullptr, refused),
             6000);
     });
+    m_files->askRefusedTexts([this] {
+        QStringList lines;
+        for (const Refusal& refusal : m_inputs->refusals()) {
+            lines += tr("%1: %2").arg(locationText(refusal.path), refusal.reason);
+        }
+        return lines;
+    });
     m_recolour.setSingleShot(true);
     m_recolour.setInterval(0); // palettes reach the widgets one by one
     connect(&m_recolour, &QTimer::timeout, this, &MainWindow::recolour);
@@ -287,6 +295,7 @@ void MainWindow::connectDocument() {
         m_messages->setRefusals(refusals);
         m_verdict->setRefusedFields(static_cast<int>(refusals.size()));
         m_actions->follow(m_document, !refusals.empty());
+        showTitle();
     });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     const auto showInput = [this](const std::string& path) {
@@ -373,7 +382,7 @@ void MainWindow::showTitle() {
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
     setWindowTitle(m_document.readOnly() ? tr("%1[*] (read-only) — Sparkout").arg(name)
                                          : tr("%1[*] — Sparkout").arg(name));
-    setWindowModified(m_document.modified());
+    setWindowModified(m_document.modified() || !m_inputs->refusals().empty());
 }
 
 void MainWindow::setLanguage(const QString& code) {

@@ -40,7 +40,7 @@ const StructInfo& tableOf<Optimisation>() {
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm,
-            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm",
+            .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
             .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
             .source = "MODEL-8"),

@@ -159,7 +159,8 @@ private:
         }
         for (const auto& [ending, unit] : unitsOfEndings()) {
             if (std::string(field.key).ends_with(ending)) {
-                QCOMPARE(std::string(field.unit), unit);
+                const bool feed = field.unit == unit + "/dbl stroke"; // of traverse grinding
+                QVERIFY2(field.unit == unit || feed, field.unit);
                 return;
             }
         }

@@ -48,6 +48,18 @@ Project limitedProject() {
     return p;
 }
 
+/// All that is evaluated.
+Project fullyLimitedProject() {
+    Project p = limitedProject();
+    p.machine.work_drive_kw = 1;
+    p.wheel.grain_surface_energy_j_m2 = 1800;
+    p.wheel.grain_modulus_gpa = 390;
+    p.wheel.bond_surface_energy_j_m2 = 400;
+    p.wheel.bond_modulus_gpa = 65;
+    p.part.tolerance = {4, 6, 5, 8, 0.8};
+    return p;
+}
+
 Project unlimited(Project p) {
     p.material.burn_rise_k.reset();
     p.machine.wheel_drive_kw.reset();
@@ -488,15 +500,28 @@ private slots:
         QCOMPARE(zones.currentIndex(), 4);
     }
 
+    void theValuesUnderTheMouseFit() {
+        for (const char* language : {"en", "ru"}) {
+            Bench bench{QLatin1String(language)};
+            bench.window->document().startUntitled(fullyLimitedProject());
+            QVERIFY(bench.window->showView(QStringLiteral("constraints")));
+            bench.settle();
+            const auto* values =
+                bench.window->findChild<QLabel*>(QStringLiteral("constraintsValues"));
+            auto* plot = bench.window->findChild<ConstraintsView*>()->plot();
+            QVERIFY(values->isVisible());
+            for (const QCPCurveData& cut : *plot->actual()->data()) {
+                fixtures::hover(plot, QPointF(plot->stockAxis()->coordToPixel(cut.key),
+                                              plot->feedAxis()->coordToPixel(cut.value)));
+                QVERIFY(values->text().contains(u'%'));
+                QVERIFY2(values->heightForWidth(values->width()) <= values->height(),
+                         qPrintable(values->text()));
+            }
+        }
+    }
+
     void formulasSpeakRussian() {
-        Project project = limitedProject();
-        project.machine.work_drive_kw = 1;
-        project.wheel.grain_surface_energy_j_m2 = 1800;
-        project.wheel.grain_modulus_gpa = 390;
-        project.wheel.bond_surface_energy_j_m2 = 400;
-        project.wheel.bond_modulus_gpa = 65;
-        project.part.tolerance = {4, 6, 5, 8, 0.8};
-        const OutcomePtr outcome = run(project);
+        const OutcomePtr outcome = run(fullyLimitedProject());
         Bench bench(QStringLiteral("ru"));
         int sheets = 0;
         for (const ConstraintResult& c : worstByKind(outcome->constraints)) {

@@ -70,6 +70,7 @@ private slots:
     void curvesAreDrawableAtEveryDetail_data();
     void curvesAreDrawableAtEveryDetail();
     void allColumnsKeepTheSameTimes();
+    void labelsOfNeighbouringColumnsStayApart();
     void aWheelTurnZoomsAllColumnsAndADoubleClickFits();
     void draggingMovesTheTimesWithinTheCycle();
     void stepsAreNamedWhenOneStrokeIsInSight();
@@ -152,6 +153,37 @@ void TestFeedsView::allColumnsKeepTheSameTimes() {
             QVERIFY(std::abs(xRange(view, column, row).upper - 5) < 1e-9);
         }
     }
+}
+
+void TestFeedsView::labelsOfNeighbouringColumnsStayApart() {
+    FeedsView view;
+    view.resize(655, 420);
+    show(view, m_traverse);
+    FeedsPlot* plot = view.plot();
+    const QFontMetrics metrics(plot->font());
+    int drawn = 0, leftOut = 0;
+    for (double to = 1.0; to < 1000; to *= 1.13) { // minutes at the right edge
+        plot->cell(0, 0)->axis(QCPAxis::atBottom)->setRange(0, to);
+        plot->replot();
+        double end = -1e9;
+        for (int column = 0; column < plot->columnCount(); ++column) {
+            const QCPAxis* axis = plot->cell(column, 2)->axis(QCPAxis::atBottom);
+            const QVector<double> ticks = axis->tickVector();
+            for (qsizetype i = 0; i < ticks.size(); ++i) {
+                const QString label = axis->tickVectorLabels()[i];
+                const double middle = axis->coordToPixel(ticks[i]);
+                const double half = metrics.horizontalAdvance(label) / 2.0;
+                if (label.isEmpty()) {
+                    ++leftOut;
+                    continue;
+                }
+                ++drawn;
+                QVERIFY2(middle - half >= end + 3, qPrintable(label));
+                end = middle + half;
+            }
+        }
+    }
+    QVERIFY(drawn > 200 && leftOut > 0);
 }
 
 void TestFeedsView::aWheelTurnZoomsAllColumnsAndADoubleClickFits() {

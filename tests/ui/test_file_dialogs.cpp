@@ -5,6 +5,7 @@
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
+#include "ui/inputs/number_field.h"
 #include "ui/main_window.h"
 #include "ui/notice_bar.h"
 #include "ui/recent_files_menu.h"
@@ -721,9 +722,47 @@ private slots:
         QVERIFY(saving.longestWork_ms <= 4 * target_ms);
     }
 
+    void refusedTextsAreNotLostWithoutAQuestion() {
+        Bench bench;
+        QVERIFY(bench.open());
+        QVERIFY(!bench.window->isWindowModified());
+        auto* field =
+            bench.window->findChild<NumberField*>(QStringLiteral("/material/flow_stress_mpa"));
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("much"));
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_VERIFY(bench.window->isWindowModified());
+        QVERIFY(!bench.document().modified());
+        {
+            DialogAnswers back({QStringLiteral("Escape")});
+            QVERIFY(!bench.window->close());
+            ANSWERED(back);
+            QVERIFY2(back.text().contains(QStringLiteral("much")), qPrintable(back.text()));
+        }
+        QCOMPARE(field->text(), QStringLiteral("much"));
+        bench.edit(31);
+        {
+            DialogAnswers save({QStringLiteral("save")});
+            QVERIFY(bench.window->files().mayDiscard());
+            ANSWERED(save);
+            QVERIFY2(save.text().contains(QStringLiteral("much")), qPrintable(save.text()));
+        }
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(31));
+        QVERIFY(bench.window->isWindowModified());
+        DialogAnswers away({QStringLiteral("discard")});
+        QVERIFY(bench.window->close());
+        ANSWERED(away);
+    }
+
     void everyQuestionIsRussianInARussianWindow() {
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open());
+        {
+            DialogAnswers back({QStringLiteral("Escape")});
+            QVERIFY(!mayLoseRefused(bench.window.get(), {}));
+            ANSWERED(back);
+            QVERIFY2(!back.text().contains(QStringLiteral("Go on")), qPrintable(back.text()));
+        }
         bench.edit(31);
         trouble::write(bench.path, textWith(35));
         DialogAnswers answers({QStringLiteral("save"), QStringLiteral("Escape")});

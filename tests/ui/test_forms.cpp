@@ -16,6 +16,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QGroupBox>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
@@ -190,6 +191,36 @@ private slots:
         QVERIFY(page.refusals().empty());
         const NumberRows rows{{{0, 50.5}, {200, 80.25}}};
         QVERIFY(document.project().machine.wheel_contact->n_um_at_n == rows);
+    }
+
+    void everyFieldLeavesUndoToTheDocument() {
+        Document document;
+        Project project = newProject(Operation::plunge);
+        project.machine.wheel_contact.emplace();
+        document.startUntitled(project);
+        int fields = 0;
+        for (const Page page : {Page::part, Page::material, Page::wheel, Page::machine, Page::gauge,
+                                Page::cycle}) {
+            FormPage form(page, document);
+            form.show();
+            QList<QWidget*> texts;
+            for (QLineEdit* line : form.findChildren<QLineEdit*>()) {
+                if (line->objectName().startsWith(u'/')) { // a member of the project
+                    texts += line;
+                }
+            }
+            for (QPlainTextEdit* text : form.findChildren<QPlainTextEdit*>()) {
+                texts += text;
+            }
+            for (QWidget* text : texts) {
+                QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+                undo.ignore();
+                QCoreApplication::sendEvent(text, &undo);
+                QVERIFY2(!undo.isAccepted(), qPrintable(text->objectName()));
+                ++fields;
+            }
+        }
+        QVERIFY(fields > 30);
     }
 
     // A field loses the focus while it goes, and its row would look at what is gone.

@@ -2,6 +2,7 @@
 // Switching the operation and back.
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
+#include "ui/session/run_controller.h"
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
@@ -113,6 +114,18 @@ private slots:
         for (const QString& line : lines) { // of both values something is said
             QVERIFY2(!line.contains(QStringLiteral(":  →")) && !line.endsWith(u' '),
                      qPrintable(line));
+        }
+    }
+
+    void aNewProjectHoldsItsDrawingInAFewMinutes() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            const OutcomePtr outcome = runProject(newProject(operation), {});
+            QVERIFY(outcome->ran());
+            for (const ConstraintResult& c : outcome->constraints) {
+                QVERIFY2(c.holds, constraintName(c.kind));
+            }
+            QVERIFY2(outcome->result.time_s < 400,
+                     qPrintable(QString::number(outcome->result.time_s)));
         }
     }
 

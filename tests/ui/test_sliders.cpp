@@ -246,7 +246,7 @@ private slots:
         QCOMPARE(feed->value().value(), 0.004);
         table.view().setCurrentIndex(table.view().model()->index(1, 0));
         feed = strip.slider(QStringLiteral("radial_feed_mm"));
-        QCOMPARE(feed->value().value(), 0.001);
+        QCOMPARE(feed->value().value(), 0.002);
         press(*feed);
         dragTo(*feed, feed->width() - 10);
         release(*feed);

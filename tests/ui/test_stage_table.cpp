@@ -219,11 +219,11 @@ private slots:
         Bench bench;
         bench.select(1, 1);
         QTest::keyClick(&bench.table.view(), Qt::Key_Up, Qt::ControlModifier);
-        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.001);
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.002);
         QCOMPARE(bench.table.view().currentIndex().row(), 0);
         QCOMPARE(bench.table.view().currentIndex().column(), 1);
         QTest::keyClick(&bench.table.view(), Qt::Key_Down, Qt::ControlModifier);
-        QCOMPARE(bench.stages()[1].radial_feed_mm.value(), 0.001);
+        QCOMPARE(bench.stages()[1].radial_feed_mm.value(), 0.002);
         QCOMPARE(bench.table.view().currentIndex().row(), 1);
     }
 
@@ -282,8 +282,9 @@ private slots:
 
     void aTraverseCycleShowsItsOwnColumnsWithTheStockPerSide() {
         Bench bench;
-        QCOMPARE(heads(bench.table.view()), words({"Radial feed, mm", "Axial feed, mm/min",
-                                                   "Stock per side, mm", "Spark-out", "Time, s"}));
+        QCOMPARE(heads(bench.table.view()),
+                 words({"Radial feed, mm/dbl stroke", "Axial feed, mm/min", "Stock per side, mm",
+                        "Spark-out", "Time, s"}));
     }
 
     void aRefusedCountOfASparkOutStaysInTheCellAsLongAsThereIsSomethingToCount() {
@@ -376,8 +377,9 @@ private slots:
         const QStringList lines =
             QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), 3);
-        QCOMPARE(lines[0].split(u'\t'), words({"Stage", "Radial feed, mm", "Axial feed, mm/min",
-                                               "Stock per side, mm", "Spark-out", "Time, s"}));
+        QCOMPARE(lines[0].split(u'\t'),
+                 words({"Stage", "Radial feed, mm/dbl stroke", "Axial feed, mm/min",
+                        "Stock per side, mm", "Spark-out", "Time, s"}));
         const QStringList first = lines[1].split(u'\t');
         QCOMPARE(first.mid(0, 5),
                  QStringList({QStringLiteral("1"), QLocale().toString(0.004),

@@ -3,8 +3,11 @@
 
 #include "core/project/project_file.h"
 #include "ui/metrics.h"
+#include "ui/session/example_texts.h"
+#include "ui/session/run_controller.h"
 #include "ui/session/texts.h"
 #include "ui/theme.h"
+#include "ui/views/verdict_text.h"
 
 #include <QDialogButtonBox>
 #include <QDir>
@@ -15,6 +18,8 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace sparkout {
 
@@ -71,26 +76,31 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
 void ExamplesDialog::fill() {
     for (const QString& path : paths()) {
         const QByteArray text = textOf(path);
-        const ReadResult read =
-            readProject({text.constData(), static_cast<std::size_t>(text.size())});
+        ReadResult read = readProject({text.constData(), static_cast<std::size_t>(text.size())});
         if (!read.project) {
             continue;
         }
         const bool traverse = read.project->operation == Operation::traverse;
         const Choice& choice = choicesOf<Operation>()[traverse ? 0 : 1];
-        m_entries.push_back({path, QString::fromStdString(read.project->title),
-                             choiceText(choice.label),
-                             QString::fromStdString(read.project->notes)});
-        const Entry& entry = m_entries.back();
-        new QListWidgetItem(themeIcon(traverse ? u"traverse" : u"plunge"),
-                            tr("%1\n%2").arg(entry.title, entry.operation), m_list);
+        new QListWidgetItem(
+            themeIcon(traverse ? u"traverse" : u"plunge"),
+            tr("%1\n%2").arg(exampleTitle(read.project->title), choiceText(choice.label)), m_list);
+        m_entries.push_back({path, std::move(*read.project)});
     }
     m_list->setCurrentRow(0);
 }
 
 void ExamplesDialog::showNotes() {
     const int row = m_list->currentRow();
-    m_notes->setText(row < 0 ? QString() : m_entries[std::size_t(row)].notes);
+    if (row < 0) {
+        m_notes->clear();
+        return;
+    }
+    const Project& project = m_entries[std::size_t(row)].project;
+    const OutcomePtr outcome = runProject(project, {});
+    m_notes->setText(tr("%1\n\n%2. %3. %4.")
+                         .arg(exampleNotes(project.notes), verdict::time(outcome->result),
+                              verdict::status(outcome->result), verdict::overall(*outcome)));
 }
 
 QByteArray ExamplesDialog::chosenText() const {
@@ -100,7 +110,7 @@ QByteArray ExamplesDialog::chosenText() const {
 
 QString ExamplesDialog::chosenTitle() const {
     const int row = m_list->currentRow();
-    return row < 0 ? QString() : m_entries[std::size_t(row)].title;
+    return row < 0 ? QString() : exampleTitle(m_entries[std::size_t(row)].project.title);
 }
 
 } // namespace sparkout

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/project.h"
+
 #include <QDialog>
 
 #include <vector>
@@ -31,9 +33,7 @@ private:
 
     struct Entry {
         QString path;
-        QString title;
-        QString operation;
-        QString notes;
+        Project project;
     };
     std::vector<Entry> m_entries;
     QListWidget* m_list;

@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr qsizetype editsShown = 6;
+constexpr qsizetype linesShown = 6;
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(FileQuestion)
@@ -61,24 +61,29 @@ private:
     QMessageBox m_box;
 };
 
-QString unsavedText(const Document& document) {
+/// The first lines of a list under a heading.
+QString listed(const QString& heading, const QStringList& lines) {
+    QString text = QStringLiteral("\n\n") + heading;
+    for (const QString& line : lines.mid(0, linesShown)) {
+        text += QStringLiteral("\n• ") + line;
+    }
+    if (const qsizetype more = lines.size() - linesShown; more > 0) {
+        text += QStringLiteral("\n• ") + Words::tr("%n more", nullptr, int(more));
+    }
+    return text;
+}
+
+QString unsavedText(const Document& document, const QStringList& refused) {
     const QString title = QString::fromStdString(document.project().title).simplified();
     const QString path = document.filePath();
     QString text = path.isEmpty() ? Words::tr("“%1” has never been saved. Save it?")
                                         .arg(title.isEmpty() ? Words::tr("Untitled") : title)
                                   : Words::tr("Save the changes to “%1”?").arg(path);
-    QStringList edits = document.unsavedEdits();
-    if (edits.isEmpty()) {
-        return text;
+    if (const QStringList edits = document.unsavedEdits(); !edits.isEmpty()) {
+        text += listed(Words::tr("Not saved:"), edits);
     }
-    const qsizetype more = edits.size() - editsShown;
-    edits = edits.mid(0, editsShown);
-    text += QStringLiteral("\n\n") + Words::tr("Not saved:");
-    for (const QString& edit : edits) {
-        text += QStringLiteral("\n• ") + edit;
-    }
-    if (more > 0) {
-        text += QStringLiteral("\n• ") + Words::tr("%n more", nullptr, int(more));
+    if (!refused.isEmpty()) {
+        text += listed(Words::tr("Refused texts, which no file will hold:"), refused);
     }
     return text;
 }
@@ -100,9 +105,9 @@ bool mayReplace(QWidget* window, const QString& path) {
     return question.ask() == u"replace";
 }
 
-UnsavedAnswer askUnsaved(QWidget* window, const Document& document) {
+UnsavedAnswer askUnsaved(QWidget* window, const Document& document, const QStringList& refused) {
     Question question(window, QMessageBox::Question, Words::tr("Unsaved changes"),
-                      unsavedText(document));
+                      unsavedText(document, refused));
     if (!document.filePath().isEmpty()) {
         question.breakPath(document.filePath());
     }
@@ -114,6 +119,16 @@ UnsavedAnswer askUnsaved(QWidget* window, const Document& document) {
     return answer == u"save"      ? UnsavedAnswer::save
            : answer == u"discard" ? UnsavedAnswer::discard
                                   : UnsavedAnswer::cancel;
+}
+
+bool mayLoseRefused(QWidget* window, const QStringList& refused) {
+    Question question(window, QMessageBox::Question, Words::tr("Refused texts"),
+                      Words::tr("Everything else is saved, but what was refused is in no file. "
+                                "Go on without it?")
+                          + listed(Words::tr("Refused:"), refused));
+    question.add(Words::tr("&Go on"), QMessageBox::DestructiveRole, "discard");
+    question.addCancel(Words::tr("&Back to the fields"));
+    return question.ask() == u"discard";
 }
 
 QString holderText(const LockHolder& holder) {

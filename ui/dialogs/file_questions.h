@@ -5,6 +5,7 @@
 #include "ui/session/file_lock.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 
@@ -20,7 +21,11 @@ void showFailure(QWidget* window, const QString& title, const QString& text);
 [[nodiscard]] bool mayReplace(QWidget* window, const QString& path);
 
 enum class UnsavedAnswer { save, discard, cancel };
-[[nodiscard]] UnsavedAnswer askUnsaved(QWidget* window, const Document& document);
+/// `refused`: what stands in fields that did not take it, a line each; no file will hold it.
+[[nodiscard]] UnsavedAnswer askUnsaved(QWidget* window, const Document& document,
+                                       const QStringList& refused);
+/// The same where there is nothing to save but texts that cannot be saved.
+[[nodiscard]] bool mayLoseRefused(QWidget* window, const QStringList& refused);
 
 enum class LockedAnswer { readOnly, copy, takeOver, cancel };
 [[nodiscard]] LockedAnswer askLocked(QWidget* window, const QString& path,

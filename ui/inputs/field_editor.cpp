@@ -12,6 +12,8 @@
 #include "ui/session/member.h"
 #include "ui/session/operation.h"
 
+#include <QKeyEvent>
+
 namespace sparkout {
 
 FieldEditor::FieldEditor(std::string path, const Field& field, Document& document)
@@ -20,6 +22,17 @@ FieldEditor::FieldEditor(std::string path, const Field& field, Document& documen
 void FieldEditor::setIssue(const Remark& issue) {
     m_issue = issue;
     emit remarkChanged();
+}
+
+bool FieldEditor::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 std::optional<Project> FieldEditor::changedProject(const std::function<void(void*)>& set) const {

@@ -46,6 +46,8 @@ signals:
     void remarkChanged();
 
 protected:
+    /// Undo and redo belong to the document, not to a watched widget.
+    bool eventFilter(QObject* watched, QEvent* event) override;
     /// Changes the member in a copy of the project and hands it to the document.
     void change(const std::function<void(void* owner)>& set);
     /// Whether the change would break no rule that holds now.

@@ -13,6 +13,7 @@ namespace sparkout {
 RowsEditor::RowsEditor(const std::string& path, const Field& field, Document& document,
                        QWidget* parent)
     : FieldEditor(path, field, document), m_line(new QLineEdit(parent)) {
+    m_line->installEventFilter(this);
     connect(m_line, &QLineEdit::textEdited, this, &RowsEditor::take);
     connect(m_line, &QLineEdit::editingFinished, this, [this] {
         this->document().endMerge();
@@ -54,7 +55,7 @@ std::optional<NumberRows> RowsEditor::rowsOf(const QString& text) const {
             }
             row.push_back(*value);
         }
-        if (static_cast<int>(row.size()) != field().count) {
+        if (row.size() != field().count) {
             return std::nullopt;
         }
         rows.push_back(std::move(row));
@@ -67,7 +68,7 @@ void RowsEditor::take() {
     const auto set = [this, &rows](void* to) { field().as<NumberRows>(to) = *rows; };
     if (!rows) {
         refuse(tr("rows of %n number(s), a semicolon between them, as in 0 50; 200 80", nullptr,
-                  field().count));
+                  static_cast<int>(field().count)));
     } else if (!fits(set)) {
         refuse(tr("the forces must rise from row to row, the stiffnesses lie above 0"));
     } else {

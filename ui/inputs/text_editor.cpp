@@ -4,7 +4,7 @@
 #include "core/project/project_file.h"
 #include "ui/session/document.h"
 
-#include <QKeyEvent>
+#include <QEvent>
 #include <QLocale>
 #include <QSignalBlocker>
 
@@ -13,15 +13,6 @@ namespace sparkout {
 namespace {
 
 constexpr int longestLine = 20'000; // in UTF-8 still below what a file may hold
-
-/// Whether an event is undo or redo, which belong to the document and not to one field.
-bool takesHistoryKey(QEvent* event) {
-    if (event->type() != QEvent::ShortcutOverride) {
-        return false;
-    }
-    const auto* key = static_cast<QKeyEvent*>(event);
-    return key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
-}
 
 } // namespace
 
@@ -42,14 +33,6 @@ void TextEditor::show(bool) {
         m_line->setText(text);
         m_line->setCursorPosition(0);
     }
-}
-
-bool TextEditor::eventFilter(QObject* watched, QEvent* event) {
-    if (takesHistoryKey(event)) {
-        event->ignore();
-        return true;
-    }
-    return FieldEditor::eventFilter(watched, event);
 }
 
 NotesEditor::NotesEditor(const std::string& path, const Field& field, Document& document,
@@ -120,10 +103,6 @@ void NotesEditor::retranslate() {
 bool NotesEditor::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusOut) {
         document().endMerge();
-    }
-    if (takesHistoryKey(event)) {
-        event->ignore();
-        return true;
     }
     return FieldEditor::eventFilter(watched, event);
 }

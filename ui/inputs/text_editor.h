@@ -20,9 +20,6 @@ public:
     void retranslate() override {}
     [[nodiscard]] bool wide() const override { return true; }
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     QLineEdit* m_line;
 };

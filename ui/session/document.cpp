@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "ui/session/difference.h"
+#include "ui/session/example_texts.h"
 
 #include <QCoreApplication>
 #include <QUndoCommand>
@@ -179,6 +180,7 @@ OpenResult Document::open(const QString& path) {
 Issues Document::openCopy(const QByteArray& text) {
     LoadedProject loaded = parseProject({text.constData(), static_cast<std::size_t>(text.size())});
     if (loaded.project && !hasErrors(loaded.issues)) {
+        loaded.project->title = exampleTitle(loaded.project->title).toStdString();
         startUntitled(std::move(*loaded.project));
     }
     return loaded.issues;

@@ -76,7 +76,7 @@ public:
 
     void startUntitled(Project project);
     [[nodiscard]] OpenResult open(const QString& path);
-    [[nodiscard]] Issues openCopy(const QByteArray& text); ///< as an untitled document
+    [[nodiscard]] Issues openCopy(const QByteArray& text); ///< of an example, untitled
     [[nodiscard]] std::optional<FileError> save();
     [[nodiscard]] std::optional<FileError> saveAs(const QString& path);
 

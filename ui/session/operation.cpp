@@ -241,8 +241,8 @@ Project newProject(Operation operation) {
     rough.axial_feed_mm_min = 1800;
     rough.stock_mm = 0.11;
     Stage finish;
-    finish.radial_feed_mm = 0.001;
-    finish.axial_feed_mm_min = 300;
+    finish.radial_feed_mm = operation == Operation::traverse ? 0.002 : 0.001;
+    finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
     project.cycle.stages = {rough, finish};
     if (operation == Operation::plunge) {

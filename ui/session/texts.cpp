@@ -21,16 +21,27 @@ QString translated(const char* context, const char* text) {
 }
 
 constexpr std::array units{
-    QT_TRANSLATE_NOOP("Unit", "mm/min"),  QT_TRANSLATE_NOOP("Unit", "mm/N"),
-    QT_TRANSLATE_NOOP("Unit", "mm²/s"),   QT_TRANSLATE_NOOP("Unit", "mm"),
-    QT_TRANSLATE_NOOP("Unit", "µm"),      QT_TRANSLATE_NOOP("Unit", "rev/min"),
-    QT_TRANSLATE_NOOP("Unit", "m/s"),     QT_TRANSLATE_NOOP("Unit", "s"),
-    QT_TRANSLATE_NOOP("Unit", "N, N/µm"), QT_TRANSLATE_NOOP("Unit", "N/µm"),
-    QT_TRANSLATE_NOOP("Unit", "MPa"),     QT_TRANSLATE_NOOP("Unit", "GPa"),
-    QT_TRANSLATE_NOOP("Unit", "kW"),      QT_TRANSLATE_NOOP("Unit", "HRC"),
-    QT_TRANSLATE_NOOP("Unit", "W/(m·K)"), QT_TRANSLATE_NOOP("Unit", "J/m²"),
-    QT_TRANSLATE_NOOP("Unit", "1/mm²"),   QT_TRANSLATE_NOOP("Unit", "K"),
-    QT_TRANSLATE_NOOP("Unit", "°"),       QT_TRANSLATE_NOOP("Unit", "bytes"),
+    QT_TRANSLATE_NOOP("Unit", "mm/dbl stroke"),
+    QT_TRANSLATE_NOOP("Unit", "mm/min"),
+    QT_TRANSLATE_NOOP("Unit", "mm/N"),
+    QT_TRANSLATE_NOOP("Unit", "mm²/s"),
+    QT_TRANSLATE_NOOP("Unit", "mm"),
+    QT_TRANSLATE_NOOP("Unit", "µm"),
+    QT_TRANSLATE_NOOP("Unit", "rev/min"),
+    QT_TRANSLATE_NOOP("Unit", "m/s"),
+    QT_TRANSLATE_NOOP("Unit", "s"),
+    QT_TRANSLATE_NOOP("Unit", "N, N/µm"),
+    QT_TRANSLATE_NOOP("Unit", "N/µm"),
+    QT_TRANSLATE_NOOP("Unit", "MPa"),
+    QT_TRANSLATE_NOOP("Unit", "GPa"),
+    QT_TRANSLATE_NOOP("Unit", "kW"),
+    QT_TRANSLATE_NOOP("Unit", "HRC"),
+    QT_TRANSLATE_NOOP("Unit", "W/(m·K)"),
+    QT_TRANSLATE_NOOP("Unit", "J/m²"),
+    QT_TRANSLATE_NOOP("Unit", "1/mm²"),
+    QT_TRANSLATE_NOOP("Unit", "K"),
+    QT_TRANSLATE_NOOP("Unit", "°"),
+    QT_TRANSLATE_NOOP("Unit", "bytes"),
 };
 
 /// Words the core uses in the values and limits of its issues.

@@ -59,22 +59,23 @@ QString ConstraintsPlot::markText() const {
 
 QString ConstraintsPlot::valuesAt(const LimitedCut& cut) const {
     const auto um = [](double value_mm) { return Names::significant(value_mm * umPerMm); };
-    const std::vector<DepthLimit> limits = limitsOf(cut);
+    std::vector<DepthLimit> limits = limitsOf(cut);
+    std::ranges::sort(limits, {}, &DepthLimit::depth_mm);
+    const DepthLimit* binding = bindingOf(limits);
     QStringList parts;
     for (const DepthLimit& limit : limits) {
-        parts << tr("%1 %2 µm").arg(LimitNames::limit(limit.kind), um(limit.depth_mm));
+        parts << QStringLiteral("%1 %2").arg(LimitNames::limit(limit.kind), um(limit.depth_mm));
+        if (&limit == binding) {
+            parts.back() +=
+                tr(" (%1 used)").arg(LimitNames::percent(ratio(cut.depth_mm, limit.depth_mm)));
+        }
     }
     QString text = tr("%1: stock left %2 µm, actual feed %3 µm, width %4 mm")
                        .arg(Names::place(cut.place, m_outcome->result.project.operation),
                             Names::signedMicrometres(cut.stock_mm * umPerMm), um(cut.depth_mm),
                             Names::significant(cut.width_mm));
     if (!parts.isEmpty()) {
-        text += u'\n' + tr("Allowed: %1").arg(parts.join(QStringLiteral("; ")));
-    }
-    if (const DepthLimit* binding = bindingOf(limits)) {
-        text += tr(". Binding is %1: %2 used up.")
-                    .arg(LimitNames::limit(binding->kind),
-                         LimitNames::percent(ratio(cut.depth_mm, binding->depth_mm)));
+        text += u'\n' + tr("Allowed feed, µm: %1").arg(parts.join(QStringLiteral("; ")));
     }
     return text;
 }

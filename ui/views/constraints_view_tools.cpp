@@ -56,7 +56,7 @@ void ConstraintsView::build(Settings* settings) {
     auto* bar = new QWidget(this);
     buildTools(bar, settings);
     setUpNotice(*m_notice);
-    setUpReadout(*m_values);
+    setUpReadout(*m_values, 3);
     m_off->setWordWrap(true);
     m_off->setTextFormat(Qt::RichText);
     m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);

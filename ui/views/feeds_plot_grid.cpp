@@ -12,12 +12,40 @@ namespace sparkout {
 
 namespace {
 
-constexpr int gap = 6; ///< beside each plot, between the columns
+constexpr int gap = 6;      ///< beside each plot, between the columns
+constexpr int labelGap = 5; ///< between the tick labels of two columns
 constexpr int tickPad = 3;
 constexpr int labelPad = 3;
 constexpr int smallestPlot = 40;
 constexpr int rowGap = 4;    ///< above and below each plot
 constexpr int bottomPad = 2; ///< below the tick labels
+
+/// Leaves the last label out where it would run into the first one of the plot to the right.
+class InnerTicker : public QCPAxisTicker {
+public:
+    explicit InnerTicker(const QCPAxis& axis) : m_axis(axis) {}
+
+    void generate(const QCPRange& range, const QLocale& locale, QChar formatChar, int precision,
+                  QVector<double>& ticks, QVector<double>* subTicks,
+                  QVector<QString>* labels) override {
+        QCPAxisTicker::generate(range, locale, formatChar, precision, ticks, subTicks, labels);
+        if (!labels || labels->isEmpty()) {
+            return;
+        }
+        const QFontMetrics metrics(m_axis.tickLabelFont());
+        const double after = m_axis.coordToPixel(ticks.last())
+                             + metrics.horizontalAdvance(labels->last()) / 2.0
+                             - m_axis.axisRect()->right();
+        const double before = m_axis.axisRect()->left() - m_axis.coordToPixel(ticks.first())
+                              + metrics.horizontalAdvance(labels->first()) / 2.0;
+        if (after + before > 2 * gap - labelGap) {
+            labels->last().clear();
+        }
+    }
+
+private:
+    const QCPAxis& m_axis;
+};
 
 /// Width of the widest tick label an axis will draw.
 int tickWidth(const QCPAxis& axis, const QLocale& locale, const QFontMetrics& metrics) {
@@ -99,7 +127,11 @@ void FeedsPlot::setUpAxes(QCPAxisRect* rect, int row, bool first, bool last) {
     rect->axis(QCPAxis::atRight)->setTickLabels(rightValues && last);
     rect->axis(QCPAxis::atRight)->grid()->setVisible(false);
     rect->axis(QCPAxis::atLeft)->setTickLabels(first);
-    rect->axis(QCPAxis::atBottom)->setTickLabels(row + 1 == rowCount);
+    QCPAxis* const times = rect->axis(QCPAxis::atBottom);
+    times->setTickLabels(row + 1 == rowCount);
+    if (!last) {
+        times->setTicker(QSharedPointer<QCPAxisTicker>(new InnerTicker(*times)));
+    }
 }
 
 void FeedsPlot::addRow(Column& column, int row) {

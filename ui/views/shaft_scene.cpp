@@ -64,8 +64,7 @@ QString ShaftScene::stiffness(double Stiffness::*unit, const QString& name) cons
         .arg(name, stiffnessText((*m_project.machine.stiffness_n_um).*unit), unitText("N/µm"));
 }
 
-void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags,
-                      const QString& text) const {
+void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) {
     const QRectF all = m_rect->rect();
     QRectF rect = painter->fontMetrics().boundingRect(QRect(), flags, text);
     rect.moveCenter(where);
@@ -78,12 +77,19 @@ void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags,
                              std::max(all.right() - rect.width() - 2, all.left() + 2)));
     rect.moveTop(std::clamp(rect.top(), all.top() + 2.0,
                             std::max(all.bottom() - rect.height() - 2, all.top() + 2.0)));
+    for (const QRectF& other : m_notes) { // a line lower, or higher at the lower edge
+        if (rect.intersects(other)) {
+            const bool fits = other.bottom() + rect.height() < all.bottom();
+            rect.moveTop(fits ? other.bottom() : other.top() - rect.height());
+        }
+    }
+    m_notes.push_back(rect);
     painter->setPen(mParentPlot->palette().color(QPalette::Text));
     painter->drawText(rect, flags | Qt::TextDontClip, text);
 }
 
 /// A centre, or the jaws of a chuck.
-void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) const {
+void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
     const Part& part = m_project.part;
     const bool bore = part.surface == Surface::internal;
     const bool chuck = bore || part.shaft.mounting == Mounting::chuck;
@@ -113,7 +119,7 @@ void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) const {
     }
 }
 
-void ShaftScene::drawRests(QCPPainter* painter) const {
+void ShaftScene::drawRests(QCPPainter* painter) {
     const Shaft& shaft = m_project.part.shaft;
     if (m_project.part.surface == Surface::internal) {
         return;
@@ -137,7 +143,7 @@ void ShaftScene::drawRests(QCPPainter* painter) const {
 }
 
 /// At the entry reversal in traverse grinding, over the middle in plunge grinding.
-void ShaftScene::drawWheel(QCPPainter* painter) const {
+void ShaftScene::drawWheel(QCPPainter* painter) {
     const Part& part = m_project.part;
     const double width = m_project.wheel.width_mm, radius = part.diameter_mm / 2;
     double from = (part.length_mm - width) / 2;
@@ -174,6 +180,7 @@ void ShaftScene::drawGauge(QCPPainter* painter) const {
 void ShaftScene::draw(QCPPainter* painter) {
     const QPalette palette = mParentPlot->palette();
     painter->setFont(mParentPlot->font());
+    m_notes.clear();
     QColor fill = palette.color(QPalette::Text);
     fill.setAlpha(wheelShade);
     const QPen edge(palette.color(QPalette::Text), 1);

@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace sparkout {
 
 /// What holds and what cuts the part, around the body that ShaftLayer draws, to the same scale:
@@ -29,11 +31,12 @@ protected:
 private:
     [[nodiscard]] QPointF at(double x_mm, double y_mm) const;
     [[nodiscard]] QRectF box(double from_mm, double to_mm, double low_mm, double high_mm) const;
-    void drawSupport(QCPPainter* painter, bool tailstock) const;
-    void drawRests(QCPPainter* painter) const;
-    void drawWheel(QCPPainter* painter) const;
+    void drawSupport(QCPPainter* painter, bool tailstock);
+    void drawRests(QCPPainter* painter);
+    void drawWheel(QCPPainter* painter);
     void drawGauge(QCPPainter* painter) const;
-    void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) const;
+    /// Writes beside a thing, clear of the notes written before.
+    void note(QCPPainter* painter, const QPointF& where, int flags, const QString& text);
     [[nodiscard]] QString stiffness(double Stiffness::*unit, const QString& name) const;
 
     QCPAxisRect* m_rect;
@@ -42,6 +45,7 @@ private:
     double m_from_mm = 0, m_to_mm = 0; ///< ends of the shaft
     double m_high_mm = 0;              ///< its largest radius
     QRectF m_bounds;
+    std::vector<QRectF> m_notes; ///< where they stand, in this drawing
 };
 
 } // namespace sparkout

@@ -59,6 +59,17 @@ QString briefName(ConstraintKind kind) {
     return {};
 }
 
+/// The reference of a deviation of form, where there are several.
+QString measuredBy(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::roundness:
+        return VerdictModel::tr("Between the circles of the minimum zone, MZCI (ISO 12181)");
+    case ConstraintKind::cylindricity:
+        return VerdictModel::tr("Between the cylinders of the minimum zone, MZCY (ISO 12180)");
+    default: return {};
+    }
+}
+
 /// A name with what its group does not say: the stage and the unit.
 QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
     QStringList parts{name};
@@ -214,8 +225,13 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
             QStringLiteral("%1, %2: %3")
                 .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
                      first ? lightName(light) : shown);
-        const QString estimates = EstimateNames::behind(row.constraint->kind);
-        return role == Qt::ToolTipRole && !estimates.isEmpty() ? told + u'\n' + estimates : told;
+        if (role == Qt::AccessibleTextRole) {
+            return told;
+        }
+        QStringList lines{told, measuredBy(row.constraint->kind),
+                          EstimateNames::behind(row.constraint->kind)};
+        lines.removeAll(QString());
+        return lines.join(u'\n');
     }
     default: return {};
     }

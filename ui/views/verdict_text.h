@@ -11,8 +11,6 @@ namespace sparkout::verdict {
 
 [[nodiscard]] QString time(const SimulationResult& result);   ///< "2.41 min (144.6 s)"
 [[nodiscard]] QString status(const SimulationResult& result); ///< with what is short of the size
-/// Requirements that are given but not evaluated; empty when there are none.
-
 /// "Holds the drawing", or the worst requirement that does not hold.
 [[nodiscard]] QString overall(const Outcome& outcome);
 [[nodiscard]] Light overallLight(const Outcome& outcome);

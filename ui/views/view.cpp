@@ -55,10 +55,10 @@ void View::setUpNotice(QLabel& label) {
     label.setWordWrap(true);
 }
 
-void View::setUpReadout(QLabel& label) {
+void View::setUpReadout(QLabel& label, int lines) {
     setUpNotice(label);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    label.setFixedHeight(QFontMetrics(label.font()).lineSpacing() * 2 + 2);
+    label.setFixedHeight(QFontMetrics(label.font()).lineSpacing() * lines + 2);
 }
 
 void View::redraw() {

@@ -36,7 +36,8 @@ protected:
     /// What was given last, maybe refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
     static void setUpNotice(QLabel& label);  ///< plain text, selectable, wrapped
-    static void setUpReadout(QLabel& label); ///< the same for values, two lines high
+    /// The same for the values under the mouse.
+    static void setUpReadout(QLabel& label, int lines = 2);
     void redraw();                           ///< now, if there is something new
     void showEvent(QShowEvent* event) override;
 

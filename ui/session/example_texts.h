@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+/// Shipped examples carry an English title and notes in both languages.
+namespace sparkout {
+
+/// The title of a shipped example in the program's language; another one as it is.
+[[nodiscard]] QString exampleTitle(const std::string& title);
+/// Those paragraphs of its notes that are in the program's language, without the verdict written
+/// down for the tests; all, if none is.
+[[nodiscard]] QString exampleNotes(const std::string& notes);
+
+} // namespace sparkout
