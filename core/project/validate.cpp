@@ -26,6 +26,7 @@ public:
         project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
         checkCompliance();
         checkWheelContact();
+        checkMachineLimits();
         checkStages();
         checkOptimisation();
         checkBatch();
@@ -181,6 +182,19 @@ private:
         if (gauge.position_mm && *gauge.position_mm > part.length_mm) {
             add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
                 "0…" + mm(part.length_mm) + " (/part/length_mm)");
+        }
+    }
+
+    /// Lowest, highest and step, in this order.
+    void checkMachineLimits() {
+        const MachineLimits& limits = project().machine.limits;
+        for (const Field& field : tableOf<MachineLimits>().fields) {
+            const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
+            if (range && range->size() == 3 && (*range)[1] < (*range)[0]) {
+                const std::string unit = std::string(" ") + field.unit;
+                add(IssueCode::outOfRange, std::string("/machine/limits/") + field.key + "/1",
+                    numberText((*range)[1]) + unit, "≥ " + numberText((*range)[0]) + unit);
+            }
         }
     }
 

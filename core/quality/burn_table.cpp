@@ -47,7 +47,7 @@ private:
 
 BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
     constexpr double stepsPerScale = 64;
-    constexpr double fewest = 16, most = 4096;
+    constexpr double fewest = 16, most = 8192;
     const double deepest = std::max(deepest_mm, 0.0);
     const BurnLimitPoint surface = model.limitPoint(U, 0);
     // The stock over which the curve bends: the reach of heat, or over which √a doubles.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/operation.h"
 
+#include "ui/session/member.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -86,7 +89,9 @@ void fitZones(Project& project) {
     };
     if (zones() >= length || machine.overrun_entry_mm >= width
         || machine.overrun_exit_mm >= width) {
-        width = rounded(std::min(width, length / 2));
+        const double narrowest =
+            findMember(std::as_const(project), "/wheel/width_mm").field->hard.low;
+        width = std::max(rounded(std::min(width, length / 2)), narrowest);
         machine.overrun_entry_mm = rounded(width / 4);
         machine.overrun_exit_mm = rounded(width / 4);
     }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks 4 and 25: random edits, runs, saves, undos and redos. All of it undone is the beginning,
+// all of it redone the end, step by step; and what is saved opens as the same.
+#include "ui/session/document.h"
+#include "ui/session/operation.h"
+#include "ui/session/run_controller.h"
+#include "ui/session/texts.h"
+
+#include "core/project/project_file.h"
+#include "tests/core/project_mutator.h"
+#include "tests/registry.h"
+
+#include <QCryptographicHash>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <chrono>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace test_edit_sequences {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int commands = 100;
+
+QByteArray hashOf(const Document& document) {
+    const std::string text = writeProject(document.project());
+    return QCryptographicHash::hash({text.data(), qsizetype(text.size())},
+                                    QCryptographicHash::Sha256);
+}
+
+/// One command after the other, as a user might give them in no order at all.
+class Sequence {
+public:
+    explicit Sequence(std::uint64_t seed)
+        : m_pick(samples::fromSeed(seed)), m_mutator(samples::fromSeed(seed + 1)) {
+        const auto names = samples::names();
+        const std::string& name = names[seed % names.size()];
+        document.startUntitled(readProject(samples::text(name)).project.value());
+    }
+
+    void command() {
+        switch (m_pick(12)) {
+        case 0:
+        case 1: document.undo(); break;
+        case 2: document.redo(); break;
+        case 3: document.endMerge(); break;
+        case 4: turn(); break;
+        case 5: run(); break;
+        case 6: save(); break;
+        default: edit(); break;
+        }
+    }
+
+    Document document;
+    int runs = 0, failedRuns = 0, saves = 0;
+
+private:
+    void edit() {
+        Project project = document.project();
+        m_mutator.mutate(project, 1 + m_pick(3));
+        const bool typed = m_pick(2) == 0; // merges with the edit before it
+        document.edit(std::move(project), {"Input", "Notes"},
+                      typed ? QStringLiteral("/notes") : QString());
+    }
+    void turn() {
+        const bool plunge = document.project().operation == Operation::plunge;
+        const Operation other = plunge ? Operation::traverse : Operation::plunge;
+        document.edit(withOperation(document.project(), other, document.lastWith(other)), {});
+    }
+    /// A run changes nothing, whatever comes of it: some inputs are refused, some ask for minutes.
+    void run() {
+        const QByteArray before = hashOf(document);
+        std::stop_source stop;
+        const std::jthread clock([&stop] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            stop.request_stop();
+        });
+        const OutcomePtr outcome = runProject(document.project(), stop.get_token());
+        ++runs;
+        failedRuns += !outcome || !outcome->ran();
+        QCOMPARE(hashOf(document), before);
+    }
+    void save() {
+        const QString path = m_folder.filePath(QStringLiteral("saved.sparkout"));
+        const auto error = document.saveAs(path);
+        if (error) {
+            const ReadResult read = readProject(writeProject(document.project()));
+            QFAIL((saveErrorText(*error).toStdString() + samples::listed(read.issues)).c_str());
+        }
+        Document again;
+        QVERIFY(again.open(path).opened());
+        QCOMPARE(hashOf(again), hashOf(document));
+        QVERIFY(!document.modified());
+        ++saves;
+    }
+
+    QTemporaryDir m_folder;
+    decltype(samples::fromSeed(0)) m_pick;
+    samples::Mutator<decltype(samples::fromSeed(0))> m_mutator;
+};
+
+} // namespace
+
+class TestEditSequences : public QObject {
+    Q_OBJECT
+
+private slots:
+    void allUndoneIsTheBeginningAndAllRedoneTheEnd() {
+        const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
+        const int sequences = longTest ? 100 : 15;
+        int steps = 0, runs = 0, failedRuns = 0, saves = 0;
+        for (int seed = 0; seed < sequences; ++seed) {
+            Sequence sequence(static_cast<std::uint64_t>(seed));
+            Document& document = sequence.document;
+            const QByteArray first = hashOf(document);
+            for (int i = 0; i < commands; ++i) {
+                sequence.command();
+                if (QTest::currentTestFailed()) {
+                    qWarning("sequence %d, command %d", seed, i);
+                    return;
+                }
+            }
+            while (document.canRedo()) {
+                document.redo();
+            }
+            std::vector<QByteArray> states{hashOf(document)};
+            while (document.canUndo()) {
+                document.undo();
+                states.push_back(hashOf(document));
+            }
+            QCOMPARE(states.back(), first);
+            for (std::size_t i = states.size() - 1; i-- > 0;) {
+                QVERIFY(document.canRedo());
+                document.redo();
+                QCOMPARE(hashOf(document), states[i]);
+            }
+            QVERIFY(!document.canRedo());
+            steps += static_cast<int>(states.size()) - 1;
+            runs += sequence.runs;
+            failedRuns += sequence.failedRuns;
+            saves += sequence.saves;
+        }
+        qInfo("%d sequences of %d commands: %d steps undone and redone, %d saves, %d runs, %d of "
+              "them without a result; hashes equal both ways",
+              sequences, commands, steps, saves, runs, failedRuns);
+        QVERIFY(steps > 20 * sequences && saves > sequences && failedRuns > 0 && failedRuns < runs);
+    }
+};
+
+} // namespace test_edit_sequences
+
+SPARKOUT_TEST(test_edit_sequences, TestEditSequences)
+#include "test_edit_sequences.moc"

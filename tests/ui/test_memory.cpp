@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Check 23: the window opens, computes, draws and drops projects again and again.
+#include "tests/registry.h"
+#include "tests/ui/window_bench.h"
+#include "ui/view_tabs.h"
+#include "ui/views/view.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <malloc.h>
+#include <unistd.h>
+
+namespace test_memory {
+
+using namespace sparkout;
+
+namespace {
+
+/// Resident memory of this process [MB], after the free parts of the heap were given back.
+double resident_mb() {
+    malloc_trim(0);
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return -1;
+    }
+    return file.readAll().split(' ').value(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1048576;
+}
+
+} // namespace
+
+class TestMemory : public QObject {
+    Q_OBJECT
+
+private slots:
+    void openingRunningAndClosingKeepsNothing() {
+        const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
+        const int rounds = longTest ? 2000 : 250, warmUps = longTest ? 200 : 100;
+        constexpr double allowed_mb = 2;
+        Bench bench(QStringLiteral("en"));
+        const QStringList examples = examplePaths();
+        std::vector<Project> projects;
+        for (const QString& path : {examples.first(), examples.last()}) {
+            QVERIFY(bench.open(path));
+            projects.push_back(bench.window->document().project());
+        }
+        QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+        double before_mb = 0;
+        qsizetype objects = 0;
+        for (int round = 0; round <= rounds; ++round) {
+            const auto& views = bench.window->views();
+            bench.window->viewTabs().showView(views[std::size_t(round / 2) % views.size()]);
+            shown.clear();
+            bench.window->document().startUntitled(projects[std::size_t(round) % 2]);
+            QTRY_VERIFY(!shown.isEmpty());
+            QCoreApplication::processEvents(); // the view draws
+            if (round % int(2 * views.size()) == 0 && round >= warmUps && objects == 0) {
+                before_mb = resident_mb();
+                objects = bench.window->findChildren<QObject*>().size();
+            }
+            if (round == rounds - rounds % int(2 * views.size())) { // the same view and project
+                const double after_mb = resident_mb();
+                qInfo("%d rounds after %d: %.2f MB resident, %+.2f MB; %lld objects, %+lld",
+                      round - warmUps, warmUps, after_mb, after_mb - before_mb, objects,
+                      bench.window->findChildren<QObject*>().size() - objects);
+                QVERIFY(objects > 0 && before_mb > 0);
+                QCOMPARE(bench.window->findChildren<QObject*>().size(), objects);
+                QVERIFY2(after_mb - before_mb <= allowed_mb, qPrintable(QString::number(after_mb)));
+            }
+        }
+    }
+};
+
+} // namespace test_memory
+
+SPARKOUT_TEST(test_memory, TestMemory)
+#include "test_memory.moc"
