@@ -4470,12 +4470,12 @@ target, µm</source>
 %2</translation>
         </message>
         <message>
-            <source>%1
+            <source>%1. %2. %3.
 
-%2. %3. %4.</source>
-            <translation>%1
+%4</source>
+            <translation>%1. %2. %3.
 
-%2. %3. %4.</translation>
+%4</translation>
         </message>
     </context>
     <context>

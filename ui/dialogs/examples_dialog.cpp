@@ -69,7 +69,7 @@ ExamplesDialog::ExamplesDialog(QWidget* parent)
     layout->addLayout(body, 1);
     layout->addWidget(hint);
     layout->addWidget(buttons);
-    resize(760, 400);
+    resize(860, 440);
     fill();
 }
 
@@ -98,9 +98,9 @@ void ExamplesDialog::showNotes() {
     }
     const Project& project = m_entries[std::size_t(row)].project;
     const OutcomePtr outcome = runProject(project, {});
-    m_notes->setText(tr("%1\n\n%2. %3. %4.")
-                         .arg(exampleNotes(project.notes), verdict::time(outcome->result),
-                              verdict::status(outcome->result), verdict::overall(*outcome)));
+    m_notes->setText(tr("%1. %2. %3.\n\n%4")
+                         .arg(verdict::time(outcome->result), verdict::status(outcome->result),
+                              verdict::overall(*outcome), exampleNotes(project.notes)));
 }
 
 QByteArray ExamplesDialog::chosenText() const {
