@@ -57,14 +57,12 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
         lanes.depth_mm[lane] += a;
         lanes.root[lane] = u;
         lanes.rootSum[lane] += u;
-        if (u > 0 && lanes.keepsLastCuts()) {
+        if (u > 0 && !lanes.lastRoot.empty()) {
             lanes.lastRoot[lane] = u;
+            lanes.lastPass[lane] = range.number;
         }
         lanes.peakForce_n[lane] = std::max(lanes.peakForce_n[lane], range.bks * a + range.bkr * u);
         largest = std::max(largest, u);
-    }
-    if (lanes.keepsLastCuts()) {
-        lanes.notePass(range.first, range.count, range.number);
     }
     return largest;
 }

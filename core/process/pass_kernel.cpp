@@ -3,30 +3,8 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace sparkout {
-
-void Lanes::spread() {
-    std::fill_n(m_lastPass.begin() + static_cast<std::ptrdiff_t>(m_whole.first), m_whole.count,
-                m_whole.number);
-    m_whole.count = 0;
-}
-
-void Lanes::notePassThatCutAll(std::size_t first, std::size_t count, std::uint64_t number) {
-    if (first != m_whole.first || count != m_whole.count) {
-        spread();
-    }
-    m_whole = {first, count, number};
-}
-
-void Lanes::notePass(std::size_t first, std::size_t count, std::uint64_t number) {
-    spread();
-    for (std::size_t lane = first; lane < first + count; ++lane) {
-        const std::uint64_t cut = root[lane] > 0 ? ~std::uint64_t{0} : 0;
-        m_lastPass[lane] = (number & cut) | (m_lastPass[lane] & ~cut);
-    }
-}
 
 void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bkr) {
     const double A = 1 + gamma * bks;
@@ -43,7 +21,7 @@ enum class Root { multiplied, divided };
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form, bool keepsLast>
+template <Root form>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
@@ -58,9 +36,8 @@ template <Root form, bool keepsLast>
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
-    double* __restrict lastRoot = keepsLast ? lanes.lastRoot.data() + range.first : nullptr;
-    double largest = 0, smallest = std::numeric_limits<double>::max();
-#pragma omp simd reduction(max : largest) reduction(min : smallest)
+    double largest = 0;
+#pragma omp simd reduction(max : largest)
     for (std::size_t i = 0; i < count; ++i) {
         const double ramp = begin + rate * share[i];
         const double lag = (ramp < most ? ramp : most) - depth[i];
@@ -75,37 +52,37 @@ template <Root form, bool keepsLast>
         rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
-        if constexpr (keepsLast) {
-            // By masks: a choice would become a masked store, which takes thrice as long.
-            const std::uint64_t cut = u > 0 ? ~std::uint64_t{0} : 0;
-            lastRoot[i] =
-                std::bit_cast<double>((std::bit_cast<std::uint64_t>(u) & cut)
-                                      | (std::bit_cast<std::uint64_t>(lastRoot[i]) & ~cut));
-            smallest = u < smallest ? u : smallest;
-        }
-    }
-    if constexpr (keepsLast) {
-        if (smallest > 0) {
-            lanes.notePassThatCutAll(range.first, count, range.number);
-        } else if (largest > 0) {
-            lanes.notePass(range.first, count, range.number);
-        }
     }
     return largest;
 }
 
-template <bool keepsLast>
-[[gnu::always_inline]] inline double cutLanesIn(Lanes& lanes, const LaneCoefficients& coefficients,
-                                                const PassFeed& feed, const PassRange& range) {
-    return range.bkr > multipliedFormLimit * range.bks
-               ? cutLanesBy<Root::divided, keepsLast>(lanes, coefficients, feed, range)
-               : cutLanesBy<Root::multiplied, keepsLast>(lanes, coefficients, feed, range);
+/// Keeps the pass as the last cut of the lanes that it cut.
+[[gnu::always_inline]] inline void keepLastCuts(Lanes& lanes, const PassRange& range) {
+    const double* __restrict root = lanes.root.data() + range.first;
+    double* __restrict lastRoot = lanes.lastRoot.data() + range.first;
+    std::uint64_t* __restrict lastPass = lanes.lastPass.data() + range.first;
+    const std::uint64_t number = range.number;
+    const std::size_t count = range.count;
+    // By masks: a choice would become a masked store, which takes thrice as long.
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t cut = root[i] > 0 ? ~std::uint64_t{0} : 0;
+        const auto u = std::bit_cast<std::uint64_t>(root[i]);
+        const auto before = std::bit_cast<std::uint64_t>(lastRoot[i]);
+        lastRoot[i] = std::bit_cast<double>((u & cut) | (before & ~cut));
+        lastPass[i] = (number & cut) | (lastPass[i] & ~cut);
+    }
 }
 
 [[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
                                               const PassFeed& feed, const PassRange& range) {
-    return lanes.keepsLastCuts() ? cutLanesIn<true>(lanes, coefficients, feed, range)
-                                 : cutLanesIn<false>(lanes, coefficients, feed, range);
+    const double largest = range.bkr > multipliedFormLimit * range.bks
+                               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
+                               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
+    if (!lanes.lastRoot.empty()) {
+        keepLastCuts(lanes, range);
+    }
+    return largest;
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,

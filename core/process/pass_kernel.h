@@ -30,36 +30,15 @@ struct Lanes {
     /// From now on each pass also keeps every lane's last cut.
     void keepLastCuts() {
         lastRoot.assign(root.size(), 0.0);
-        m_lastPass.assign(root.size(), 0);
-        m_whole = {};
+        lastPass.assign(root.size(), 0);
     }
-    [[nodiscard]] bool keepsLastCuts() const { return !lastRoot.empty(); }
-    /// PassRange::number of the last pass that cut a lane.
-    [[nodiscard]] std::uint64_t lastPass(std::size_t lane) const {
-        return lane - m_whole.first < m_whole.count ? m_whole.number : m_lastPass[lane];
-    }
-    void notePassThatCutAll(std::size_t first, std::size_t count, std::uint64_t number);
-    /// Of the lanes whose `root` is above 0.
-    void notePass(std::size_t first, std::size_t count, std::uint64_t number);
-
     std::vector<double> depth_mm;    ///< how far the radius stands below first touch
     std::vector<double> root;        ///< u = √a of the last pass [√mm]
     std::vector<double> rootSum;     ///< Σ√a since the owner last cleared it [√mm]
     std::vector<double> peakForce_n; ///< largest P_y so far
     std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
     std::vector<double> lastRoot;    ///< u of its last pass with a > 0; empty: not kept [√mm]
-
-private:
-    /// Lanes that the same pass cut last, whatever stands in m_lastPass: mostly all of a range are
-    /// cut, and then a number for all is enough.
-    struct Whole {
-        std::size_t first = 0, count = 0;
-        std::uint64_t number = 0;
-    };
-    void spread(); ///< writes that number to each of its lanes
-
-    std::vector<std::uint64_t> m_lastPass;
-    Whole m_whole;
+    std::vector<std::uint64_t> lastPass; ///< PassRange::number of that pass
 };
 
 /// The balance's coefficients for each lane at one width of cut.
@@ -86,7 +65,7 @@ struct PassFeed {
 struct PassRange {
     std::size_t first = 0, count = 0;
     double bks = 0, bkr = 0;  ///< for the peak force P_y = bks·a + bkr·√a
-    std::uint64_t number = 0; ///< of the pass, for Lanes::lastPass()
+    std::uint64_t number = 0; ///< of the pass, for Lanes::lastPass
 };
 
 /// Cuts the lanes of the range once; returns the largest √a [√mm].

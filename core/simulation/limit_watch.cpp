@@ -76,16 +76,14 @@ Place LimitWatch::unpack(std::uint64_t number, const SimulationResult& result,
 void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
                        const PassFeed& feed, const Place* places) {
     const double fed = std::max(feed.at(0), feed.at(1));
-    if (m_rising || m_burn->bound(root, fed, m_total) > m_usage) {
+    if (m_burn->bound(root, fed, m_total) > m_usage) {
         if (fed > m_stretchEnd) {
             openStretch(lanes, fed);
         }
         const double most = worst(lanes, range);
-        m_rising = most > m_usage;
-        if (m_rising) {
+        if (most > m_usage) {
             m_usage = most;
             keep(lanes, range, places);
-            return;
         }
     }
     constexpr double quietReach = 0.02; ///< of the whole infeed
@@ -161,7 +159,7 @@ void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
             result.sections[section].lastCut =
                 LastCut{.depth_mm = *most * *most,
                         .radius = static_cast<int>(lane % m_radii),
-                        .at = unpack(lanes.lastPass(lane), result, section)};
+                        .at = unpack(lanes.lastPass[lane], result, section)};
         }
     }
 }

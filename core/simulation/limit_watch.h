@@ -41,7 +41,6 @@ public:
     /// Forgets the worst so far, for lanes from the start; their last cuts are the lanes'.
     void restart() {
         m_usage = m_quietRoot = 0;
-        m_rising = false;
         m_worst = {};
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
@@ -72,7 +71,6 @@ private:
     double m_quietRoot = 0; ///< √a up to which no pass is a new worst, up to t_П = m_quietEnd
     double m_quietEnd = std::numeric_limits<double>::lowest();
     double m_usage = 0;     ///< √a over its limit, of the worst visit
-    bool m_rising = false;  ///< the last pass looked through was a new worst: the next may well be
     std::size_t m_lane = 0; ///< of that visit
     BurnVisit m_worst;
 };
