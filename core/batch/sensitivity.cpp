@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/sensitivity.h"
 
+#include "core/batch/philox.h"
 #include "core/batch/sobol_sequence.h"
 #include "core/batch/worker_pool.h"
 #include "core/simulation/simulate.h"
