@@ -4912,6 +4912,33 @@ mm/min</source>
         </message>
     </context>
     <context>
+        <name>sparkout::HistogramPlot</name>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>Mean diameter</source>
+            <translation>Средний диаметр</translation>
+        </message>
+        <message>
+            <source>whole part</source>
+            <translation>деталь целиком</translation>
+        </message>
+        <message>
+            <source>, Cpk %1</source>
+            <translation>, Cpk %1</translation>
+        </message>
+        <message>
+            <source>%1, %2</source>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::InputsPanel</name>
         <message>
             <source>Part</source>
