@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/histogram_plot.h"
 
-#include "core/quality/constraints.h"
 #include "ui/session/texts.h"
-#include "ui/views/names.h"
+#include "ui/views/batch_text.h"
 #include "ui/views/plot_style.h"
 
 #include <QEvent>
 #include <QLocale>
+#include <QMouseEvent>
 
 #include <algorithm>
 #include <limits>
@@ -18,8 +18,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr double room = 0.05;      ///< beside the outermost bar or limit, of what is between them
-constexpr double countRoom = 1.08; ///< above the highest bar
+constexpr double barRoom = 0.05;     ///< beside the outermost bar or limit, of what is between them
+constexpr double countRoom = 1.08;   ///< above the highest bar
+constexpr int valueTicks = 3;        ///< have room below narrow cells
+constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room for a name
 
 } // namespace
 
@@ -27,9 +29,16 @@ HistogramPlot::HistogramPlot(QWidget* parent) : QCustomPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     plotLayout()->clear();
     retranslate();
+    connect(this, &QCustomPlot::mouseMove, this, &HistogramPlot::onMouse);
 }
 
 void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
+    const bool sameOne = !m_cells.empty() && summaries.size() == m_cells.size()
+                         && std::string_view(summaries.front().characteristic.name)
+                                == m_cells.front().summary.characteristic.name;
+    const bool moved = sameOne && valueAxis(0)->range() != m_fitted;
+    const QCPRange values = moved ? valueAxis(0)->range() : QCPRange();
+    const QCPRange counts = moved ? countAxis(0)->range() : QCPRange();
     clearItems();
     clearPlottables();
     plotLayout()->clear();
@@ -46,7 +55,13 @@ void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
     }
     restyle();
     retranslate();
+    show();
     fit();
+    if (moved) {
+        valueAxis(0)->setRange(values);
+        countAxis(0)->setRange(counts);
+    }
+    emit contentChanged();
 }
 
 void HistogramPlot::build(Cell& cell, int column) {
@@ -65,6 +80,7 @@ void HistogramPlot::build(Cell& cell, int column) {
     cell.rect->axis(QCPAxis::atLeft)->setTicker(whole);
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
     values->grid()->setVisible(false);
+    values->ticker()->setTickCount(valueTicks);
     cell.bars = new QCPBars(values, cell.rect->axis(QCPAxis::atLeft));
     cell.bars->removeFromLegend();
     cell.bars->setSelectable(QCP::stNone);
@@ -123,10 +139,102 @@ void HistogramPlot::fit() {
     if (m_cells.empty() || low > high) {
         return;
     }
-    const double beside = room * (high - low);
+    const double beside = barRoom * (high - low);
     style::setSafeRange(*valueAxis(0), low - beside, high + beside);
     style::setSafeRange(*countAxis(0), 0, countRoom * most);
+    m_fitted = valueAxis(0)->range();
 }
+
+// --- what is shown ------------------------------------------------------------------------------
+
+void HistogramPlot::show() {
+    for (const Cell& cell : m_cells) {
+        cell.bars->setVisible(m_choice.shows(partsKey));
+        for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
+            if (limit) {
+                limit->setVisible(m_choice.shows(limitsKey));
+            }
+        }
+        if (cell.mean) {
+            cell.mean->setVisible(m_choice.shows(meanKey));
+        }
+    }
+}
+
+void HistogramPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void HistogramPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+LegendEntries HistogramPlot::legendEntries() const {
+    if (m_cells.empty()) {
+        return {};
+    }
+    const Cell& cell = m_cells.front();
+    LegendEntries entries{
+        {cell.bars->brush().color(), Qt::NoPen, tr("parts"), partsKey, m_choice.shows(partsKey)}};
+    const auto add = [&](const QCPItemStraightLine* line, Key key, const QString& text) {
+        if (line) {
+            entries.push_back(
+                {line->pen().color(), line->pen().style(), text, key, m_choice.shows(key)});
+        }
+    };
+    add(cell.low ? cell.low : cell.high, limitsKey, tr("limits of the drawing"));
+    add(cell.mean, meanKey, tr("mean"));
+    return entries;
+}
+
+CsvTable HistogramPlot::table() const {
+    CsvTable table;
+    table.header << tr("Where") << tr("From") << tr("To") << tr("Unit") << tr("Parts");
+    for (std::size_t i = 0; i < m_cells.size() && m_choice.shows(partsKey); ++i) {
+        const Characteristic& of = m_cells[i].summary.characteristic;
+        const QCPRange range = valueAxis(static_cast<int>(i))->range();
+        for (const HistogramBar& bar : m_cells[i].summary.histogram) {
+            if (bar.high >= range.lower && bar.low <= range.upper) {
+                table.rows.push_back({BatchText::where(of), bar.low, bar.high, unitText(of.unit),
+                                      static_cast<double>(bar.count)});
+            }
+        }
+    }
+    return table;
+}
+
+void HistogramPlot::onMouse(QMouseEvent* event) {
+    for (const Cell& cell : m_cells) {
+        if (!cell.rect->rect().contains(event->pos())) {
+            continue;
+        }
+        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
+        const Characteristic& of = cell.summary.characteristic;
+        for (const HistogramBar& bar : cell.summary.histogram) {
+            if (x >= bar.low && x < bar.high) {
+                emit pointed(tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
+                                 .arg(BatchText::full(of),
+                                      BatchText::range({bar.low, bar.high}, of),
+                                      unitText(of.unit)));
+                return;
+            }
+        }
+    }
+    emit pointed({});
+}
+
+void HistogramPlot::leaveEvent(QEvent* event) {
+    QCustomPlot::leaveEvent(event);
+    emit pointed({});
+}
+
+// --- look and words -----------------------------------------------------------------------------
 
 void HistogramPlot::setDimmed(bool dim) {
     if (m_dim != dim) {
@@ -160,24 +268,11 @@ void HistogramPlot::restyle() {
     }
 }
 
-QString HistogramPlot::name(const Characteristic& characteristic) {
-    const std::string_view key = characteristic.name;
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (key == constraintName(kind)) {
-            return Names::constraint(kind);
-        }
-    }
-    return key == "time" ? tr("Machining time") : tr("Mean diameter");
-}
-
 QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
     const Characteristic& of = summary.characteristic;
-    QString text = of.section < 0 ? tr("whole part") : Names::zone(of.zone, of.section);
-    if (summary.cpk) {
-        text += tr(", Cpk %1").arg(locale().toString(summary.cpk->value, 'f', 2));
-    }
-    return text;
+    const QString where = BatchText::where(of);
+    const bool named = summary.cpk && m_cells.size() <= mostNamed;
+    return named ? QStringLiteral("%1, Cpk %2").arg(where, BatchText::brief(*summary.cpk)) : where;
 }
 
 void HistogramPlot::retranslate() {
@@ -188,7 +283,8 @@ void HistogramPlot::retranslate() {
         const Cell& cell = m_cells[i];
         const Characteristic& of = cell.summary.characteristic;
         cell.header->setText(headingOf(cell.summary));
-        cell.rect->axis(QCPAxis::atBottom)->setLabel(tr("%1, %2").arg(name(of), unitText(of.unit)));
+        cell.rect->axis(QCPAxis::atBottom)
+            ->setLabel(m_cells.size() <= mostNamed ? BatchText::axis(of) : unitText(of.unit));
         cell.rect->axis(QCPAxis::atLeft)->setLabel(i == 0 ? tr("Parts") : QString());
     }
 }
@@ -197,8 +293,8 @@ void HistogramPlot::changeEvent(QEvent* event) {
     QCustomPlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         restyle();
-    } else if (event->type() == QEvent::LanguageChange) {
-        retranslate();
+        emit contentChanged();
+        replot(rpQueuedReplot);
     }
 }
 

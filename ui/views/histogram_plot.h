@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/batch/batch_summary.h"
+#include "ui/session/csv_table.h"
+#include "ui/views/legend_drawing.h"
 
 #include <qcustomplot.h>
 
@@ -14,11 +16,16 @@ namespace sparkout {
 class HistogramPlot : public QCustomPlot {
     Q_OBJECT
 public:
+    enum Key { partsKey, limitsKey, meanKey }; ///< of the legend
+
     explicit HistogramPlot(QWidget* parent = nullptr);
 
-    void setSummaries(std::vector<CharacteristicSummary> summaries); ///< of one characteristic
+    /// Of one characteristic; no replot. What was in sight stays while it is the same one.
+    void setSummaries(std::vector<CharacteristicSummary> summaries);
     void setDimmed(bool dim);
     void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
     void retranslate();
     void restyle();
 
@@ -34,11 +41,15 @@ public:
         return at(cell).rect->axis(QCPAxis::atLeft);
     }
     [[nodiscard]] QString heading(int cell) const { return at(cell).header->text(); }
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const; ///< the bars in sight
 
-    /// "Mean diameter", "Radial runout", "Machining time".
-    [[nodiscard]] static QString name(const Characteristic& characteristic);
+signals:
+    void contentChanged();             ///< of the legend
+    void pointed(const QString& text); ///< empty: at nothing
 
 protected:
+    void leaveEvent(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -56,9 +67,13 @@ private:
     void build(Cell& cell, int column);
     [[nodiscard]] QCPItemStraightLine* addLine(const Cell& cell, double value);
     void link(const QCPAxis* moved);
+    void show();
+    void onMouse(QMouseEvent* event);
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
+    CurveChoice m_choice;
+    QCPRange m_fitted; ///< of the values, as they were fitted last
     bool m_dim = false;
     bool m_linking = false;
 };
