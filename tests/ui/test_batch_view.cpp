@@ -12,6 +12,8 @@
 #include "ui/views/batch_view.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/histogram_plot.h"
+#include "ui/views/scatter_plot.h"
+#include "ui/views/sensitivity_plot.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -226,6 +228,58 @@ private slots:
                                BatchFigures::median, BatchFigures::normality}) {
             QCOMPARE(cell(bench, row, 0), QStringLiteral("–"));
         }
+    }
+
+    void theWeightsAreTheRankRegressionOfTheEngineThenItsSobolIndices() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        bench.part<QComboBox>("batchContent").setCurrentIndex(1);
+        const BatchResult result = runBatch(project);
+        const std::vector<std::size_t> places = placesOf(summarise(result), "diameter");
+        const auto regressions = rankRegressions(result);
+        const SensitivityPlot& plot = *bench.view.sensitivity();
+        QVERIFY(!plot.empty());
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            for (std::size_t f = 0; f < 3; ++f) {
+                QCOMPARE(plot.weight(place, f), regressions[places[place]]->coefficients[f]);
+            }
+        }
+        bench.part<QComboBox>("batchWeights").setCurrentIndex(1);
+        QVERIFY(bench.view.busy());
+        QVERIFY(bench.settled());
+        QVERIFY(bench.view.indices() != nullptr);
+        const auto engine = sobolIndices(project, 256);
+        QCOMPARE(bench.view.indices()->simulations, engine->simulations);
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            for (std::size_t f = 0; f < 3; ++f) {
+                QCOMPARE(plot.weight(place, f), engine->byCharacteristic[places[place]][f].total);
+            }
+        }
+    }
+
+    void everyKeptPartIsAPointOfTheScatter() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        bench.part<QComboBox>("batchContent").setCurrentIndex(2);
+        const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
+        const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);
+        const QCPGraph& outside = *plot.graph(ScatterPlot::outsideKey);
+        QCOMPARE(good.dataCount() + outside.dataCount(), 50);
+        QCOMPARE(plot.graph(ScatterPlot::worstKey)->dataCount(), 1);
+        const BatchOutcome& batch = *bench.view.batch();
+        const ScenarioSource source(project);
+        const PartRow& row = batch.result.statistics.rows.front();
+        const double stock = source.values(row.part)[0], diameter = row.values[0];
+        const auto has = [&](const QCPGraph& graph) {
+            return std::any_of(graph.data()->constBegin(), graph.data()->constEnd(),
+                               [&](const QCPGraphData& point) {
+                                   return point.key == stock && point.value == diameter;
+                               });
+        };
+        QVERIFY(has(good) || has(outside));
+        QCOMPARE(plot.table().rows.size(), std::size_t{50});
     }
 
     /// A usual batch of every shipped example can be run.
