@@ -10,7 +10,7 @@
 #include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
 #include "ui/theme.h"
-#include "ui/views/view.h"
+#include "ui/views/batch_view.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -30,7 +30,7 @@ namespace {
 constexpr int exitRefused = 1;
 constexpr int exitUsage = 2;
 constexpr int pictureTimeout_ms = 60'000;
-constexpr int pictureSettle_ms = 400; ///< for queued replots and layouts
+constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
 constexpr const char* usage =
@@ -196,13 +196,20 @@ bool openForPicture(Document& document, const QString& path) {
 int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     window.resize(options.size);
     window.show();
+    int quietTicks = 0;
+    QTimer ticks;
+    QObject::connect(&ticks, &QTimer::timeout, &app, [&] {
+        const bool busy = window.findChild<BatchView*>()->busy();
+        quietTicks = busy ? 0 : quietTicks + 1;
+        if (quietTicks == 2) {
+            app.exit(writePicture(window, options.picture) ? 0 : exitRefused);
+        }
+    });
     QObject::connect(&window, &MainWindow::outcomeShown, &app, [&] {
         if (options.stroke) {
             window.cursor().toStroke(*options.stroke);
         }
-        QTimer::singleShot(pictureSettle_ms, &app, [&] {
-            app.exit(writePicture(window, options.picture) ? 0 : exitRefused);
-        });
+        ticks.start(pictureTick_ms);
     });
     QTimer::singleShot(pictureTimeout_ms, &app, [&] {
         say(stderr, QStringLiteral("sparkout: the run took too long for a picture"));

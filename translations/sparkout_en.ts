@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en_US">
     <context>
+        <name>BatchText</name>
+        <message numerus="yes">
+            <source>%n part(s), %1.</source>
+            <translation>
+                <numerusform>%n part, %1.</numerusform>
+                <numerusform>%n parts, %1.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n did not reach size.</source>
+            <translation>
+                <numerusform>%n did not reach size.</numerusform>
+                <numerusform>%n did not reach size.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>FileQuestion</name>
         <message numerus="yes">
             <source>%n more</source>
@@ -35,6 +52,16 @@
             <translation>
                 <numerusform>%n input changes (in bold); the others stay as they are.</numerusform>
                 <numerusform>%n inputs change (in bold); the others stay as they are.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HistogramPlot</name>
+        <message numerus="yes">
+            <source>%1: %2 %3, %n part(s)</source>
+            <translation>
+                <numerusform>%1: %2 %3, %n part</numerusform>
+                <numerusform>%1: %2 %3, %n parts</numerusform>
             </translation>
         </message>
     </context>

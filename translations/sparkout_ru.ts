@@ -2,6 +2,86 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ru" sourcelanguage="en_US">
     <context>
+        <name>BatchText</name>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>Mean diameter</source>
+            <translation>Средний диаметр</translation>
+        </message>
+        <message>
+            <source>whole part</source>
+            <translation>деталь целиком</translation>
+        </message>
+        <message>
+            <source>%1 (%2 %)</source>
+            <translation>%1 (%2 %)</translation>
+        </message>
+        <message>
+            <source>%1 (%2 %; %3…%4 %)</source>
+            <translation>%1 (%2 %; %3…%4 %)</translation>
+        </message>
+        <message>
+            <source>%1, not normal</source>
+            <translation>%1, не нормально</translation>
+        </message>
+        <message>
+            <source>The nominal part alone: nothing scatters.</source>
+            <translation>Только номинальная деталь: ничего не рассеивается.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n part(s), %1.</source>
+            <translation>
+                <numerusform>%n деталь, %1.</numerusform>
+                <numerusform>%n детали, %1.</numerusform>
+                <numerusform>%n деталей, %1.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1, seed %2</source>
+            <comment>Latin hypercube, seed 1</comment>
+            <translation>%1, зерно %2</translation>
+        </message>
+        <message>
+            <source>Stopped after %1 of %2 parts, %3.</source>
+            <translation>Остановлено после %1 из %2 деталей, %3.</translation>
+        </message>
+        <message>
+            <source>Not good: %1.</source>
+            <translation>Не годны: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n did not reach size.</source>
+            <translation>
+                <numerusform>%n не вышла на размер.</numerusform>
+                <numerusform>%n не вышли на размер.</numerusform>
+                <numerusform>%n не вышли на размер.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Least Cpk %1: %2.</source>
+            <translation>Наименьший Cpk %1: %2.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 parts</source>
+            <translation>%1 из %2 деталей</translation>
+        </message>
+        <message>
+            <source>%1, %2 s left</source>
+            <translation>%1, осталось %2 с</translation>
+        </message>
+        <message>
+            <source>%1, %2 min left</source>
+            <translation>%1, осталось %2 мин</translation>
+        </message>
+        <message>
+            <source>Part %1</source>
+            <translation>Деталь %1</translation>
+        </message>
+    </context>
+    <context>
         <name>Catalogue</name>
         <message>
             <source>There are too many damaged files already.</source>
@@ -245,6 +325,14 @@
         <message>
             <source>Limits from the tolerance class</source>
             <translation>Отклонения по полю допуска</translation>
+        </message>
+        <message>
+            <source>Add a batch</source>
+            <translation>Добавить партию</translation>
+        </message>
+        <message>
+            <source>Worst part of the batch</source>
+            <translation>Худшая деталь партии</translation>
         </message>
     </context>
     <context>
@@ -3799,6 +3887,344 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::BatchFigures</name>
+        <message>
+            <source>Smallest</source>
+            <translation>Наименьшее</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Наибольшее</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Student's interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
+        </message>
+        <message>
+            <source>Mean, 95 %</source>
+            <translation>Среднее, 95 %</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the sample</source>
+            <translation>Стандартное отклонение выборки</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Percentile 0.135 %</source>
+            <translation>Квантиль 0.135 %</translation>
+        </message>
+        <message>
+            <source>Median</source>
+            <translation>Медиана</translation>
+        </message>
+        <message>
+            <source>Percentile 99.865 %</source>
+            <translation>Квантиль 99.865 %</translation>
+        </message>
+        <message>
+            <source>Width of the field over 6 s, with 95 % bounds</source>
+            <translation>Ширина поля допуска, делённая на 6 s, с границами 95 %</translation>
+        </message>
+        <message>
+            <source>Cp</source>
+            <translation>Cp</translation>
+        </message>
+        <message>
+            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity</source>
+            <translation>Расстояние от среднего до ближайшего предела, делённое на 3 s, с границами 95 %; имеет смысл для нормально распределённой величины</translation>
+        </message>
+        <message>
+            <source>Cpk</source>
+            <translation>Cpk</translation>
+        </message>
+        <message>
+            <source>Parts beyond the limits, as a share with the 95 % bounds of Clopper and Pearson</source>
+            <translation>Детали за пределами допуска: число и доля с границами 95 % по Клопперу — Пирсону</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Вне допуска</translation>
+        </message>
+        <message>
+            <source>Probability that normal values show such a skewness and kurtosis (Jarque and Bera); below 0.05 the values are called not normal</source>
+            <translation>Вероятность таких асимметрии и эксцесса у нормальной величины (критерий Харке — Бера); при значении ниже 0,05 распределение названо не нормальным</translation>
+        </message>
+        <message>
+            <source>Normality, p</source>
+            <translation>Нормальность, p</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Lower limit</source>
+            <translation>Нижний предел</translation>
+        </message>
+        <message>
+            <source>Upper limit</source>
+            <translation>Верхний предел</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значений</translation>
+        </message>
+        <message>
+            <source>Skewness</source>
+            <translation>Асимметрия</translation>
+        </message>
+        <message>
+            <source>Excess kurtosis</source>
+            <translation>Эксцесс</translation>
+        </message>
+        <message>
+            <source>Mean, 95 % from</source>
+            <translation>Среднее, 95 % от</translation>
+        </message>
+        <message>
+            <source>Mean, 95 % to</source>
+            <translation>Среднее, 95 % до</translation>
+        </message>
+        <message>
+            <source>Cp, 95 % from</source>
+            <translation>Cp, 95 % от</translation>
+        </message>
+        <message>
+            <source>Cp, 95 % to</source>
+            <translation>Cp, 95 % до</translation>
+        </message>
+        <message>
+            <source>Cpk, 95 % from</source>
+            <translation>Cpk, 95 % от</translation>
+        </message>
+        <message>
+            <source>Cpk, 95 % to</source>
+            <translation>Cpk, 95 % до</translation>
+        </message>
+        <message>
+            <source>Share out of tolerance</source>
+            <translation>Доля вне допуска</translation>
+        </message>
+        <message>
+            <source>Share, 95 % from</source>
+            <translation>Доля, 95 % от</translation>
+        </message>
+        <message>
+            <source>Share, 95 % to</source>
+            <translation>Доля, 95 % до</translation>
+        </message>
+        <message>
+            <source>Percentile %1 %</source>
+            <translation>Квантиль %1 %</translation>
+        </message>
+        <message>
+            <source>%1, 95 % from</source>
+            <translation>%1, 95 % от</translation>
+        </message>
+        <message>
+            <source>%1, 95 % to</source>
+            <translation>%1, 95 % до</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::BatchView</name>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Point at a bar or a point to read its values.</source>
+            <translation>Наведите указатель на столбец или точку, чтобы прочитать значения.</translation>
+        </message>
+        <message>
+            <source>No factor scatters in this batch.</source>
+            <translation>В этой партии ни один фактор не рассеивается.</translation>
+        </message>
+        <message>
+            <source>This characteristic or one of the factors does not vary, or the parts are too few to tell which factor matters.</source>
+            <translation>Эта характеристика или один из факторов не меняется, либо деталей слишком мало, чтобы сказать, какой фактор важен.</translation>
+        </message>
+        <message>
+            <source>Corners are no sample: rank regression takes parts at random.</source>
+            <translation>Углы — не выборка: для ранговой регрессии нужны случайные детали.</translation>
+        </message>
+        <message>
+            <source>Sobol indices have no meaning for correlated factors.</source>
+            <translation>Для коррелированных факторов индексы Соболя не имеют смысла.</translation>
+        </message>
+        <message>
+            <source>Sobol indices take parts of their own; they are being run.</source>
+            <translation>Для индексов Соболя нужны собственные детали; они рассчитываются.</translation>
+        </message>
+        <message>
+            <source>This characteristic does not vary, or some of the parts have none.</source>
+            <translation>Эта характеристика не меняется, или у части деталей её нет.</translation>
+        </message>
+        <message>
+            <source>The Sobol indices were stopped. “Run” runs them again.</source>
+            <translation>Расчёт индексов Соболя остановлен. «Рассчитать» запустит его снова.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the batch is that of the last accepted ones.</source>
+            <translation>Исходные данные отвергнуты; показана партия последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные отвергнуты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата пока нет.</translation>
+        </message>
+        <message>
+            <source>The batch cannot be run:</source>
+            <translation>Партию нельзя рассчитать:</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; the new batch is being run.</source>
+            <translation>Для исходных данных до последней правки; новая партия рассчитывается.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>Для исходных данных до последней правки. Для нынешних нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>This batch takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
+            <translation>Эта партия считается дольше: нажмите «Рассчитать». Расчёт можно остановить в любой момент, сделанное сохранится.</translation>
+        </message>
+        <message>
+            <source>Histograms, zone beside zone</source>
+            <translation>Гистограммы по зонам рядом</translation>
+        </message>
+        <message>
+            <source>Legend of the batch</source>
+            <translation>Легенда партии</translation>
+        </message>
+        <message>
+            <source>State of the batch</source>
+            <translation>Состояние партии</translation>
+        </message>
+        <message>
+            <source>What was run</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Progress of the batch</source>
+            <translation>Ход расчёта партии</translation>
+        </message>
+        <message>
+            <source>Figures of the batch</source>
+            <translation>Показатели партии</translation>
+        </message>
+        <message>
+            <source>Histograms</source>
+            <translation>Гистограммы</translation>
+        </message>
+        <message>
+            <source>Sensitivity</source>
+            <translation>Чувствительность</translation>
+        </message>
+        <message>
+            <source>Scatter</source>
+            <translation>Рассеяние</translation>
+        </message>
+        <message>
+            <source>Which factor matters most</source>
+            <translation>Какой фактор важнее всего</translation>
+        </message>
+        <message>
+            <source>Parts, one quantity over another</source>
+            <translation>Детали: одна величина в зависимости от другой</translation>
+        </message>
+        <message>
+            <source>Rank regression</source>
+            <translation>Ранговая регрессия</translation>
+        </message>
+        <message>
+            <source>Sobol indices</source>
+            <translation>Индексы Соболя</translation>
+        </message>
+        <message>
+            <source>How the weight of a factor is told</source>
+            <translation>Чем выражен вес фактора</translation>
+        </message>
+        <message>
+            <source>Rank regression: standardised coefficients, of the parts of the batch; sign and weight as far as the dependence is monotone, which R² says. Sobol indices: share of the variance, of parts of their own.</source>
+            <translation>Ранговая регрессия: стандартизованные коэффициенты по деталям партии; знак и вес настолько, насколько зависимость монотонна, о чём говорит R². Индексы Соболя: доля дисперсии, по собственным деталям.</translation>
+        </message>
+        <message>
+            <source>Quantity across</source>
+            <translation>Величина по горизонтали</translation>
+        </message>
+        <message>
+            <source>Quantity upwards</source>
+            <translation>Величина по вертикали</translation>
+        </message>
+        <message>
+            <source>What is shown of the batch</source>
+            <translation>Что показано для партии</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Run the parts of the batch; a quick one runs by itself</source>
+            <translation>Рассчитать детали партии; короткая партия считается сама</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>End the batch; what was done is kept and shown</source>
+            <translation>Остановить расчёт; сделанное сохраняется и показывается</translation>
+        </message>
+        <message>
+            <source>Worst part</source>
+            <translation>Худшая деталь</translation>
+        </message>
+        <message>
+            <source>Put the inputs of the part with the least margin into this project, to see it in all views; undo brings yours back</source>
+            <translation>Взять в этот проект исходные данные детали с наименьшим запасом, чтобы увидеть её во всех видах; отмена вернёт ваши</translation>
+        </message>
+        <message>
+            <source>Add a usual batch</source>
+            <translation>Добавить обычную партию</translation>
+        </message>
+        <message>
+            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing.</source>
+            <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж.</translation>
+        </message>
+        <message>
+            <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone</source>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::BooleanEditor</name>
         <message>
             <source>yes</source>
@@ -4980,6 +5406,49 @@ mm/min</source>
         <message>
             <source>About the input in focus</source>
             <translation>О выбранном поле</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HistogramPlot</name>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+        <message>
+            <source>parts</source>
+            <translation>детали</translation>
+        </message>
+        <message>
+            <source>limits of the drawing</source>
+            <translation>пределы по чертежу</translation>
+        </message>
+        <message>
+            <source>mean</source>
+            <translation>среднее</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>От</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>До</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %2 %3, %n part(s)</source>
+            <translation>
+                <numerusform>%1: %2 %3, %n деталь</numerusform>
+                <numerusform>%1: %2 %3, %n детали</numerusform>
+                <numerusform>%1: %2 %3, %n деталей</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -6301,6 +6770,81 @@ target, µm</source>
         <message>
             <source>the forces must rise from row to row, the stiffnesses lie above 0</source>
             <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ScatterPlot</name>
+        <message>
+            <source>parts</source>
+            <translation>детали</translation>
+        </message>
+        <message>
+            <source>parts beyond a limit shown</source>
+            <translation>детали за показанным пределом</translation>
+        </message>
+        <message>
+            <source>worst part</source>
+            <translation>худшая деталь</translation>
+        </message>
+        <message>
+            <source>limits of the drawing</source>
+            <translation>пределы по чертежу</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Part %1: %2; %3</source>
+            <translation>Деталь %1: %2; %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SensitivityPlot</name>
+        <message>
+            <source>%1, R² %2</source>
+            <comment>RZ1, R² 0.97</comment>
+            <translation>%1, R² %2</translation>
+        </message>
+        <message>
+            <source>Where</source>
+            <translation>Где</translation>
+        </message>
+        <message>
+            <source>Factor</source>
+            <translation>Фактор</translation>
+        </message>
+        <message>
+            <source>Standardised rank regression</source>
+            <translation>Стандартизованная ранговая регрессия</translation>
+        </message>
+        <message>
+            <source>R²</source>
+            <translation>R²</translation>
+        </message>
+        <message>
+            <source>Sobol index, first order</source>
+            <translation>Индекс Соболя первого порядка</translation>
+        </message>
+        <message>
+            <source>Sobol index, total</source>
+            <translation>Полный индекс Соболя</translation>
+        </message>
+        <message>
+            <source>%1: %2 of the standardised rank regression</source>
+            <translation>%1: %2 по стандартизованной ранговой регрессии</translation>
+        </message>
+        <message>
+            <source>%1: %2 of the variance alone, %3 with its interactions</source>
+            <translation>%1: %2 дисперсии сам по себе, %3 со взаимодействиями</translation>
+        </message>
+        <message>
+            <source>Coefficient of the standardised rank regression</source>
+            <translation>Коэффициент стандартизованной ранговой регрессии</translation>
+        </message>
+        <message>
+            <source>Share of the variance: full alone, pale with interactions</source>
+            <translation>Доля дисперсии: ярко — сам фактор, бледно — со взаимодействиями</translation>
         </message>
     </context>
     <context>

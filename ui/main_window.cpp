@@ -14,6 +14,7 @@
 #include "ui/sealed_state.h"
 #include "ui/session/texts.h"
 #include "ui/view_tabs.h"
+#include "ui/views/batch_view.h"
 #include "ui/views/compliance_view.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/feeds_view.h"
@@ -110,8 +111,13 @@ void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
-    for (View* view :
-         std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance, layers}) {
+    auto* batch = new BatchView(this, &m_settings);
+    connect(batch, &BatchView::editWanted, this, [this](const auto& edit, const EditText& text) {
+        m_document.endMerge();
+        m_document.edit(edit(m_document.project()), text);
+    });
+    for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
+                                                   layers, batch}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }

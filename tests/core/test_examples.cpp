@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
+#include "core/batch/batch_summary.h"
 #include "core/project/project_file.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
@@ -250,6 +251,51 @@ private slots:
         const QString text = QStringLiteral("here it is %1 %").arg(gain * 100, 0, 'f', 1);
         QVERIFY2(QString::fromStdString(result("shaft-30h6-optimal").project.notes).contains(text),
                  qPrintable(text));
+    }
+
+    /// Table 2 of the thesis is of a batch of 50; so the notes state what this engine makes of one.
+    void theNotesOf30h6StateTheBatchBesideTable2() {
+        struct Row {
+            double low, high, mean; ///< from the lower limit [µm]
+        };
+        for (const char* name : {"shaft-30h6-factory", "shaft-30h6-optimal"}) {
+            const Project project = TestExamples::project(name);
+            QCOMPARE(project.batch->parts, 50);
+            std::vector<Row> rows;
+            for (const CharacteristicSummary& of : summarise(runBatch(project)).characteristics) {
+                if (std::string(of.characteristic.name) == "diameter") {
+                    const double from = project.part.lower_deviation_um;
+                    rows.push_back(
+                        {of.least.value - from, of.most.value - from, of.moments.mean - from});
+                }
+            }
+            QCOMPARE(rows.size(), std::size_t{3});
+            for (const char* language : {"en", "ru"}) {
+                const bool english = std::string(language) == "en";
+                const auto number = [english](double value) {
+                    QString text = QString::number(value, 'f', 1);
+                    return english ? text : text.replace(u'.', u',');
+                };
+                QStringList ranges, means;
+                for (const Row& row : rows) {
+                    ranges << number(row.low) + QString::fromUtf8("…") + number(row.high);
+                    means << number(row.mean);
+                }
+                const auto list = [english](const QStringList& of) {
+                    return QStringLiteral("%1, %2 %3 %4 ")
+                        .arg(of[0], of[1], english ? QStringLiteral("and") : QString::fromUtf8("и"),
+                             of[2]);
+                };
+                const QString notes = QString::fromStdString(project.notes);
+                QVERIFY2(notes.contains(list(ranges)), qPrintable(list(ranges)));
+                QVERIFY2(notes.contains(list(means)), qPrintable(list(means)));
+            }
+            // What the notes call reproduced, and what not: predicted 4…8, 10…16, 8…12 µm.
+            const Row &rz1 = rows[0], &nz = rows[1], &rz2 = rows[2];
+            QVERIFY(rz1.high > 4 && rz1.low < 8);
+            QVERIFY(nz.high < 10 && rz2.high < 8);
+            QVERIFY(nz.mean > rz2.mean && rz2.mean > rz1.mean);
+        }
     }
 
     // What the notes of the other examples say.

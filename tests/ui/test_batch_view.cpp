@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
+// worst part is reproduced by its inputs.
+#include "core/batch/batch_check.h"
+#include "tests/core/batch_fixtures.h"
+#include "tests/registry.h"
+#include "ui/session/batch_edits.h"
+#include "ui/session/project_io.h"
+#include "ui/session/run_controller.h"
+#include "ui/views/batch_figures.h"
+#include "ui/views/batch_text.h"
+#include "ui/views/batch_view.h"
+#include "ui/views/copy_table.h"
+#include "ui/views/histogram_plot.h"
+#include "ui/views/scatter_plot.h"
+#include "ui/views/sensitivity_plot.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace test_batch_view {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int patience_ms = 60'000;
+constexpr int endless = 1'000'000; ///< parts: a minute or so, too many to run by itself
+
+OutcomePtr run(const Project& project) {
+    return runProject(project, {});
+}
+
+/// A view as it stands in the window.
+struct Bench {
+    explicit Bench(const Project& project) {
+        view.resize(700, 520);
+        view.show();
+        view.setOutcome(run(project));
+        QTest::qWait(20);
+    }
+    /// Waits until a batch is shown and none runs.
+    [[nodiscard]] bool settled() {
+        return QTest::qWaitFor([this] { return view.batch() && !view.busy(); }, patience_ms);
+    }
+    template <typename Widget>
+    [[nodiscard]] Widget& part(const char* name) {
+        return *view.findChild<Widget*>(QString::fromLatin1(name));
+    }
+    void click(const char* button) {
+        QTest::mouseClick(&part<QPushButton>(button), Qt::LeftButton);
+    }
+    void choose(const char* characteristic) {
+        auto& box = part<QComboBox>("batchCharacteristic");
+        box.setCurrentIndex(box.findData(QString::fromLatin1(characteristic)));
+    }
+    BatchView view;
+};
+
+/// A cell of the figures on the screen.
+QString cell(Bench& bench, BatchFigures::Row row, int column) {
+    const QAbstractItemModel* model = bench.part<CopyTable>("batchFigures").model();
+    return model->index(row, column).data().toString();
+}
+
+} // namespace
+
+class TestBatchView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates)); }
+
+    void aQuickBatchRunsByItselfAndShowsTheFiguresOfTheEngine() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        const BatchSummary engine = summarise(runBatch(project));
+        for (const char* name : {"diameter", "radial_runout", "time"}) {
+            bench.choose(name);
+            const std::vector<std::size_t> places = placesOf(engine, name);
+            const QAbstractItemModel* model = bench.part<CopyTable>("batchFigures").model();
+            QCOMPARE(model->columnCount(), static_cast<int>(places.size()));
+            QCOMPARE(bench.view.histograms()->cellCount(), static_cast<int>(places.size()));
+            for (int column = 0; column < model->columnCount(); ++column) {
+                const CharacteristicSummary& of =
+                    engine.characteristics[places[static_cast<std::size_t>(column)]];
+                const auto value = [&of](double v) {
+                    return BatchText::value(v, of.characteristic);
+                };
+                QCOMPARE(cell(bench, BatchFigures::least, column), value(of.least.value));
+                QCOMPARE(cell(bench, BatchFigures::most, column), value(of.most.value));
+                QCOMPARE(cell(bench, BatchFigures::mean, column), value(of.moments.mean));
+                QCOMPARE(cell(bench, BatchFigures::deviation, column), value(of.moments.deviation));
+                QCOMPARE(cell(bench, BatchFigures::cpk, column), BatchText::capability(of.cpk));
+            }
+        }
+    }
+
+    void theCopiedTableHasEveryCharacteristicWithAllItsDigits() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        auto& table = bench.part<CopyTable>("batchFigures");
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines = QGuiApplication::clipboard()->text().trimmed().split(u'\n');
+        const BatchSummary engine = summarise(runBatch(project));
+        QCOMPARE(lines.size(), static_cast<qsizetype>(engine.characteristics.size()) + 1);
+        const qsizetype mean = lines.first().split(u'\t').indexOf(QStringLiteral("Mean"));
+        for (std::size_t i = 0; i < engine.characteristics.size(); ++i) {
+            const QStringList cells = lines[static_cast<qsizetype>(i) + 1].split(u'\t');
+            QCOMPARE(cells[mean].toDouble(), engine.characteristics[i].moments.mean);
+        }
+    }
+
+    void aLongBatchWaitsForRunAndAStopKeepsWhatWasDone() {
+        Bench bench(fixtures::shaftBatch(endless));
+        QVERIFY(!bench.view.busy() && !bench.view.batch());
+        QVERIFY(bench.part<QLabel>("batchNotice").isVisible());
+        bench.click("batchRun");
+        QVERIFY(bench.view.busy());
+        QTest::qWait(300);
+        bench.click("batchStop");
+        QVERIFY(bench.settled());
+        const BatchSummary& kept = bench.view.batch()->summary;
+        QVERIFY(kept.parts > 0 && kept.parts < endless);
+        QVERIFY(bench.part<QLabel>("batchState").text().contains(QString::number(kept.parts)));
+        QVERIFY(bench.part<QPushButton>("batchRun").isEnabled());
+        QVERIFY(!bench.part<QPushButton>("batchStop").isEnabled());
+    }
+
+    void afterAnEditTheBatchIsMarkedAndTheNewestWins() {
+        Bench bench(fixtures::shaftBatch(50));
+        QVERIFY(bench.settled());
+        Project edited = fixtures::shaftBatch(endless);
+        edited.batch->seed = 7;
+        bench.view.setOutcome(run(edited));
+        QTest::qWait(20);
+        QVERIFY(bench.view.stale());
+        QVERIFY(bench.part<QLabel>("batchNotice").isVisible());
+        QVERIFY(!bench.part<QPushButton>("batchWorst").isEnabled());
+        bench.click("batchRun");
+        Project newest = fixtures::shaftBatch(40);
+        bench.view.setOutcome(run(newest));
+        QTest::qWait(20);
+        QVERIFY(bench.settled());
+        QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{40});
+        QVERIFY(!bench.view.stale());
+        QVERIFY(!bench.part<QLabel>("batchNotice").isVisible());
+    }
+
+    void aNameOrANoteMakesNoOtherBatch() {
+        Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        const BatchOutcomePtr shown = bench.view.batch();
+        project.title = "Another name";
+        project.notes = "and a note";
+        bench.view.setOutcome(run(project));
+        QTest::qWait(50);
+        QVERIFY(!bench.view.stale() && !bench.view.busy());
+        QCOMPARE(bench.view.batch(), shown);
+    }
+
+    void theInputsOfTheWorstPartReproduceItsValues() {
+        Project project = fixtures::shaftBatch(50);
+        project.title = "Mine";
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        Project taken = project;
+        connect(&bench.view, &BatchView::editWanted, this,
+                [&taken](const auto& edit, const EditText&) { taken = edit(taken); });
+        bench.click("batchWorst");
+        QCOMPARE(QString::fromStdString(taken.title), QStringLiteral("Mine"));
+        QVERIFY(taken.batch.has_value());
+        QVERIFY(!sameBatch(taken, project));
+        const BatchResult& result = bench.view.batch()->result;
+        const auto characteristics = characteristicsOf(taken);
+        PartOutcome alone;
+        measure(run(taken)->result, characteristics, alone);
+        const auto row =
+            std::ranges::find(result.statistics.rows, result.statistics.worst.part, &PartRow::part);
+        QVERIFY(row != result.statistics.rows.end());
+        QCOMPARE(alone.values, row->values);
+        QCOMPARE(alone.margin, result.statistics.worst.value);
+    }
+
+    void withoutABatchAUsualOneIsOffered() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch.reset();
+        Bench bench(project);
+        QVERIFY(!bench.view.batch());
+        QVERIFY(bench.part<QLabel>("batchNotice").isVisible());
+        Project taken = project;
+        connect(&bench.view, &BatchView::editWanted, this,
+                [&taken](const auto& edit, const EditText&) { taken = edit(taken); });
+        bench.click("batchAdd");
+        QVERIFY(taken.batch.has_value());
+        bench.view.setOutcome(run(taken));
+        QTest::qWait(20);
+        QVERIFY(bench.settled());
+        QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{50});
+    }
+
+    void aBatchThatCannotBeRunSaysWhy() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch->factors.dullness = fixtures::uniform(0.03, 0.01);
+        Bench bench(project);
+        auto& notice = bench.part<QLabel>("batchNotice");
+        QTRY_VERIFY(notice.text().contains(QStringLiteral("0.03")));
+        QVERIFY(!bench.view.batch());
+    }
+
+    void cornersTellExtremesAndCountsOnly() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch->scenarios = Scenarios::corners;
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{8});
+        QVERIFY(cell(bench, BatchFigures::most, 0) != QStringLiteral("–"));
+        for (const auto row : {BatchFigures::mean, BatchFigures::deviation, BatchFigures::cpk,
+                               BatchFigures::median, BatchFigures::normality}) {
+            QCOMPARE(cell(bench, row, 0), QStringLiteral("–"));
+        }
+    }
+
+    void theWeightsAreTheRankRegressionOfTheEngineThenItsSobolIndices() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        bench.part<QComboBox>("batchContent").setCurrentIndex(1);
+        const BatchResult result = runBatch(project);
+        const std::vector<std::size_t> places = placesOf(summarise(result), "diameter");
+        const auto regressions = rankRegressions(result);
+        const SensitivityPlot& plot = *bench.view.sensitivity();
+        QVERIFY(!plot.empty());
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            for (std::size_t f = 0; f < 3; ++f) {
+                QCOMPARE(plot.weight(place, f), regressions[places[place]]->coefficients[f]);
+            }
+        }
+        bench.part<QComboBox>("batchWeights").setCurrentIndex(1);
+        QVERIFY(bench.view.busy());
+        QVERIFY(bench.settled());
+        QVERIFY(bench.view.indices() != nullptr);
+        const auto engine = sobolIndices(project, 256);
+        QCOMPARE(bench.view.indices()->simulations, engine->simulations);
+        for (std::size_t place = 0; place < places.size(); ++place) {
+            for (std::size_t f = 0; f < 3; ++f) {
+                QCOMPARE(plot.weight(place, f), engine->byCharacteristic[places[place]][f].total);
+            }
+        }
+    }
+
+    void everyKeptPartIsAPointOfTheScatter() {
+        const Project project = fixtures::shaftBatch(50);
+        Bench bench(project);
+        QVERIFY(bench.settled());
+        bench.part<QComboBox>("batchContent").setCurrentIndex(2);
+        const ScatterPlot& plot = *bench.view.scatter(); // stock against the first diameter
+        const QCPGraph& good = *plot.graph(ScatterPlot::goodKey);
+        const QCPGraph& outside = *plot.graph(ScatterPlot::outsideKey);
+        QCOMPARE(good.dataCount() + outside.dataCount(), 50);
+        QCOMPARE(plot.graph(ScatterPlot::worstKey)->dataCount(), 1);
+        const BatchOutcome& batch = *bench.view.batch();
+        const ScenarioSource source(project);
+        const PartRow& row = batch.result.statistics.rows.front();
+        const double stock = source.values(row.part)[0], diameter = row.values[0];
+        const auto has = [&](const QCPGraph& graph) {
+            return std::any_of(graph.data()->constBegin(), graph.data()->constEnd(),
+                               [&](const QCPGraphData& point) {
+                                   return point.key == stock && point.value == diameter;
+                               });
+        };
+        QVERIFY(has(good) || has(outside));
+        QCOMPARE(plot.table().rows.size(), std::size_t{50});
+    }
+
+    /// A usual batch of every shipped example can be run.
+    void everyExampleCanHaveAUsualBatch() {
+        for (const char* name :
+             {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory", "shaft-38-74h6",
+              "slender-shaft", "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
+            const QString path =
+                QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
+                    .arg(QString::fromLatin1(name));
+            const Project usual = withUsualBatch(loadProject(path).project.value());
+            QVERIFY2(checkBatch(usual).empty(), name);
+            QVERIFY2(givenFactors(usual).size() >= 2, name);
+        }
+    }
+};
+
+} // namespace test_batch_view
+
+SPARKOUT_TEST(test_batch_view, TestBatchView)
+#include "test_batch_view.moc"

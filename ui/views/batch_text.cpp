@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/batch_text.h"
+
+#include "core/quality/constraints.h"
+#include "ui/session/number_text.h"
+#include "ui/session/texts.h"
+#include "ui/views/names.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double plenty = 99;     ///< Cpk beyond which only that is told
+constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
+constexpr double minute_s = 60;
+
+QLocale batchNumbers() {
+    QLocale numbers;
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    return numbers;
+}
+
+QString decimals(double value, int count) {
+    return batchNumbers().toString(value, 'f', count).replace(u'-', u'−');
+}
+
+QString percent(double share) {
+    const double hundredth = 100 * share;
+    return decimals(hundredth, hundredth > 0 && hundredth < 10 ? 1 : 0);
+}
+
+/// Cpk, where it was made; else the greatest number.
+double leastCpk(const CharacteristicSummary& summary) {
+    return summary.cpk ? summary.cpk->value : std::numeric_limits<double>::max();
+}
+
+} // namespace
+
+QString BatchText::name(const Characteristic& characteristic) {
+    const std::string_view key = characteristic.name;
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (key == constraintName(kind)) {
+            return Names::constraint(kind);
+        }
+    }
+    return key == "time" ? tr("Machining time") : tr("Mean diameter");
+}
+
+QString BatchText::where(const Characteristic& characteristic) {
+    return characteristic.section < 0 ? tr("whole part")
+                                      : Names::zone(characteristic.zone, characteristic.section);
+}
+
+QString BatchText::full(const Characteristic& characteristic) {
+    return characteristic.section < 0
+               ? name(characteristic)
+               : QStringLiteral("%1, %2").arg(name(characteristic), where(characteristic));
+}
+
+QString BatchText::axis(const Characteristic& characteristic) {
+    return QStringLiteral("%1, %2").arg(name(characteristic), unitText(characteristic.unit));
+}
+
+QString BatchText::factor(FactorKind kind) {
+    return inputText(tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label);
+}
+
+QString BatchText::factorAxis(FactorKind kind) {
+    const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+    return *unit ? QStringLiteral("%1, %2").arg(factor(kind), unitText(unit)) : factor(kind);
+}
+
+QString BatchText::value(double value, const Characteristic& characteristic) {
+    const int count =
+        std::clamp(static_cast<int>(std::lround(-std::log10(characteristic.resolution))), 0, 6);
+    return decimals(std::abs(value) < 0.5 * std::pow(10, -count) ? 0 : value, count);
+}
+
+QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
+    return value(interval.low, characteristic) + u'…' + value(interval.high, characteristic);
+}
+
+QString BatchText::capability(const std::optional<Capability>& capability) {
+    if (!capability) {
+        return QStringLiteral("–");
+    }
+    return capability->interval.low > plenty
+               ? brief(*capability)
+               : QStringLiteral("%1 (%2…%3)")
+                     .arg(brief(*capability), decimals(capability->interval.low, 2),
+                          decimals(capability->interval.high, 2));
+}
+
+QString BatchText::brief(const Capability& capability) {
+    return capability.interval.low > plenty ? QStringLiteral("> %1").arg(plenty)
+                                            : decimals(capability.value, 2);
+}
+
+QString BatchText::share(const Share& share) {
+    if (!share.interval) {
+        return tr("%1 (%2 %)").arg(share.count).arg(percent(share.value));
+    }
+    return tr("%1 (%2 %; %3…%4 %)")
+        .arg(share.count)
+        .arg(percent(share.value), percent(share.interval->low), percent(share.interval->high));
+}
+
+QString BatchText::normality(const CharacteristicSummary& summary) {
+    if (!summary.normality) {
+        return QStringLiteral("–");
+    }
+    const QString p = *summary.normality < 0.001 ? QStringLiteral("< %1").arg(decimals(0.001, 3))
+                                                 : decimals(*summary.normality, 3);
+    return *summary.normality < doubtful ? tr("%1, not normal").arg(p) : p;
+}
+
+QString BatchText::run(const BatchOutcome& outcome) {
+    const Batch& batch = *outcome.result.project.batch;
+    const QString scenarios =
+        choiceText(choicesOf<Scenarios>()[static_cast<std::size_t>(batch.scenarios)].label);
+    if (outcome.factors.empty()) {
+        return tr("The nominal part alone: nothing scatters.");
+    }
+    if (!outcome.summary.isSample) {
+        return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts))
+            .arg(scenarios);
+    }
+    const QString what =
+        tr("%1, seed %2", "Latin hypercube, seed 1").arg(scenarios).arg(batch.seed);
+    if (outcome.result.status == BatchStatus::stopped) {
+        return tr("Stopped after %1 of %2 parts, %3.")
+            .arg(outcome.summary.parts)
+            .arg(outcome.result.batchParts)
+            .arg(what);
+    }
+    return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts)).arg(what);
+}
+
+QString BatchText::verdict(const BatchSummary& summary) {
+    QStringList texts;
+    if (summary.parts > 0) {
+        texts << tr("Not good: %1.").arg(share(summary.bad));
+    }
+    if (summary.failed > 0) {
+        texts << tr("%n did not reach size.", nullptr, static_cast<int>(summary.failed));
+    }
+    const auto least = std::ranges::min_element(summary.characteristics, {}, leastCpk);
+    if (least != summary.characteristics.end() && least->cpk) {
+        texts << tr("Least Cpk %1: %2.").arg(brief(*least->cpk), full(least->characteristic));
+    }
+    return texts.join(u' ');
+}
+
+QString BatchText::progress(qint64 done, qint64 parts, double left_s) {
+    const QString count = tr("%1 of %2 parts").arg(done).arg(parts);
+    if (left_s < 0) {
+        return count;
+    }
+    return left_s < 2 * minute_s
+               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
+               : tr("%1, %2 min left").arg(count).arg(std::ceil(left_s / minute_s), 0, 'f', 0);
+}
+
+QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {
+    QStringList texts;
+    const ScenarioSource source(outcome.result.project);
+    const std::vector<double> values = source.values(part);
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        const FactorKind kind = source.factors()[f].kind;
+        const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+        texts << QStringLiteral("%1 %2 %3")
+                     .arg(factor(kind), Names::significant(values[f]), unitText(unit))
+                     .trimmed();
+    }
+    return tr("Part %1").arg(part) + (texts.isEmpty() ? QString() : QStringLiteral(": "))
+           + texts.join(QStringLiteral(", "));
+}
+
+std::vector<std::size_t> placesOf(const BatchSummary& summary, const std::string& name) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
+        if (name == summary.characteristics[i].characteristic.name) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary, const std::string& name) {
+    std::vector<std::size_t> places = placesOf(summary, name);
+    if (places.size() > mostPlaces) {
+        std::ranges::stable_sort(
+            places, {}, [&summary](std::size_t i) { return leastCpk(summary.characteristics[i]); });
+        places.resize(mostPlaces);
+        std::ranges::sort(places);
+    }
+    return places;
+}
+
+} // namespace sparkout

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/batch_runner.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace sparkout {
+
+/// What the view of the batch says of characteristics, factors and figures.
+class BatchText {
+    Q_DECLARE_TR_FUNCTIONS(BatchText)
+public:
+    static QString name(const Characteristic& characteristic);  ///< "Mean diameter"
+    static QString where(const Characteristic& characteristic); ///< "RZ1", "whole part"
+    static QString full(const Characteristic& characteristic);  ///< "Mean diameter, RZ1"
+    static QString axis(const Characteristic& characteristic);  ///< "Mean diameter, µm"
+    static QString factor(FactorKind kind);                     ///< "Stock per side"
+    static QString factorAxis(FactorKind kind);                 ///< "Stock per side, mm"
+
+    static QString value(double value, const Characteristic& characteristic); ///< without unit
+    static QString range(const Interval& interval, const Characteristic& characteristic);
+    static QString capability(const std::optional<Capability>& capability); ///< "1.42 (1.2…1.6)"
+    static QString brief(const Capability& capability);                     ///< "1.42"
+    static QString share(const Share& share); ///< "3 (6 %; 1.3…16.5 %)"
+    static QString normality(const CharacteristicSummary& summary);
+
+    /// "50 parts, Latin hypercube, seed 1."
+    static QString run(const BatchOutcome& outcome);
+    /// How many are not good, and where the least Cpk is.
+    static QString verdict(const BatchSummary& summary);
+    static QString progress(qint64 done, qint64 parts, double left_s);
+    /// Number of a part and the values of its factors.
+    static QString part(const BatchOutcome& outcome, std::int64_t part);
+};
+
+/// Indices of the characteristics of one name in a summary, place by place.
+[[nodiscard]] std::vector<std::size_t> placesOf(const BatchSummary& summary,
+                                                const std::string& name);
+
+/// The same, of too many those of the least Cpk, still in the order of the places.
+inline constexpr std::size_t mostPlaces = 6; ///< drawn side by side
+[[nodiscard]] std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary,
+                                                     const std::string& name);
+
+} // namespace sparkout

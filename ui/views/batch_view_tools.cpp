@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The widgets of the view of the batch: building and connecting.
+#include "ui/metrics.h"
+#include "ui/session/batch_edits.h"
+#include "ui/views/batch_figures.h"
+#include "ui/views/batch_text.h"
+#include "ui/views/batch_view.h"
+#include "ui/views/copy_table.h"
+#include "ui/views/histogram_plot.h"
+#include "ui/views/legend_strip.h"
+#include "ui/views/plot_tools.h"
+#include "ui/views/scatter_plot.h"
+#include "ui/views/sensitivity_plot.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
+constexpr int progressSteps = 1000;
+} // namespace
+
+BatchView::BatchView(QWidget* parent, Settings* settings)
+    : View(parent)
+    , m_histograms(new HistogramPlot(this))
+    , m_sensitivity(new SensitivityPlot(this))
+    , m_scatter(new ScatterPlot(this))
+    , m_stack(new QStackedWidget(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_legend(new LegendStrip(this))
+    , m_figures(new BatchFigures(this))
+    , m_content(new QComboBox(this))
+    , m_name(new QComboBox(this))
+    , m_weights(new QComboBox(this))
+    , m_across(new QComboBox(this))
+    , m_up(new QComboBox(this))
+    , m_run(new QPushButton(this))
+    , m_stop(new QPushButton(this))
+    , m_worst(new QPushButton(this))
+    , m_add(new QPushButton(this))
+    , m_progress(new QProgressBar(this))
+    , m_state(new QLabel(this))
+    , m_notice(new QLabel(this))
+    , m_values(new QLabel(this))
+    , m_runner(new BatchRunner(this))
+    , m_indexRunner(new BatchRunner(this)) {
+    setObjectName(QStringLiteral("batch"));
+    build(settings);
+    connectParts();
+    retranslate();
+    chooseContent();
+}
+
+void BatchView::build(Settings* settings) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    layout->setSpacing(metrics::tight);
+    auto* bar = new QWidget(this);
+    buildTools(bar, settings);
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
+    for (const Page& page : m_pages) {
+        page.plot->setMinimumSize(240, 120);
+        m_stack->addWidget(page.plot);
+    }
+    m_splitter->addWidget(m_stack);
+    m_splitter->addWidget(buildFigures());
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setSizes({histogramShare, figuresShare});
+    m_splitter->setStretchFactor(0, histogramShare);
+    m_splitter->setStretchFactor(1, figuresShare);
+    layout->addWidget(bar);
+    layout->addWidget(m_runBar = buildRunBar());
+    layout->addWidget(m_notice);
+    layout->addWidget(m_add, 0, Qt::AlignLeft);
+    layout->addWidget(m_legend);
+    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_values);
+    layout->addStretch(0);
+    const std::pair<QWidget*, const char*> names[] = {
+        {m_histograms, "batchHistograms"},
+        {m_legend, "batchLegend"},
+        {m_content, "batchContent"},
+        {m_name, "batchCharacteristic"},
+        {m_run, "batchRun"},
+        {m_stop, "batchStop"},
+        {m_worst, "batchWorst"},
+        {m_add, "batchAdd"},
+        {m_progress, "batchProgress"},
+        {m_state, "batchState"},
+        {m_notice, "batchNotice"},
+        {m_values, "batchValues"},
+        {m_table, "batchFigures"},
+        {m_sensitivity, "batchSensitivity"},
+        {m_scatter, "batchScatter"},
+        {m_weights, "batchWeights"},
+        {m_across, "batchAcross"},
+        {m_up, "batchUp"},
+    };
+    for (const auto& [widget, name] : names) {
+        widget->setObjectName(QLatin1String(name));
+    }
+}
+
+QWidget* BatchView::buildRunBar() {
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    setUpNotice(*m_state);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(true);
+    row->addWidget(m_run);
+    row->addWidget(m_stop);
+    row->addWidget(m_state, 1);
+    row->addWidget(m_progress, 1);
+    row->addWidget(m_worst);
+    return bar;
+}
+
+template <typename Plot>
+void BatchView::addPage(Plot& plot, PlotSubject subject, Settings* settings) {
+    subject.heading = [this] { return heading(); };
+    subject.legend = [&plot] { return plot.legendEntries(); };
+    subject.table = [&plot] { return plot.table(); };
+    subject.restyle = [&plot] { plot.restyle(); };
+    subject.navigation.fit = [&plot] { plot.fit(); };
+    Page page;
+    page.plot = &plot;
+    page.legend = subject.legend;
+    page.toggle = [&plot](int key) { plot.toggleCurve(key); };
+    page.showOnly = [&plot](int key) { plot.showOnly(key); };
+    page.tools = new PlotTools(plot, std::move(subject));
+    page.tools->setSettings(settings);
+    page.buttons = new QWidget(this);
+    auto* row = new QHBoxLayout(page.buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    row->addWidget(PlotTools::button(page.tools->fit, page.buttons));
+    row->addWidget(page.tools->exportButton(page.buttons));
+    connect(&plot, &Plot::contentChanged, this, &BatchView::showLegend);
+    connect(&plot, &Plot::pointed, this,
+            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
+    m_content->addItem(QString());
+    m_pages.push_back(std::move(page));
+}
+
+void BatchView::buildTools(QWidget* bar, Settings* settings) {
+    addPage(*m_histograms, {}, settings);
+    addPage(*m_sensitivity, {}, settings);
+    addPage(*m_scatter, {}, settings);
+    m_weights->addItems({QString(), QString()});
+    for (QComboBox* box : {m_name, m_weights, m_across, m_up}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    row->addWidget(m_content);
+    row->addWidget(m_name);
+    row->addWidget(m_weights);
+    row->addWidget(m_across);
+    row->addWidget(m_up);
+    row->addStretch(1);
+    for (const Page& page : m_pages) {
+        row->addWidget(page.buttons);
+    }
+}
+
+QWidget* BatchView::buildFigures() {
+    m_table = new CopyTable(
+        [this] {
+            return m_batch ? tabSeparated(batchFiguresTable(m_batch->summary), QLocale())
+                           : QString();
+        },
+        this);
+    m_table->setModel(m_figures);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setHighlightSections(false);
+    return m_table;
+}
+
+void BatchView::connectParts() {
+    connect(m_content, &QComboBox::currentIndexChanged, this, &BatchView::chooseContent);
+    connect(m_name, &QComboBox::currentIndexChanged, this, &BatchView::chooseName);
+    connect(m_legend, &LegendStrip::toggled, this, [this](int key) { page().toggle(key); });
+    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) { page().showOnly(key); });
+    connect(m_run, &QPushButton::clicked, this, &BatchView::runBatch);
+    connect(m_stop, &QPushButton::clicked, this, [this] {
+        m_runner->stop();
+        m_indexRunner->stop();
+    });
+    connect(m_weights, &QComboBox::currentIndexChanged, this, &BatchView::chooseWeights);
+    for (QComboBox* box : {m_across, m_up}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &BatchView::chooseQuantities);
+    }
+    connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        emit editWanted(withUsualBatch, {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
+    });
+    for (BatchRunner* runner : {m_runner, m_indexRunner}) {
+        connect(runner, &BatchRunner::progressed, this,
+                [this](qint64 done, qint64 parts, double left_s) {
+                    m_progress->setValue(
+                        static_cast<int>(done * progressSteps / std::max(parts, qint64(1))));
+                    m_progress->setFormat(BatchText::progress(done, parts, left_s));
+                });
+    }
+    connect(m_indexRunner, &BatchRunner::indicesFound, this, &BatchView::takeIndices);
+    connect(m_runner, &BatchRunner::finished, this, &BatchView::takeBatch);
+}
+
+} // namespace sparkout
