@@ -56,6 +56,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::CompareView</name>
+        <message numerus="yes">
+            <source>; and %n more</source>
+            <translation>
+                <numerusform>; and %n more</numerusform>
+                <numerusform>; and %n more</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::HistogramPlot</name>
         <message numerus="yes">
             <source>%1: %2 %3, %n part(s)</source>
@@ -109,6 +119,16 @@
             <translation>
                 <numerusform>rows of one number, a semicolon between them, as in 50; 80</numerusform>
                 <numerusform>rows of %n numbers, a semicolon between them, as in 0 50; 200 80</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RunKeeper</name>
+        <message numerus="yes">
+            <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
+            <translation>
+                <numerusform>A kept run comes out differently with this version of the program than it was kept: %1.</numerusform>
+                <numerusform>%n kept runs come out differently with this version of the program than they were kept: %1.</numerusform>
             </translation>
         </message>
     </context>

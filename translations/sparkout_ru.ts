@@ -202,6 +202,26 @@
             <source>random</source>
             <translation>случайная выборка</translation>
         </message>
+        <message>
+            <source>completed</source>
+            <translation>завершён</translation>
+        </message>
+        <message>
+            <source>cannot reach size</source>
+            <translation>размер не достигается</translation>
+        </message>
+        <message>
+            <source>too long</source>
+            <translation>слишком долгий</translation>
+        </message>
+        <message>
+            <source>stopped</source>
+            <translation>остановлен</translation>
+        </message>
+        <message>
+            <source>balance not solved</source>
+            <translation>равновесие не найдено</translation>
+        </message>
     </context>
     <context>
         <name>CouplingCurves</name>
@@ -333,6 +353,22 @@
         <message>
             <source>Worst part of the batch</source>
             <translation>Худшая деталь партии</translation>
+        </message>
+        <message>
+            <source>Keep the present run</source>
+            <translation>Запомнить текущий расчёт</translation>
+        </message>
+        <message>
+            <source>Rename a kept run</source>
+            <translation>Переименовать запомненный расчёт</translation>
+        </message>
+        <message>
+            <source>Delete a kept run</source>
+            <translation>Удалить запомненный расчёт</translation>
+        </message>
+        <message>
+            <source>Restore the inputs of a kept run</source>
+            <translation>Вернуть исходные данные запомненного расчёта</translation>
         </message>
     </context>
     <context>
@@ -2121,6 +2157,70 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Roughness</source>
             <translation>Шероховатость</translation>
         </message>
+        <message>
+            <source>Smallest diameter, deviation</source>
+            <translation>Наименьший диаметр, отклонение</translation>
+        </message>
+        <message>
+            <source>Largest diameter, deviation</source>
+            <translation>Наибольший диаметр, отклонение</translation>
+        </message>
+        <message>
+            <source>Largest normal force</source>
+            <translation>Наибольшая радиальная сила</translation>
+        </message>
+        <message>
+            <source>Final radii</source>
+            <translation>Радиусы в конце цикла</translation>
+        </message>
+        <message>
+            <source>Worst place</source>
+            <translation>Худшее место</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Relative margin</source>
+            <translation>Относительный запас</translation>
+        </message>
+        <message>
+            <source>Holds</source>
+            <translation>Выполнено</translation>
+        </message>
+        <message>
+            <source>How the cycle ended</source>
+            <translation>Чем закончился цикл</translation>
+        </message>
+        <message>
+            <source>Cycle time</source>
+            <translation>Время цикла</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions</source>
+            <translation>Двойные ходы или обороты</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions by stage</source>
+            <translation>Двойные ходы или обороты по ступеням</translation>
+        </message>
+        <message>
+            <source>Zones or sections</source>
+            <translation>Зоны или сечения</translation>
+        </message>
+        <message>
+            <source>Largest power</source>
+            <translation>Наибольшая мощность</translation>
+        </message>
+        <message>
+            <source>Requirements</source>
+            <translation>Требования</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -2263,6 +2363,13 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes what the later ones leave</source>
             <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
+        </message>
+    </context>
+    <context>
+        <name>KeptRuns</name>
+        <message>
+            <source>Run %1</source>
+            <translation>Расчёт %1</translation>
         </message>
     </context>
     <context>
@@ -2967,6 +3074,61 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>RunTable</name>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message>
+            <source>%1…%2 in steps of %3</source>
+            <translation>%1…%2 с шагом %3</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>Margin › %1</source>
+            <translation>Запас › %1</translation>
+        </message>
+        <message>
+            <source>%1, %2: %3</source>
+            <translation>%1, %2: %3</translation>
+        </message>
+        <message>
+            <source>Worst margin</source>
+            <translation>Наименьший запас</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Stage %1 › Double strokes or revolutions</source>
+            <translation>Ступень %1 › Двойные ходы или обороты</translation>
+        </message>
+        <message>
+            <source>no longer there</source>
+            <translation>больше не определяется</translation>
+        </message>
+        <message>
+            <source>by up to %1</source>
+            <translation>до %1</translation>
+        </message>
+        <message>
+            <source>another number of values</source>
+            <translation>другое число значений</translation>
+        </message>
+    </context>
+    <context>
         <name>SaveDialog</name>
         <message>
             <source>The picture or table could not be made.</source>
@@ -3438,6 +3600,18 @@ target, µm</source>
             <source>Machine of the catalogue</source>
             <translation>Станок каталога</translation>
         </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Summary</source>
+            <translation>Итоги</translation>
+        </message>
     </context>
     <context>
         <name>Unit</name>
@@ -3572,6 +3746,14 @@ target, µm</source>
         <message>
             <source>mm/dbl stroke</source>
             <translation>мм/дв.ход</translation>
+        </message>
+        <message>
+            <source>min</source>
+            <translation>мин</translation>
+        </message>
+        <message>
+            <source>W</source>
+            <translation>Вт</translation>
         </message>
     </context>
     <context>
@@ -3884,6 +4066,10 @@ target, µm</source>
         <message>
             <source>High &amp;contrast</source>
             <translation>&amp;Контрастная</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the present run</source>
+            <translation>&amp;Запомнить текущий расчёт</translation>
         </message>
     </context>
     <context>
@@ -4431,6 +4617,278 @@ target, µm</source>
         <message>
             <source>Nothing was changed in your catalogue: %1</source>
             <translation>В вашем каталоге ничего не изменено: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ComparePlot</name>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions done</source>
+            <translation>Сделано двойных ходов или оборотов</translation>
+        </message>
+        <message>
+            <source>Revolutions done</source>
+            <translation>Сделано оборотов</translation>
+        </message>
+        <message>
+            <source>Double strokes done</source>
+            <translation>Сделано двойных ходов</translation>
+        </message>
+        <message>
+            <source>Feed, µm</source>
+            <translation>Подача, мкм</translation>
+        </message>
+        <message>
+            <source>Force, N</source>
+            <translation>Сила, Н</translation>
+        </message>
+        <message>
+            <source>Σ feed,
+µm</source>
+            <translation>Σ подача,
+мкм</translation>
+        </message>
+        <message>
+            <source>Radius,
+µm</source>
+            <translation>Радиус,
+мкм</translation>
+        </message>
+        <message>
+            <source>%1: nothing is ground then</source>
+            <translation>%1: в это время не шлифуется</translation>
+        </message>
+        <message>
+            <source>double stroke %1</source>
+            <translation>двойной ход %1</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N</source>
+            <translation>%1, %2: подача %3, накоплено %4, радиус %5 мкм; сила %6 Н</translation>
+        </message>
+        <message>
+            <source>run</source>
+            <translation>расчёт</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke or revolution</source>
+            <translation>двойной ход или оборот</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <comment>time</comment>
+            <translation>%1: от</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <comment>time</comment>
+            <translation>%1: до</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CompareView</name>
+        <message>
+            <source>Compare</source>
+            <translation>Сравнение</translation>
+        </message>
+        <message>
+            <source>Curves of the compared runs</source>
+            <translation>Кривые сравниваемых расчётов</translation>
+        </message>
+        <message>
+            <source>Legend of quantities and runs</source>
+            <translation>Обозначения величин и расчётов</translation>
+        </message>
+        <message>
+            <source>State of the comparison</source>
+            <translation>Состояние сравнения</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Runs; a check mark lays one over the present run</source>
+            <translation>Расчёты; отмеченный накладывается на текущий</translation>
+        </message>
+        <message>
+            <source>Inputs and results that differ</source>
+            <translation>Различающиеся исходные данные и результаты</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>Что сделать</translation>
+        </message>
+        <message>
+            <source>Zone or section whose curves are drawn</source>
+            <translation>Зона или сечение, кривые которых показаны</translation>
+        </message>
+        <message>
+            <source>Horizontal axis</source>
+            <translation>Горизонтальная ось</translation>
+        </message>
+        <message>
+            <source>Keep the present run</source>
+            <translation>Запомнить текущий расчёт</translation>
+        </message>
+        <message>
+            <source>Keep the present run: its inputs and results, for comparison</source>
+            <translation>Запомнить текущий расчёт: исходные данные и результаты, для сравнения</translation>
+        </message>
+        <message>
+            <source>Restore the inputs</source>
+            <translation>Вернуть исходные данные</translation>
+        </message>
+        <message>
+            <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
+            <translation>Взять исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
+        </message>
+        <message>
+            <source>Rename</source>
+            <translation>Переименовать</translation>
+        </message>
+        <message>
+            <source>Rename the selected run</source>
+            <translation>Переименовать выбранный расчёт</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>Удалить</translation>
+        </message>
+        <message>
+            <source>Delete the selected run</source>
+            <translation>Удалить выбранный расчёт</translation>
+        </message>
+        <message>
+            <source>Present run</source>
+            <translation>Текущий расчёт</translation>
+        </message>
+        <message>
+            <source>not computed yet</source>
+            <translation>ещё не рассчитан</translation>
+        </message>
+        <message>
+            <source>results not readable</source>
+            <translation>итоги не читаются</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
+        </message>
+        <message>
+            <source>computing…</source>
+            <translation>считается…</translation>
+        </message>
+        <message>
+            <source>refused now</source>
+            <translation>теперь отклонён</translation>
+        </message>
+        <message>
+            <source>differs now</source>
+            <translation>теперь иначе</translation>
+        </message>
+        <message>
+            <source>Present run, always drawn</source>
+            <translation>Текущий расчёт, показан всегда</translation>
+        </message>
+        <message>
+            <source>Kept %1 by version %2</source>
+            <translation>Запомнен %1 версией %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>now: %1</source>
+            <translation>сейчас: %1</translation>
+        </message>
+        <message>
+            <source>Point at a curve to read its values beside those of the present run.</source>
+            <translation>Наведите указатель на кривую: её значения встанут рядом со значениями текущего расчёта.</translation>
+        </message>
+        <message>
+            <source>No run is kept yet. Keep the present one, change the inputs, and see here what it did: the curves of both, and the inputs and results that differ.</source>
+            <translation>Пока не запомнен ни один расчёт. Запомните текущий, измените исходные данные — и здесь будет видно, что это дало: кривые обоих расчётов и различия в исходных данных и результатах.</translation>
+        </message>
+        <message>
+            <source>Check a run in the list to lay it over the present one.</source>
+            <translation>Отметьте расчёт в списке, чтобы наложить его на текущий.</translation>
+        </message>
+        <message>
+            <source>The chosen runs have the inputs and results of the present one.</source>
+            <translation>У отмеченных расчётов те же исходные данные и результаты, что у текущего.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the present run is that of the last accepted ones.</source>
+            <translation>Исходные данные отклонены; текущий расчёт — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные отвергнуты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата пока нет.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded: its curves are not drawn. Fewer radii or sections help.</source>
+            <translation>Цикл слишком долгий для записи: кривые не показаны. Помогает меньшее число радиусов или сечений.</translation>
+        </message>
+        <message>
+            <source>“%1” can no longer be run: %2</source>
+            <translation>«%1» больше нельзя рассчитать: %2</translation>
+        </message>
+        <message>
+            <source>its results cannot be read</source>
+            <translation>его итоги не читаются</translation>
+        </message>
+        <message numerus="yes">
+            <source>; and %n more</source>
+            <translation>
+                <numerusform>; и ещё %n</numerusform>
+                <numerusform>; и ещё %n</numerusform>
+                <numerusform>; и ещё %n</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>“%1” was kept by version %2 of the program and comes out differently now: %3</source>
+            <translation>«%1» запомнен версией программы %2 и теперь получается иначе: %3</translation>
+        </message>
+        <message>
+            <source>“%1” is too long to be recorded: its curves are not drawn.</source>
+            <translation>«%1» слишком долгий для записи: его кривые не показаны.</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
         </message>
     </context>
     <context>
@@ -6770,6 +7228,52 @@ target, µm</source>
         <message>
             <source>the forces must rise from row to row, the stiffnesses lie above 0</source>
             <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RunKeeper</name>
+        <message>
+            <source>Kept as “%1”; the view Compare lays it over the present run.</source>
+            <translation>Запомнен как «%1»; на вкладке «Сравнение» он наложен на текущий расчёт.</translation>
+        </message>
+        <message>
+            <source>The run was not kept: the project file would grow too large. Delete kept runs that are no longer needed.</source>
+            <translation>Расчёт не запомнен: файл проекта стал бы слишком большим. Удалите ненужные запомненные расчёты.</translation>
+        </message>
+        <message>
+            <source>The run was not kept: the inputs are refused, so there is none.</source>
+            <translation>Расчёт не запомнен: исходные данные отклонены, поэтому его нет.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n kept runs come out differently with this version of the program than they were kept: %1.</source>
+            <translation>
+                <numerusform>В этой версии программы %n запомненный расчёт получается иначе, чем был запомнен: %1.</numerusform>
+                <numerusform>В этой версии программы %n запомненных расчёта получаются иначе, чем были запомнены: %1.</numerusform>
+                <numerusform>В этой версии программы %n запомненных расчётов получаются иначе, чем были запомнены: %1.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Show what differs</source>
+            <translation>Показать различия</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::RunTableModel</name>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Results</source>
+            <translation>Результаты</translation>
+        </message>
+        <message>
+            <source>What differs</source>
+            <translation>Что различается</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
         </message>
     </context>
     <context>

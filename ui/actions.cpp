@@ -29,6 +29,7 @@ Actions::Actions(QMainWindow& window)
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
+    , keepRun(make("keepRun", u"keep", Qt::CTRL | Qt::Key_K))
     , english(make("english", u""))
     , russian(make("russian", u""))
     , detach(make("detach", u"detach", Qt::CTRL | Qt::SHIFT | Qt::Key_D))
@@ -84,6 +85,8 @@ void Actions::buildMenus(QMainWindow& window) {
     }
     redo->setShortcuts(again);
     m_edit->addActions({undo, redo});
+    m_edit->addSeparator();
+    m_edit->addAction(keepRun);
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());
     m_help->addAction(about);
@@ -112,6 +115,8 @@ void Actions::buildToolBar(QMainWindow& window) {
     m_bar->addActions({open, save});
     m_bar->addSeparator();
     m_bar->addActions({undo, redo});
+    m_bar->addSeparator();
+    m_bar->addAction(keepRun);
     m_bar->addSeparator();
     m_bar->addAction(examples);
     if (auto* button = qobject_cast<QToolButton*>(m_bar->widgetForAction(m_new->menuAction()))) {
@@ -178,6 +183,7 @@ void Actions::retranslate() {
     earlierVersions->setText(tr("Earlier &versions…"));
     recoverWork->setText(tr("Re&cover work…"));
     quit->setText(tr("&Quit"));
+    keepRun->setText(tr("&Keep the present run"));
     english->setText(QStringLiteral("English"));
     russian->setText(QStringLiteral("Русский"));
     detach->setText(tr("&Detach or attach the view"));

@@ -47,6 +47,7 @@ public:
     QAction* quit;
     QAction* undo;
     QAction* redo;
+    QAction* keepRun;
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes

@@ -11,10 +11,13 @@
 #include "ui/operation_notice.h"
 #include "ui/playback_bar.h"
 #include "ui/recent_files_menu.h"
+#include "ui/run_keeper.h"
 #include "ui/sealed_state.h"
+#include "ui/session/kept_runs.h"
 #include "ui/session/texts.h"
 #include "ui/view_tabs.h"
 #include "ui/views/batch_view.h"
+#include "ui/views/compare_view.h"
 #include "ui/views/compliance_view.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/feeds_view.h"
@@ -70,6 +73,7 @@ void nameQtButtons(const QWidget& window) {
 MainWindow::MainWindow(Settings& settings, Language& language, RunController::Runner runner)
     : m_settings(settings)
     , m_language(language)
+    , m_kept(new KeptRuns(m_document, this))
     , m_inputs(new InputsPanel(m_document, this, &m_settings))
     , m_tabs(new ViewTabs(this))
     , m_feeds(new FeedsView(this, &m_settings))
@@ -116,8 +120,15 @@ void MainWindow::buildViews() {
         m_document.endMerge();
         m_document.edit(edit(m_document.project()), text);
     });
+    auto* compare = new CompareView(*m_kept, this, &m_settings);
+    m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
+    connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
+    connect(m_keeper, &RunKeeper::told, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    connect(m_keeper, &RunKeeper::compareWanted, this,
+            [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, batch}) {
+                                                   layers, batch, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -228,7 +239,7 @@ void MainWindow::connectActions() {
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo}) {
+          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -246,6 +257,7 @@ void MainWindow::connectActions() {
         }
     });
     on(m_actions->redo, [this] { m_document.redo(); });
+    on(m_actions->keepRun, [this] { m_keeper->keep(); });
     on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
     for (std::size_t i = 0; i < allThemes.size(); ++i) {
@@ -344,6 +356,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
         view->setOutcome(outcome);
     }
     m_verdict->setOutcome(outcome);
+    m_keeper->setOutcome(outcome);
     showStatus();
     emit outcomeShown();
 }

@@ -23,9 +23,11 @@ class ConstraintsView;
 class FeedsView;
 class FileCommands;
 class InputsPanel;
+class KeptRuns;
 class MessagesPanel;
 class PlaybackBar;
 class ProfilesView;
+class RunKeeper;
 class StepSheet;
 class VerdictPanel;
 class View;
@@ -85,6 +87,7 @@ private:
     Document m_document;
     OutcomePtr m_outcome;
     CycleCursor m_cursor;
+    KeptRuns* m_kept;
     InputsPanel* m_inputs;
     ViewTabs* m_tabs;
     FeedsView* m_feeds;
@@ -102,6 +105,7 @@ private:
     QLabel* m_time;
     Actions* m_actions;
     FileCommands* m_files;
+    RunKeeper* m_keeper = nullptr;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone

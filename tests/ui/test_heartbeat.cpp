@@ -201,7 +201,7 @@ private slots:
         auto* const speed = bench.window->findChild<QComboBox*>(QStringLiteral("playSpeed"));
         auto* const play = bench.window->findChild<QToolButton*>(QStringLiteral("play"));
         QTest::keyClick(speed, Qt::Key_End);
-        for (const char* view : {"feeds", "profiles", "constraints", "layers"}) {
+        for (const char* view : {"feeds", "profiles", "constraints", "layers", "compare"}) {
             QVERIFY(bench.window->showView(QLatin1String(view)));
             for (const Qt::Key last : {Qt::Key_Home, Qt::Key_End}) { // by stage … by radius
                 QTest::keyClick(unit, last);

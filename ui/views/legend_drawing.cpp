@@ -48,7 +48,11 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
         painter.setBrush(entry.colour);
         painter.drawRect(swatch);
     } else {
-        painter.setPen(QPen(entry.colour, 2, entry.pen, Qt::FlatCap));
+        QPen pen(entry.colour, 2, entry.pen, Qt::FlatCap);
+        if (!entry.dash.isEmpty()) {
+            pen.setDashPattern(entry.dash);
+        }
+        painter.setPen(pen);
         painter.drawLine(rect.left(), middle, rect.left() + sample, middle);
     }
     painter.setPen(textColour);

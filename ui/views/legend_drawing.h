@@ -5,6 +5,7 @@
 #include <QFontMetrics>
 #include <QRect>
 #include <QString>
+#include <QVector>
 
 #include <set>
 #include <vector>
@@ -18,8 +19,9 @@ struct LegendEntry {
     QColor colour;
     Qt::PenStyle pen = Qt::SolidLine; ///< NoPen: a swatch
     QString text;
-    int key = -1;      ///< what a click hides or shows; below 0: nothing
-    bool shown = true; ///< false: hidden by the user, drawn faintly
+    int key = -1;             ///< what a click hides or shows; below 0: nothing
+    bool shown = true;        ///< false: hidden by the user, drawn faintly
+    QVector<qreal> dash = {}; ///< of the line, in widths of the pen; empty: as `pen` says
 };
 using LegendEntries = std::vector<LegendEntry>;
 

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_keeper.h"
+
+#include "ui/notice_bar.h"
+#include "ui/session/kept_runs.h"
+#include "ui/session/run_controller.h"
+
+#include <QStringList>
+
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+const QString keepKey = QStringLiteral("keep-run");
+const QString changedKey = QStringLiteral("changed-runs");
+
+} // namespace
+
+RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notices, QObject* parent)
+    : QObject(parent), m_kept(kept), m_runs(runs), m_notices(notices) {
+    connect(&kept, &KeptRuns::replaced, this, [this] {
+        m_waiting = false;
+        m_told = false;
+        m_notices.remove(keepKey);
+        m_notices.remove(changedKey);
+    });
+    connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::tellChanged);
+}
+
+void RunKeeper::keep() {
+    m_waiting = m_runs.running();
+    if (!m_waiting && m_outcome) {
+        keepNow();
+    }
+}
+
+void RunKeeper::setOutcome(OutcomePtr outcome) {
+    m_outcome = std::move(outcome);
+    if (m_waiting) {
+        m_waiting = false;
+        keepNow();
+    }
+}
+
+void RunKeeper::keepNow() {
+    m_notices.remove(keepKey);
+    const KeptRuns::Kept kept = m_kept.keep(*m_outcome);
+    if (kept == KeptRuns::Kept::yes) {
+        emit told(tr("Kept as “%1”; the view Compare lays it over the present run.")
+                      .arg(QString::fromStdString(m_kept.all().back().name)));
+        return;
+    }
+    const bool full = kept == KeptRuns::Kept::full;
+    m_notices.add({keepKey,
+                   Mark::warning,
+                   [full] {
+                       return full ? tr("The run was not kept: the project file would grow too "
+                                        "large. Delete kept runs that are no longer needed.")
+                                   : tr("The run was not kept: the inputs are refused, so there "
+                                        "is none.");
+                   },
+                   {}});
+}
+
+/// Once for a project, when all of them are computed again.
+void RunKeeper::tellChanged() {
+    QStringList names;
+    for (int run = 0; run < m_kept.count(); ++run) {
+        if (m_kept.isChanged(run)) {
+            names << QString::fromStdString(m_kept.all()[static_cast<std::size_t>(run)].name);
+        }
+    }
+    if (m_kept.busy() || m_told || names.isEmpty()) {
+        return;
+    }
+    m_told = true;
+    const int count = static_cast<int>(names.size());
+    m_notices.add(
+        {changedKey,
+         Mark::warning,
+         [count, names] {
+             return tr("%n kept runs come out differently with this version of the program than "
+                       "they were kept: %1.",
+                       nullptr, count)
+                 .arg(names.mid(0, 3).join(QStringLiteral(", "))
+                      + (count > 3 ? QStringLiteral(", …") : QString()));
+         },
+         {{[] { return tr("Show what differs"); }, [this] { emit compareWanted(); }}}});
+}
+
+} // namespace sparkout

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/kept_runs.h"
+
+#include "core/project/project_file.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+constexpr EditText keepText{"Edit", QT_TRANSLATE_NOOP("Edit", "Keep the present run")};
+constexpr EditText renameText{"Edit", QT_TRANSLATE_NOOP("Edit", "Rename a kept run")};
+constexpr EditText deleteText{"Edit", QT_TRANSLATE_NOOP("Edit", "Delete a kept run")};
+constexpr EditText restoreText{"Edit",
+                               QT_TRANSLATE_NOOP("Edit", "Restore the inputs of a kept run")};
+
+constexpr std::size_t mostRuns = 1000; ///< of the table of the project
+constexpr std::size_t fileShare = 2;   ///< indented, a text may grow to twice its length
+constexpr std::size_t valuesShare = 2; ///< leaves as much for the rest of the project
+
+std::string freeName(const std::vector<KeptRun>& runs) {
+    for (std::size_t number = runs.size() + 1;; ++number) {
+        const std::string name =
+            QCoreApplication::translate("KeptRuns", "Run %1").arg(number).toStdString();
+        if (std::ranges::none_of(runs, [&](const KeptRun& run) { return run.name == name; })) {
+            return name;
+        }
+    }
+}
+
+/// Whether a project file with these runs would be read again, with room to spare.
+bool fitFile(const std::vector<KeptRun>& runs) {
+    std::size_t bytes = 0, values = 0;
+    for (const KeptRun& run : runs) {
+        for (const std::string* text : {&run.inputs.text, &run.summary.text}) {
+            bytes += text->size();
+            values += static_cast<std::size_t>(std::ranges::count(*text, ','));
+        }
+    }
+    return runs.size() <= mostRuns && bytes * fileShare < limits::fileBytes
+           && values * valuesShare < limits::values;
+}
+
+/// The same record, whatever it is called by now.
+bool sameRecord(const KeptRun& a, const KeptRun& b) {
+    return a.when == b.when && a.inputs == b.inputs && a.summary == b.summary;
+}
+
+} // namespace
+
+KeptRuns::KeptRuns(Document& document, QObject* parent) : QObject(parent), m_document(document) {
+    connect(&document, &Document::replaced, this, [this] { follow(true); });
+    connect(&document, &Document::changed, this, [this] { follow(false); });
+    connect(&m_recall, &RunRecall::recalled, this, [this](const std::string& text) {
+        for (Entry& entry : m_entries) {
+            if (entry.run.inputs.text == text) {
+                compare(entry);
+            }
+        }
+        emit runRecalled();
+    });
+    follow(true);
+}
+
+// --- edits --------------------------------------------------------------------------------------
+
+KeptRuns::Kept KeptRuns::keep(const Outcome& outcome) {
+    if (!outcome.ran()) {
+        return Kept::refused;
+    }
+    Project project = m_document.project();
+    const QString when = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
+    project.runs.push_back(keptRun(outcome.result,
+                                   summarise(outcome.result, outcome.accuracy, outcome.constraints),
+                                   freeName(all()), when.toStdString()));
+    if (!fitFile(project.runs)) {
+        return Kept::full;
+    }
+    m_document.endMerge();
+    m_document.edit(std::move(project), keepText);
+    return Kept::yes;
+}
+
+void KeptRuns::rename(int index, const QString& name) {
+    const std::string wanted = name.simplified().toStdString();
+    if (!wanted.empty()) {
+        Project project = m_document.project();
+        project.runs.at(static_cast<std::size_t>(index)).name = wanted;
+        m_document.endMerge();
+        m_document.edit(std::move(project), renameText);
+    }
+}
+
+void KeptRuns::remove(int index) {
+    Project project = m_document.project();
+    project.runs.erase(project.runs.begin() + index);
+    m_document.endMerge();
+    m_document.edit(std::move(project), deleteText);
+}
+
+bool KeptRuns::restore(int index) {
+    const Project* const kept = inputs(index);
+    if (!kept) {
+        return false;
+    }
+    Project project = *kept;
+    project.runs = all();
+    m_document.endMerge();
+    m_document.edit(std::move(project), restoreText);
+    return true;
+}
+
+// --- what is chosen and computed ----------------------------------------------------------------
+
+/// Of another document the newest run is chosen, of this one those that are new.
+void KeptRuns::follow(bool another) {
+    const std::vector<KeptRun>& runs = all();
+    const auto isRun = [](const Entry& entry, const KeptRun& run) { return entry.run == run; };
+    if (!another && std::ranges::equal(m_entries, runs, isRun)) {
+        return;
+    }
+    std::vector<Entry> before = another ? std::vector<Entry>() : std::move(m_entries);
+    m_entries.clear();
+    for (const KeptRun& run : runs) {
+        const auto known = std::ranges::find_if(
+            before, [&run](const Entry& entry) { return sameRecord(entry.run, run); });
+        if (known != before.end()) {
+            m_entries.push_back(std::move(*known));
+            m_entries.back().run = run;
+            before.erase(known);
+            continue;
+        }
+        m_entries.push_back({run, {}, readSummary(run.summary.text), false, !another});
+        compare(m_entries.back());
+    }
+    if (another && !m_entries.empty()) {
+        m_entries.back().chosen = true;
+    }
+    request();
+    if (another) {
+        emit replaced();
+    }
+    emit changed();
+}
+
+void KeptRuns::request() {
+    std::set<std::string> texts, wanted;
+    for (const Entry& entry : m_entries) {
+        texts.insert(entry.run.inputs.text);
+        if (entry.chosen) {
+            wanted.insert(entry.run.inputs.text);
+        }
+    }
+    m_recall.setRuns(std::move(texts), std::move(wanted));
+}
+
+void KeptRuns::compare(Entry& entry) {
+    const RecalledRun* const now = m_recall.find(entry.run.inputs.text);
+    if (now && now->summary) {
+        entry.changed = !entry.summary || !changedSince(*entry.summary, *now->summary).empty();
+    }
+}
+
+bool KeptRuns::isChosen(int index) const {
+    return at(index).chosen;
+}
+
+void KeptRuns::choose(int index, bool chosen) {
+    Entry& entry = m_entries.at(static_cast<std::size_t>(index));
+    if (entry.chosen != chosen) {
+        entry.chosen = chosen;
+        request();
+        emit changed();
+    }
+}
+
+const RecalledRun* KeptRuns::recalled(int index) const {
+    return m_recall.find(at(index).run.inputs.text);
+}
+
+const Project* KeptRuns::inputs(int index) const {
+    const Entry& entry = at(index);
+    if (!entry.inputs) {
+        ReadResult read = readProject(entry.run.inputs.text);
+        std::optional<Project>& project = read.project ? read.project : read.unfinished;
+        if (project) {
+            entry.inputs = std::make_shared<const Project>(std::move(*project));
+        }
+    }
+    return entry.inputs.get();
+}
+
+const ReadSummary* KeptRuns::summary(int index) const {
+    return at(index).summary ? &*at(index).summary : nullptr;
+}
+
+} // namespace sparkout

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/feed_curves.h"
+#include "ui/session/csv_table.h"
+#include "ui/views/legend_drawing.h"
+#include "ui/views/plot_history.h"
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+class HairLine;
+
+/// A run whose curves are drawn: of one of its zones or sections.
+struct ComparedFeeds {
+    QString name; ///< for the legend
+    std::shared_ptr<const FeedSeries> feeds;
+    std::size_t column = 0;
+    int number = 0; ///< chooses the dash; 0: the present run
+};
+
+/// Actual feed and force over accumulated feed and radius of several runs, double stroke by double
+/// stroke, over one horizontal axis: the colour says which quantity, the dash which run.
+class ComparePlot : public QCustomPlot {
+    Q_OBJECT
+public:
+    static constexpr std::array quantities{Quantity::actual, Quantity::force, Quantity::actualSum,
+                                           Quantity::left};
+    static constexpr int runKey = 100; ///< of the legend, plus the number; below: a Quantity
+
+    explicit ComparePlot(QWidget* parent = nullptr);
+
+    /// The present run first; what is in sight stays unless all was. No replot.
+    void setRuns(std::vector<ComparedFeeds> runs);
+    void setAxis(CycleAxis axis);                 ///< shows all
+    void setMoment(std::optional<double> time_s); ///< of the present run
+    void setDimmed(bool dim);
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void retranslate();
+    void restyle();
+
+    /// Within a plot, wheel and drag move the time only.
+    [[nodiscard]] static QList<QCPAxis*> movedAxes(QCPAxisRect& rect);
+
+    [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_runs; }
+    [[nodiscard]] QCPGraph* curve(int number, Quantity quantity) const; ///< null: no such run
+    [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
+    [[nodiscard]] QString timeLabel() const; ///< "Time, min"
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const; ///< the visible curves' points within the visible span
+
+signals:
+    void contentChanged();             ///< of the legend
+    void pointed(const QString& text); ///< values under the mouse, empty outside
+    void timeClicked(double time_s);   ///< of the present run
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    struct Curve {
+        std::size_t run; ///< index in m_runs
+        Quantity quantity;
+        QCPGraph* graph;
+    };
+    void build();
+    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const;
+    [[nodiscard]] QColor colourOf(Quantity quantity) const;
+    [[nodiscard]] const FeedPoints& pointsOf(const ComparedFeeds& run) const;
+    void fill();
+    void showCurves();
+    void labelAxes();
+    void onMouse(QMouseEvent* event);
+    [[nodiscard]] const Curve* nearestCurve(const QPointF& at) const;
+    [[nodiscard]] QString values(std::size_t run, double x) const;
+    [[nodiscard]] PlotHistory::State ranges() const;
+    [[nodiscard]] const CycleScale& presentScale() const { return m_scales.front(); }
+
+    std::vector<ComparedFeeds> m_runs;
+    std::vector<CycleScale> m_scales; ///< of each run
+    std::vector<Curve> m_curves;
+    CurveChoice m_choice;
+    CycleAxis m_axis = CycleAxis::minutes;
+    std::array<QCPAxisRect*, 2> m_rects{};
+    HairLine* m_hairLine = nullptr;
+    HairLine* m_momentLine = nullptr;
+    std::optional<double> m_moment_s;
+    PlotHistory::State m_fitted; ///< what fit() showed
+    bool m_dim = false;
+};
+
+} // namespace sparkout

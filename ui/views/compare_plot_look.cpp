@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words, colours, legend and table of the plot of compared runs.
+#include "ui/views/compare_plot.h"
+
+#include "ui/views/feed_text.h"
+#include "ui/views/names.h"
+#include "ui/views/plot_style.h"
+#include "ui/views/run_dash.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+using style::Hue;
+
+namespace {
+
+constexpr qsizetype longestRunName = 24;
+
+/// The point at a time; null where the zone has none.
+const FeedPoint* feedPointAt(const FeedPoints& points, double time_s) {
+    const auto found = std::ranges::find_if(
+        points, [time_s](const FeedPoint& p) { return p.start_s <= time_s && time_s < p.end_s; });
+    return found == points.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+QColor ComparePlot::colourOf(Quantity quantity) const {
+    switch (quantity) {
+    case Quantity::actual: return style::colour(Hue::vermilion, palette());
+    case Quantity::actualSum: return style::colour(Hue::blue, palette());
+    case Quantity::left: return style::colour(Hue::purple, palette());
+    default: return style::colour(Hue::green, palette());
+    }
+}
+
+void ComparePlot::restyle() {
+    style::applyPalette(*this, palette());
+    for (QCPAxisRect* rect : m_rects) {
+        for (QCPAxis* axis : rect->axes()) {
+            axis->setTickLabelFont(font());
+            axis->setLabelFont(font());
+        }
+    }
+    for (const Quantity quantity : quantities) { // an axis has the colour of its curves
+        axisOf(quantity)->setLabelColor(colourOf(quantity));
+        axisOf(quantity)->setTickLabelColor(colourOf(quantity));
+    }
+    for (const Curve& curve : m_curves) {
+        curve.graph->setPen(
+            runPen(m_runs[curve.run].number, style::dimmed(colourOf(curve.quantity), m_dim)));
+    }
+}
+
+void ComparePlot::changeEvent(QEvent* event) {
+    QCustomPlot::changeEvent(event);
+    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
+    if (m_momentLine && look) {
+        restyle();
+        emit contentChanged();
+        replot(rpQueuedReplot);
+    }
+}
+
+QString ComparePlot::timeLabel() const {
+    bool strokes = false, turns = false;
+    for (const ComparedFeeds& run : m_runs) {
+        (run.feeds->operation == Operation::traverse ? strokes : turns) = true;
+    }
+    switch (m_axis) {
+    case CycleAxis::minutes: return tr("Time, min");
+    case CycleAxis::seconds: return tr("Time, s");
+    case CycleAxis::strokes:
+        return strokes && turns ? tr("Double strokes or revolutions done")
+               : turns          ? tr("Revolutions done")
+                                : tr("Double strokes done");
+    case CycleAxis::revolutions: return tr("Revolutions done");
+    }
+    return {};
+}
+
+/// Brief, for plots are low; the legend has the full names.
+void ComparePlot::labelAxes() {
+    axisOf(Quantity::actual)->setLabel(tr("Feed, µm"));
+    axisOf(Quantity::force)->setLabel(tr("Force, N"));
+    axisOf(Quantity::actualSum)->setLabel(tr("Σ feed,\nµm"));
+    axisOf(Quantity::left)->setLabel(tr("Radius,\nµm"));
+    m_rects[1]->axis(QCPAxis::atBottom)->setLabel(timeLabel());
+}
+
+void ComparePlot::retranslate() {
+    QLocale numbers;
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    setLocale(numbers);
+    labelAxes();
+}
+
+LegendEntries ComparePlot::legendEntries() const {
+    LegendEntries entries;
+    for (const Quantity quantity : quantities) {
+        const int key = static_cast<int>(quantity);
+        entries.push_back({style::dimmed(colourOf(quantity), m_dim), Qt::SolidLine,
+                           quantityName(quantity), key, m_choice.shows(key)});
+    }
+    for (const ComparedFeeds& run : m_runs) {
+        const int key = runKey + run.number;
+        entries.push_back({palette().color(QPalette::Text), Qt::SolidLine, run.name, key,
+                           m_choice.shows(key), runDash(run.number)});
+    }
+    return entries;
+}
+
+/// One line, though names of the user's may be long.
+QString ComparePlot::values(std::size_t run, double x) const {
+    const ComparedFeeds& of = m_runs[run];
+    const QString name =
+        of.name.size() > longestRunName ? of.name.left(longestRunName) + u'…' : of.name;
+    const FeedPoint* const p = feedPointAt(pointsOf(of), m_scales[run].time_s(x));
+    if (!p) {
+        return tr("%1: nothing is ground then").arg(name);
+    }
+    const QString stroke =
+        (of.feeds->operation == Operation::traverse ? tr("double stroke %1") : tr("revolution %1"))
+            .arg(p->place.cycleCount);
+    return tr("%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N")
+        .arg(name, stroke, Names::micrometres(p->actual_um.mean),
+             Names::micrometres(p->actualSum_um.mean), Names::signedMicrometres(p->left_um.mean),
+             Names::significant(p->force_n.mean));
+}
+
+CsvTable ComparePlot::table() const {
+    CsvTable table;
+    table.header << tr("run") << tr("stage") << tr("double stroke or revolution")
+                 << tr("%1: from", "time").arg(timeLabel())
+                 << tr("%1: to", "time").arg(timeLabel());
+    std::vector<Quantity> shown;
+    for (const Quantity quantity : quantities) {
+        if (m_choice.shows(static_cast<int>(quantity))) {
+            shown.push_back(quantity);
+            table.header << quantityWithUnit(quantity);
+        }
+    }
+    const QCPRange sight = m_rects[0]->axis(QCPAxis::atBottom)->range();
+    for (std::size_t run = 0; run < m_runs.size(); ++run) {
+        if (!m_choice.shows(runKey + m_runs[run].number)) {
+            continue;
+        }
+        for (const FeedPoint& p : pointsOf(m_runs[run])) {
+            const double from = m_scales[run].at(p.start_s), to = m_scales[run].at(p.end_s);
+            if (to <= sight.lower || from >= sight.upper) {
+                continue;
+            }
+            std::vector<CsvCell> row{m_runs[run].name, double(p.place.stage),
+                                     double(p.place.cycleCount), from, to};
+            for (const Quantity quantity : shown) {
+                row.emplace_back(valueOf(p, quantity, Edge::mean));
+            }
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+} // namespace sparkout

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/run_table.h"
+
+#include "core/project/leaves.h"
+#include "ui/session/member.h"
+#include "ui/session/number_text.h"
+#include "ui/session/texts.h"
+#include "ui/views/names.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace sparkout {
+
+namespace {
+
+struct RunTable {
+    Q_DECLARE_TR_FUNCTIONS(RunTable)
+};
+
+const QString noValue = QStringLiteral("–");
+const QString levelSign = QStringLiteral(" › ");
+
+/// What one run has of a row.
+struct RunValue {
+    std::string path;
+    QString what; ///< empty: the place of the path in words
+    QString unit;
+    QString shown;
+    CsvCell cell;
+};
+using RunValues = std::vector<RunValue>;
+
+// --- inputs -------------------------------------------------------------------------------------
+
+QString joined(const std::vector<double>& numbers) {
+    QStringList parts;
+    for (const double number : numbers) {
+        parts << showNumber(number, QLocale());
+    }
+    return parts.join(QStringLiteral("; "));
+}
+
+QString sparkOutShown(const SparkOut& sparkOut, const Field& field) {
+    switch (sparkOut.mode) {
+    case SparkOut::Mode::untilSize: return RunTable::tr("until size");
+    case SparkOut::Mode::count: return QString::number(sparkOut.count);
+    case SparkOut::Mode::none: break;
+    }
+    return inputText(field.nullMeaning);
+}
+
+QString complianceShown(const GivenCompliance& compliance, const Field& field) {
+    if (const auto* zones = std::get_if<ZoneCompliance>(&compliance)) {
+        return joined({zones->rz1, zones->nz, zones->rz2});
+    }
+    const auto* sections = std::get_if<std::vector<double>>(&compliance);
+    return sections ? joined(*sections) : inputText(field.nullMeaning);
+}
+
+QString levelsShown(const Levels& levels, const Field& field) {
+    if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
+        return RunTable::tr("%1…%2 in steps of %3")
+            .arg(showNumber(stepped->from, QLocale()), showNumber(stepped->to, QLocale()),
+                 showNumber(stepped->step, QLocale()));
+    }
+    const auto* list = std::get_if<std::vector<double>>(&levels);
+    return list ? joined(*list) : inputText(field.nullMeaning);
+}
+
+QString rowsShown(const NumberRows& rows, const Field& field) {
+    QStringList lines;
+    for (const std::vector<double>& row : rows.value_or(std::vector<std::vector<double>>())) {
+        lines << u'(' + joined(row) + u')';
+    }
+    return rows ? lines.join(QStringLiteral(", ")) : inputText(field.nullMeaning);
+}
+
+/// The value of an input that is no single number.
+QString textShown(const Field& field, const void* owner) {
+    switch (field.kind) {
+    case Kind::boolean: return field.as<bool>(owner) ? RunTable::tr("yes") : RunTable::tr("no");
+    case Kind::text: return QString::fromStdString(field.as<std::string>(owner)).simplified();
+    case Kind::choice:
+        return choiceText(field.choices[static_cast<std::size_t>(field.getChoice(owner))].label);
+    case Kind::numberList: return joined(field.as<std::vector<double>>(owner));
+    case Kind::optionalNumberList: {
+        const auto& list = field.as<std::optional<std::vector<double>>>(owner);
+        return list ? joined(*list) : inputText(field.nullMeaning);
+    }
+    case Kind::sparkOut: return sparkOutShown(field.as<SparkOut>(owner), field);
+    case Kind::compliance: return complianceShown(field.as<GivenCompliance>(owner), field);
+    case Kind::levels: return levelsShown(field.as<Levels>(owner), field);
+    case Kind::numberRows: return rowsShown(field.as<NumberRows>(owner), field);
+    default: return inputText(field.nullMeaning);
+    }
+}
+
+std::optional<double> singleNumber(const Field& field, const void* owner) {
+    switch (field.kind) {
+    case Kind::objectList: return static_cast<double>(field.size(owner));
+    case Kind::number:
+    case Kind::optionalNumber:
+    case Kind::integer:
+    case Kind::optionalInteger: return numberIn(field, owner);
+    default: return std::nullopt;
+    }
+}
+
+RunValues inputValues(const Project& project) {
+    RunValues values;
+    for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
+        const Field& field = *leaf.field;
+        const bool isRead = !field.relevant || field.relevant(project, leaf.owner);
+        if (leaf.path.starts_with("/runs") || !isRead) {
+            continue;
+        }
+        const std::optional<double> number = singleNumber(field, leaf.owner);
+        const QString shown =
+            number ? showNumber(*number, QLocale()) : textShown(field, leaf.owner);
+        values.push_back({leaf.path,
+                          {},
+                          unitText(field.unit),
+                          shown,
+                          number ? CsvCell(*number) : CsvCell(shown)});
+    }
+    return values;
+}
+
+// --- results ------------------------------------------------------------------------------------
+
+QString zoneName(const RunSummary& summary, std::size_t index) {
+    const std::string& zone = summary.zones.at(index).zone;
+    return zone == "section" ? Names::zone(Zone::section, static_cast<int>(index))
+                             : zoneText(zone.c_str());
+}
+
+QString numberShown(const Field& field, double value) {
+    const std::string_view unit(field.unit);
+    const std::string_view key(field.key);
+    if (unit == "µm") {
+        return key.starts_with("diameter_deviation") ? Names::signedMicrometres(value)
+                                                     : Names::micrometres(value);
+    }
+    return Names::significant(value, unit == "min" ? 4 : 3);
+}
+
+/// As the verdict has it; nothing of a requirement this version does not know.
+std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement) {
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (requirement.name != constraintName(kind)) {
+            continue;
+        }
+        ConstraintResult constraint{kind};
+        const QStringList where = QString::fromStdString(requirement.where).split(u' ');
+        const int number = where.value(1).toInt();
+        constraint.section = -1;
+        if (where[0] == u"section") {
+            constraint.section = number;
+        } else if (where[0] == u"stage") {
+            constraint.stage = number;
+        } else if (where[0] == u"rz1" || where[0] == u"nz" || where[0] == u"rz2") {
+            constraint.section = where[0] == u"rz1" ? 0 : where[0] == u"nz" ? 1 : 2;
+            constraint.zone = static_cast<Zone>(constraint.section);
+        }
+        constraint.limit = requirement.limit;
+        constraint.value = requirement.value;
+        constraint.margin = requirement.margin;
+        constraint.relativeMargin = requirement.relative_margin;
+        constraint.holds = requirement.ok;
+        return constraint;
+    }
+    return std::nullopt;
+}
+
+QString percentShown(double share) {
+    const QString number = Names::significant(share * 100, 2);
+    return RunTable::tr("%1 %").arg(share > 0 ? u'+' + number : number);
+}
+
+void addRequirements(const RunSummary& summary, RunValues& values) {
+    const RequirementSummary* worst = nullptr;
+    for (const RequirementSummary& requirement : summary.requirements) {
+        const std::optional<ConstraintResult> constraint = constraintOf(requirement);
+        if (!constraint) {
+            continue;
+        }
+        values.push_back({"/requirements/" + requirement.name + "/margin",
+                          RunTable::tr("Margin › %1").arg(Names::constraint(constraint->kind)),
+                          unitText(constraintUnit(constraint->kind)),
+                          Names::amount(constraint->kind, requirement.margin, true),
+                          requirement.margin});
+        if (!worst || requirement.relative_margin < worst->relative_margin) {
+            worst = &requirement;
+        }
+    }
+    if (worst) {
+        const ConstraintResult constraint = *constraintOf(*worst);
+        const QString text = RunTable::tr("%1, %2: %3")
+                                 .arg(Names::constraint(constraint.kind), Names::where(constraint),
+                                      percentShown(worst->relative_margin));
+        values.push_back({"/worst", RunTable::tr("Worst margin"), {}, text, text});
+    }
+    const QString verdict = lightName(verdictOf(summary));
+    values.push_back({"/verdict", RunTable::tr("Verdict"), {}, verdict, verdict});
+}
+
+void addCounts(const std::vector<double>& counts, const std::string& path, RunValues& values) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        values.push_back({path + '/' + std::to_string(i),
+                          RunTable::tr("Stage %1 › Double strokes or revolutions").arg(i + 1),
+                          {},
+                          QString::number(counts[i]),
+                          counts[i]});
+    }
+}
+
+/// A value of the summary that is a number or a choice.
+RunValue resultValue(const RunSummary& summary, const Leaf& leaf) {
+    const Field& field = *leaf.field;
+    QString what = inputText(field.label);
+    const QStringList steps = QString::fromStdString(leaf.path).split(u'/', Qt::SkipEmptyParts);
+    if (steps.size() == 3 && steps[0] == u"zones") {
+        what.prepend(zoneName(summary, steps[1].toUInt()) + levelSign);
+    }
+    if (field.kind == Kind::integer) {
+        const int count = field.as<int>(leaf.owner);
+        return {leaf.path, what, unitText(field.unit), QString::number(count), double(count)};
+    }
+    if (field.kind == Kind::number) {
+        const double value = field.as<double>(leaf.owner);
+        return {leaf.path, what, unitText(field.unit), numberShown(field, value), value};
+    }
+    const QString shown = textShown(field, leaf.owner);
+    return {leaf.path, what, unitText(field.unit), shown, shown};
+}
+
+RunValues resultValues(const ReadSummary& read) {
+    RunValues values;
+    for (const Leaf& leaf : leavesOf(tableOf<RunSummary>(), &read.summary)) {
+        const Field& field = *leaf.field;
+        if (read.missing.contains(leaf.path) || leaf.path.starts_with("/requirements")) {
+            continue;
+        }
+        if (leaf.path == "/counts_by_stage") {
+            addCounts(field.as<std::vector<double>>(leaf.owner), leaf.path, values);
+        } else if (field.kind == Kind::number || field.kind == Kind::integer
+                   || field.kind == Kind::choice) {
+            values.push_back(resultValue(read.summary, leaf));
+        }
+    }
+    addRequirements(read.summary, values);
+    return values;
+}
+
+// --- rows ---------------------------------------------------------------------------------------
+
+/// The rows in which the runs differ; what only one of them has stands where it has it. A run of
+/// which nothing is known differs in nothing.
+void addDiffering(const std::vector<RunValues>& runs, bool isResult, std::vector<RunRow>& rows) {
+    std::vector<std::string> order;
+    std::map<std::string, RunRow> byPath;
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        auto at = order.begin();
+        for (const RunValue& value : runs[run]) {
+            const auto [row, isNew] = byPath.try_emplace(value.path);
+            if (isNew) {
+                at = std::next(order.insert(at, value.path));
+                row->second = {value.what, value.unit, {}, {}, isResult};
+                row->second.shown.fill(noValue, static_cast<qsizetype>(runs.size()));
+                row->second.cells.resize(runs.size());
+            } else {
+                at = std::next(std::ranges::find(order, value.path));
+            }
+            row->second.shown[static_cast<qsizetype>(run)] = value.shown;
+            row->second.cells[run] = value.cell;
+        }
+    }
+    for (const std::string& path : order) {
+        RunRow& row = byPath.at(path);
+        QStringList known;
+        for (std::size_t run = 0; run < runs.size(); ++run) {
+            if (!runs[run].empty()) {
+                known << row.shown[static_cast<qsizetype>(run)];
+            }
+        }
+        if (known.removeDuplicates(); known.size() > 1) {
+            row.what = row.what.isEmpty() ? locationText(path) : row.what;
+            rows.push_back(std::move(row));
+        }
+    }
+}
+
+/// The largest difference of two lists that are as long; nothing of others.
+std::optional<double> largestStep(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() != b.size()) {
+        return std::nullopt;
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+    }
+    return largest;
+}
+
+/// With all digits where the usual ones do not tell the two apart.
+QString changeShown(const ChangedValue& change) {
+    const Field& field = *change.kept.field;
+    if (!change.now) {
+        return RunTable::tr("no longer there");
+    }
+    if (field.kind == Kind::numberList) {
+        const auto step = largestStep(field.as<std::vector<double>>(change.kept.owner),
+                                      field.as<std::vector<double>>(change.now->owner));
+        return step ? RunTable::tr("by up to %1").arg(Names::significant(*step, 2))
+                    : RunTable::tr("another number of values");
+    }
+    const std::optional<double> before = singleNumber(field, change.kept.owner);
+    const std::optional<double> after = singleNumber(field, change.now->owner);
+    QString from = before ? numberShown(field, *before) : textShown(field, change.kept.owner);
+    QString to = after ? numberShown(field, *after) : textShown(field, change.now->owner);
+    if (before && after && from == to) {
+        from = showNumber(*before, QLocale());
+        to = showNumber(*after, QLocale());
+    }
+    return QStringLiteral("%1 → %2").arg(from, to);
+}
+
+QString changeName(const ReadSummary& kept, const ChangedValue& change) {
+    const QStringList steps = QString::fromStdString(change.path).split(u'/', Qt::SkipEmptyParts);
+    const QString label = inputText(change.kept.field->label);
+    if (steps.size() < 3) {
+        return label;
+    }
+    if (steps[0] == u"zones") {
+        return zoneName(kept.summary, steps[1].toUInt()) + levelSign + label;
+    }
+    const auto constraint = constraintOf({steps[1].toStdString(), "part"});
+    return (constraint ? Names::constraint(constraint->kind) : steps[1]) + levelSign + label;
+}
+
+} // namespace
+
+std::vector<RunRow> differingRows(const std::vector<ComparedValues>& runs) {
+    std::vector<RunValues> inputs, results;
+    for (const ComparedValues& run : runs) {
+        inputs.push_back(run.inputs ? inputValues(*run.inputs) : RunValues());
+        results.push_back(run.summary ? resultValues(*run.summary) : RunValues());
+    }
+    std::vector<RunRow> rows;
+    addDiffering(inputs, false, rows);
+    addDiffering(results, true, rows);
+    return rows;
+}
+
+QStringList changesShown(const ReadSummary& kept, const RunSummary& now) {
+    QStringList lines;
+    for (const ChangedValue& change : changedSince(kept, now)) {
+        const QString unit = unitText(change.kept.field->unit);
+        const QString line =
+            QStringLiteral("%1: %2").arg(changeName(kept, change), changeShown(change));
+        lines << (unit.isEmpty() || !change.now ? line : line + u'\u00a0' + unit);
+    }
+    return lines;
+}
+
+Light verdictOf(const RunSummary& summary) {
+    Light light = summary.status == RunStatus::completed ? Light::holds : Light::fails;
+    for (const RequirementSummary& requirement : summary.requirements) {
+        if (const auto constraint = constraintOf(requirement)) {
+            light = std::max(light, lightOf(*constraint));
+        }
+    }
+    return light;
+}
+
+} // namespace sparkout
