@@ -46,6 +46,14 @@ QRect frameOfBox(const QStyle& style, const QStyleOption& option, const QWidget*
 
 ThemeStyle::ThemeStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
+int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                            const QWidget* widget) const {
+    // All tabs of the views side by side on a small screen.
+    constexpr int besideTabText = 12;
+    return metric == PM_TabBarTabHSpace ? besideTabText
+                                        : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
 void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                QPainter* painter, const QWidget* widget) const {
     QProxyStyle::drawPrimitive(element, option, painter, widget);

@@ -36,7 +36,7 @@ class TestMemory : public QObject {
 private slots:
     void openingRunningAndClosingKeepsNothing() {
         const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
-        const int rounds = longTest ? 2000 : 250, warmUps = longTest ? 200 : 100;
+        const int rounds = longTest ? 2000 : 140, warmUps = longTest ? 200 : 60;
         constexpr double allowed_mb = 2;
         Bench bench(QStringLiteral("en"));
         const QStringList examples = examplePaths();

@@ -102,7 +102,7 @@ QString englishIn(QString text) {
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
             "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
             "Excel "
-            "HRC MODEL ISO DIN cos sin tan exp log max min JSON CSV TSV PNG SVG PDF XLSX")
+            "HRC Cp Cpk MODEL ISO DIN cos sin tan exp log max min JSON CSV TSV PNG SVG PDF XLSX")
             .split(u' ');
     text.replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));
     text.replace(tags, QStringLiteral(" ")).remove(u'&');
