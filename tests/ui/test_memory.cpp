@@ -6,6 +6,7 @@
 #include "ui/views/view.h"
 
 #include <QFile>
+#include <QPixmapCache>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -20,6 +21,7 @@ namespace {
 
 /// Resident memory of this process [MB], after the free parts of the heap were given back.
 double resident_mb() {
+    QPixmapCache::clear();
     malloc_trim(0);
     QFile file(QStringLiteral("/proc/self/statm"));
     if (!file.open(QIODevice::ReadOnly)) {
@@ -36,7 +38,7 @@ class TestMemory : public QObject {
 private slots:
     void openingRunningAndClosingKeepsNothing() {
         const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
-        const int rounds = longTest ? 2000 : 250, warmUps = longTest ? 200 : 100;
+        const int rounds = longTest ? 2000 : 140, warmUps = longTest ? 200 : 60;
         constexpr double allowed_mb = 2;
         Bench bench(QStringLiteral("en"));
         const QStringList examples = examplePaths();
