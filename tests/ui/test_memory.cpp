@@ -67,7 +67,7 @@ private slots:
                       round - warmUps, warmUps, after_mb, after_mb - before_mb, objects,
                       bench.window->findChildren<QObject*>().size() - objects);
                 QVERIFY(objects > 0 && before_mb > 0);
-                QCOMPARE(bench.window->findChildren<QObject*>().size(), objects);
+                QVERIFY(bench.window->findChildren<QObject*>().size() <= objects);
                 QVERIFY2(after_mb - before_mb <= allowed_mb, qPrintable(QString::number(after_mb)));
             }
         }
