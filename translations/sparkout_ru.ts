@@ -731,19 +731,19 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Refused texts, which no file will hold:</source>
-            <translation>Отклонённый текст, который не попадёт в файл:</translation>
+            <translation>Непринятый текст, который не попадёт в файл:</translation>
         </message>
         <message>
             <source>Refused texts</source>
-            <translation>Отклонённый текст</translation>
+            <translation>Непринятый текст</translation>
         </message>
         <message>
             <source>Everything else is saved, but what was refused is in no file. Go on without it?</source>
-            <translation>Всё остальное сохранено, но отклонённого текста нет ни в одном файле. Продолжить без него?</translation>
+            <translation>Всё остальное сохранено, но непринятого текста нет ни в одном файле. Продолжить без него?</translation>
         </message>
         <message>
             <source>Refused:</source>
-            <translation>Отклонено:</translation>
+            <translation>Не принято:</translation>
         </message>
         <message>
             <source>&amp;Go on</source>

@@ -15,6 +15,8 @@
 #include <QTest>
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 #include <vector>
@@ -76,8 +78,11 @@ private:
     void run() {
         const QByteArray before = hashOf(document);
         std::stop_source stop;
-        const std::jthread clock([&stop] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        const std::jthread clock([&stop](const std::stop_token& ended) {
+            std::mutex mutex;
+            std::unique_lock lock(mutex);
+            std::condition_variable_any never;
+            never.wait_for(lock, ended, std::chrono::milliseconds(100), [] { return false; });
             stop.request_stop();
         });
         const OutcomePtr outcome = runProject(document.project(), stop.get_token());

@@ -246,6 +246,7 @@ Project newProject(Operation operation) {
     rough.axial_feed_mm_min = 1800;
     rough.stock_mm = 0.11;
     Stage finish;
+    // becomes 0.1 mm/min of plunge feed: twice as much falls below the field at the stiff end
     finish.radial_feed_mm = operation == Operation::traverse ? 0.002 : 0.001;
     finish.axial_feed_mm_min = 1000;
     finish.stock_mm = 0.04;
