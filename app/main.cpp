@@ -6,6 +6,8 @@
 #include "ui/file_commands.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
+#include "ui/report/cycle_card.h"
+#include "ui/report/report_text.h"
 #include "ui/session/operation.h"
 #include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
@@ -16,6 +18,7 @@
 #include <QBuffer>
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QTimer>
 
 #include <algorithm>
@@ -29,6 +32,7 @@ namespace {
 
 constexpr int exitRefused = 1;
 constexpr int exitUsage = 2;
+constexpr int exitCannotReachSize = 3;
 constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
@@ -37,11 +41,14 @@ constexpr const char* usage =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
+    "       sparkout --report OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
-    "  --lang en|ru       language of the window, this time only\n"
+    "  --report OUT       write the cycle card of FILE, show nothing; the ending says as what:\n"
+    "                     .pdf, .html or .md (Markdown)\n"
+    "  --lang en|ru       language of the window or the report, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
@@ -49,13 +56,14 @@ constexpr const char* usage =
     "  --version          print the version\n"
     "  --help             print this text\n"
     "\n"
-    "Exit status: 0 done, 1 the file is refused or the picture cannot be written, 2 wrong usage "
-    "or\n"
-    "no display. sparkout-cli does without a display.\n";
+    "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
+    "no display, 3 the cycle cannot reach size (the report is written). sparkout-cli does without\n"
+    "a display.\n";
 
 struct Options {
     QString file;
     QString picture;
+    QString report;
     QString language;
     QString theme;
     QString view;
@@ -85,6 +93,11 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.fault = QStringLiteral("unknown option, or its value is missing: %1").arg(word);
     } else if (word == u"--picture") {
         options.picture = words[++i];
+    } else if (word == u"--report") {
+        options.report = words[++i];
+        if (!report::formatOf(options.report)) {
+            options.fault = QStringLiteral("--report ends in .pdf, .html or .md");
+        }
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -129,6 +142,16 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
+    if (!options.report.isEmpty() && options.fault.isEmpty()) {
+        if (options.file.isEmpty()) {
+            options.fault = QStringLiteral("--report needs a FILE");
+        } else if (!options.picture.isEmpty()) {
+            options.fault = QStringLiteral("--report and --picture do not go together");
+        } else if (const QString target = QFileInfo(options.report).canonicalFilePath();
+                   !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()) {
+            options.fault = QStringLiteral("the report would take the place of the project");
+        }
+    }
     return options;
 }
 
@@ -166,6 +189,15 @@ QImage settledPicture(MainWindow& window) {
     return picture;
 }
 
+bool writeBytes(const QByteArray& bytes, const QString& path) {
+    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
+                                       {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (error) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
+    }
+    return !error;
+}
+
 bool writePicture(MainWindow& window, const QString& path) {
     QByteArray png;
     QBuffer buffer(&png);
@@ -173,15 +205,11 @@ bool writePicture(MainWindow& window, const QString& path) {
         say(stderr, QStringLiteral("sparkout: the picture could not be made"));
         return false;
     }
-    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
-                                       {png.constData(), static_cast<std::size_t>(png.size())});
-    if (error) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
-    }
-    return !error;
+    return writeBytes(png, path);
 }
 
-bool openForPicture(Document& document, const QString& path) {
+/// Reads a project; what is wrong with it is said.
+bool openOrSay(Document& document, const QString& path) {
     const OpenResult result = document.open(path);
     if (result.error) {
         say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
@@ -215,10 +243,34 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
         say(stderr, QStringLiteral("sparkout: the run took too long for a picture"));
         app.exit(exitRefused);
     });
-    if (!openForPicture(window.document(), options.file)) {
+    if (!openOrSay(window.document(), options.file)) {
         return exitRefused;
     }
     return app.exec();
+}
+
+int makeReport(const Options& options) {
+    Document document;
+    if (!openOrSay(document, options.file)) {
+        return exitRefused;
+    }
+    const OutcomePtr outcome = runProject(document.project(), {});
+    if (!outcome->ran()) {
+        for (const QString& line : FaultsDialog::lines(outcome->issues)) {
+            say(stderr, QStringLiteral("sparkout: %1").arg(line));
+        }
+        return exitRefused;
+    }
+    const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
+    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.report));
+    if (bytes.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: the report could not be made"));
+        return exitRefused;
+    }
+    if (!writeBytes(bytes, options.report)) {
+        return exitRefused;
+    }
+    return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
@@ -261,12 +313,14 @@ int main(int argc, char** argv) {
         return 0;
     }
     const bool picture = !options.picture.isEmpty();
-    if (picture && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    const bool hidden = picture || !options.report.isEmpty();
+    if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     if (displayMissing()) {
         say(stderr, QStringLiteral("sparkout: there is no display (DISPLAY and WAYLAND_DISPLAY are "
-                                   "not set). Use sparkout-cli, or sparkout --picture."));
+                                   "not set). Use sparkout-cli, sparkout --picture or "
+                                   "sparkout --report."));
         return exitUsage;
     }
     int noArguments = 1; // the options are ours, Qt reads none of them
@@ -274,10 +328,13 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
-    Settings settings = picture ? Settings::transient() : Settings();
+    Settings settings = hidden ? Settings::transient() : Settings();
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
+    if (!options.report.isEmpty()) {
+        return makeReport(options);
+    }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {
         return exitUsage;

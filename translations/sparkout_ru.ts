@@ -275,6 +275,249 @@
         </message>
     </context>
     <context>
+        <name>CycleCard</name>
+        <message>
+            <source>Prediction for the part</source>
+            <translation>Деталь по прогнозу</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>годна</translation>
+        </message>
+        <message>
+            <source>not good</source>
+            <translation>не годна</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время основное</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>From the headstock end, mm</source>
+            <translation>От конца у передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Smallest deviation, µm</source>
+            <translation>Наименьшее отклонение, мкм</translation>
+        </message>
+        <message>
+            <source>Largest deviation, µm</source>
+            <translation>Наибольшее отклонение, мкм</translation>
+        </message>
+        <message>
+            <source>Radial runout, µm</source>
+            <translation>Радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Roundness, µm</source>
+            <translation>Некруглость, мкм</translation>
+        </message>
+        <message>
+            <source>Ra, µm</source>
+            <translation>Ra, мкм</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Cylindrical traverse grinding</source>
+            <translation>Круглое наружное шлифование с осевой подачей</translation>
+        </message>
+        <message>
+            <source>Internal plunge grinding</source>
+            <translation>Внутреннее врезное шлифование</translation>
+        </message>
+        <message>
+            <source>Cylindrical plunge grinding</source>
+            <translation>Круглое наружное врезное шлифование</translation>
+        </message>
+        <message>
+            <source>⌀%1 mm, deviations %2 / %3 µm</source>
+            <translation>⌀%1 мм, отклонения %2 / %3 мкм</translation>
+        </message>
+        <message>
+            <source>Operation</source>
+            <translation>Наименование операции</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>Equipment</source>
+            <translation>Оборудование</translation>
+        </message>
+        <message>
+            <source>Size by the drawing</source>
+            <translation>Размер по чертежу</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Материал</translation>
+        </message>
+        <message>
+            <source>Hardness</source>
+            <translation>Твёрдость</translation>
+        </message>
+        <message>
+            <source>Prepared by</source>
+            <translation>Разработал</translation>
+        </message>
+        <message>
+            <source>Date</source>
+            <translation>Дата</translation>
+        </message>
+        <message>
+            <source>Grinding wheel, marking</source>
+            <translation>Шлифовальный круг, маркировка</translation>
+        </message>
+        <message>
+            <source>Wheel diameter × width</source>
+            <translation>Диаметр × высота круга</translation>
+        </message>
+        <message>
+            <source>Wheel rotation</source>
+            <translation>Частота вращения круга</translation>
+        </message>
+        <message>
+            <source>Work surface speed</source>
+            <translation>Окружная скорость детали</translation>
+        </message>
+        <message>
+            <source>%1 m/min</source>
+            <translation>%1 м/мин</translation>
+        </message>
+        <message>
+            <source>by the position of the wheel head</source>
+            <translation>по положению шлифовальной бабки</translation>
+        </message>
+        <message>
+            <source>in-process gauge: %1, %2 from the headstock end of the ground length</source>
+            <translation>прибор активного контроля: %1, %2 от конца шлифуемой длины у передней бабки</translation>
+        </message>
+        <message>
+            <source>Size control</source>
+            <translation>Управление размером</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm/dbl stroke</source>
+            <translation>Подача радиальная, мм/дв.ход</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm/min</source>
+            <translation>Подача радиальная, мм/мин</translation>
+        </message>
+        <message>
+            <source>Axial feed, mm/min</source>
+            <translation>Подача осевая, мм/мин</translation>
+        </message>
+        <message>
+            <source>Stock per side, mm</source>
+            <translation>Припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Machining time, min</source>
+            <translation>Время основное, мин</translation>
+        </message>
+        <message>
+            <source>Spark-out</source>
+            <translation>Выхаживание</translation>
+        </message>
+        <message>
+            <source>Largest power, kW</source>
+            <translation>Мощность наибольшая, кВт</translation>
+        </message>
+        <message>
+            <source>Largest force Py, N</source>
+            <translation>Сила Py наибольшая, Н</translation>
+        </message>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Cycle card of a grinding operation</source>
+            <translation>Операционная карта шлифования (карта цикла)</translation>
+        </message>
+        <message>
+            <source>Tooling and settings</source>
+            <translation>Оснастка и режимы</translation>
+        </message>
+        <message>
+            <source>Regimes by stage</source>
+            <translation>Режимы по ступеням</translation>
+        </message>
+        <message>
+            <source>Predicted accuracy</source>
+            <translation>Ожидаемая точность</translation>
+        </message>
+        <message>
+            <source>Requirements and margins</source>
+            <translation>Требования и запасы</translation>
+        </message>
+        <message>
+            <source>Course of the cycle</source>
+            <translation>Ход цикла</translation>
+        </message>
+        <message>
+            <source>What rests on estimates</source>
+            <translation>Что опирается на оценки</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Замечания</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
+            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
+        </message>
+    </context>
+    <context>
         <name>Default</name>
         <message>
             <source>yes</source>
@@ -494,6 +737,13 @@
         <message>
             <source>accumulated: programmed %1, actual %2 µm</source>
             <translation>накопленные: программная %1, фактическая %2 мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>FeedsFigure</name>
+        <message>
+            <source>Feeds by stage over the whole cycle</source>
+            <translation>Подачи по ступеням за весь цикл</translation>
         </message>
     </context>
     <context>
@@ -2821,6 +3071,13 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>PageText</name>
+        <message>
+            <source>page %1 of %2</source>
+            <translation>стр. %1 из %2</translation>
+        </message>
+    </context>
+    <context>
         <name>PartCell</name>
         <message>
             <source>From the headstock end of the ground length, mm</source>
@@ -2835,6 +3092,46 @@ target, µm</source>
         <message>
             <source>axis of rotation</source>
             <translation>ось вращения</translation>
+        </message>
+    </context>
+    <context>
+        <name>PartSketch</name>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 мм</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>передняя бабка</translation>
+        </message>
+        <message>
+            <source>tailstock</source>
+            <translation>задняя бабка</translation>
+        </message>
+        <message>
+            <source>gauge</source>
+            <translation>прибор</translation>
+        </message>
+        <message>
+            <source>Sketch of the part, not to scale across</source>
+            <translation>Эскиз детали, поперёк не в масштабе</translation>
+        </message>
+        <message>
+            <source>ground diameter %1</source>
+            <translation>шлифуемый диаметр %1</translation>
+        </message>
+        <message>
+            <source>ground length %1</source>
+            <translation>шлифуемая длина %1</translation>
+        </message>
+        <message>
+            <source>%1: %2 to %3</source>
+            <comment>zone or section, from, to</comment>
+            <translation>%1: от %2 до %3</translation>
+        </message>
+        <message>
+            <source>gauge at %1</source>
+            <translation>прибор на %1</translation>
         </message>
     </context>
     <context>
@@ -3131,10 +3428,6 @@ target, µm</source>
     <context>
         <name>SaveDialog</name>
         <message>
-            <source>The picture or table could not be made.</source>
-            <translation>Не удалось построить рисунок или таблицу.</translation>
-        </message>
-        <message>
             <source>The file was not saved</source>
             <translation>Файл не сохранён</translation>
         </message>
@@ -3145,6 +3438,10 @@ target, µm</source>
         <message>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>The document, picture or table could not be made.</source>
+            <translation>Не удалось построить документ, рисунок или таблицу.</translation>
         </message>
     </context>
     <context>
@@ -4070,6 +4367,30 @@ target, µm</source>
         <message>
             <source>&amp;Keep the present run</source>
             <translation>&amp;Запомнить текущий расчёт</translation>
+        </message>
+        <message>
+            <source>Print previe&amp;w…</source>
+            <translation>Предварительный прос&amp;мотр…</translation>
+        </message>
+        <message>
+            <source>&amp;Print…</source>
+            <translation>Пе&amp;чать…</translation>
+        </message>
+        <message>
+            <source>Export repor&amp;t</source>
+            <translation>&amp;Экспорт отчёта</translation>
+        </message>
+        <message>
+            <source>&amp;PDF…</source>
+            <translation>&amp;PDF…</translation>
+        </message>
+        <message>
+            <source>&amp;HTML…</source>
+            <translation>&amp;HTML…</translation>
+        </message>
+        <message>
+            <source>&amp;Markdown…</source>
+            <translation>&amp;Markdown…</translation>
         </message>
     </context>
     <context>
@@ -7183,6 +7504,41 @@ target, µm</source>
         <message>
             <source>Untitled</source>
             <translation>Без имени</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ReportCommands</name>
+        <message>
+            <source>No report</source>
+            <translation>Нет отчёта</translation>
+        </message>
+        <message>
+            <source>There is no result of these inputs, so there is nothing to report. The messages say what is wrong with them.</source>
+            <translation>По этим данным результата нет, поэтому отчёт составить не из чего. Что в них не так, сказано в сообщениях.</translation>
+        </message>
+        <message>
+            <source>Print preview: %1</source>
+            <translation>Предварительный просмотр: %1</translation>
+        </message>
+        <message>
+            <source>Print: %1</source>
+            <translation>Печать: %1</translation>
+        </message>
+        <message>
+            <source>Export the cycle card</source>
+            <translation>Экспорт операционной карты</translation>
+        </message>
+        <message>
+            <source>PDF documents (*.pdf)</source>
+            <translation>Документы PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>Web pages (*.html)</source>
+            <translation>Веб-страницы (*.html)</translation>
+        </message>
+        <message>
+            <source>Markdown texts (*.md)</source>
+            <translation>Тексты Markdown (*.md)</translation>
         </message>
     </context>
     <context>

@@ -26,6 +26,11 @@ Actions::Actions(QMainWindow& window)
     , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
+    , printPreview(make("printPreview", u""))
+    , print(make("print", u"print", QKeySequence::Print))
+    , exportPdf(make("exportPdf", u""))
+    , exportHtml(make("exportHtml", u""))
+    , exportMarkdown(make("exportMarkdown", u""))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
@@ -76,6 +81,10 @@ void Actions::buildMenus(QMainWindow& window) {
     m_file->addActions({open, examples});
     m_file->addSeparator();
     m_file->addActions({save, saveAs, earlierVersions, recoverWork});
+    m_file->addSeparator();
+    m_file->addActions({printPreview, print});
+    m_export = m_file->addMenu(themeIcon(u"export"), QString());
+    m_export->addActions({exportPdf, exportHtml, exportMarkdown});
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -182,6 +191,12 @@ void Actions::retranslate() {
     saveAs->setText(tr("Save &as…"));
     earlierVersions->setText(tr("Earlier &versions…"));
     recoverWork->setText(tr("Re&cover work…"));
+    printPreview->setText(tr("Print previe&w…"));
+    print->setText(tr("&Print…"));
+    m_export->setTitle(tr("Export repor&t"));
+    exportPdf->setText(tr("&PDF…"));
+    exportHtml->setText(tr("&HTML…"));
+    exportMarkdown->setText(tr("&Markdown…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));
     english->setText(QStringLiteral("English"));

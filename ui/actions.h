@@ -44,6 +44,11 @@ public:
     QAction* saveAs;
     QAction* earlierVersions;
     QAction* recoverWork;
+    QAction* printPreview;
+    QAction* print;
+    QAction* exportPdf;
+    QAction* exportHtml;
+    QAction* exportMarkdown;
     QAction* quit;
     QAction* undo;
     QAction* redo;
@@ -71,6 +76,7 @@ private:
     QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;
+    QMenu* m_export;
     QToolBar* m_bar;
     QList<QAction*> m_showViews;
 };

@@ -11,8 +11,10 @@
 #include "ui/operation_notice.h"
 #include "ui/playback_bar.h"
 #include "ui/recent_files_menu.h"
+#include "ui/report/report_commands.h"
 #include "ui/run_keeper.h"
 #include "ui/sealed_state.h"
+#include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/texts.h"
 #include "ui/view_tabs.h"
@@ -236,10 +238,20 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
+    auto* reports = new ReportCommands(
+        [this]() -> ReportCommands::Subject {
+            OutcomePtr outcome = m_outcome;
+            if (m_runs.running()) { // that one is of the inputs before
+                runAside([&] { outcome = runProject(m_document.project(), {}); });
+            }
+            return {outcome, m_document.filePath()};
+        },
+        m_settings, this);
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
+          m_actions->undo, m_actions->redo, m_actions->keepRun, m_actions->printPreview,
+          m_actions->print, m_actions->exportPdf, m_actions->exportHtml, m_actions->exportMarkdown}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -250,6 +262,11 @@ void MainWindow::connectActions() {
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
+    on(m_actions->printPreview, [reports] { reports->preview(); });
+    on(m_actions->print, [reports] { reports->print(); });
+    on(m_actions->exportPdf, [reports] { reports->exportReport(report::Format::pdf); });
+    on(m_actions->exportHtml, [reports] { reports->exportReport(report::Format::html); });
+    on(m_actions->exportMarkdown, [reports] { reports->exportReport(report::Format::markdown); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] {
         if (!m_inputs->dropNewestRefusal()) {

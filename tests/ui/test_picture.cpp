@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sparkout --picture: the whole program, as the documents and the gallery on the web use it.
+// sparkout --picture and --report: the whole program, as the documents and the gallery on the web
+// use it.
+#include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -63,6 +66,40 @@ private slots:
                                    QStringLiteral("--view"), QStringLiteral("none"), example});
         QCOMPARE(view.status, 2);
         QVERIFY2(view.said.contains(QStringLiteral("feeds")), qPrintable(view.said));
+    }
+
+    void theReportIsWrittenAsItsEndingSays_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QByteArray>("beginning");
+        QTest::newRow("pdf") << QStringLiteral("pdf") << QByteArray("%PDF-");
+        QTest::newRow("html") << QStringLiteral("html") << QByteArray("<!DOCTYPE html>");
+        QTest::newRow("md") << QStringLiteral("md") << QByteArray("# Операционная карта");
+    }
+
+    void theReportIsWrittenAsItsEndingSays() {
+        QFETCH(QString, ending);
+        QFETCH(QByteArray, beginning);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("card.") + ending);
+        const Run run = sparkout({QStringLiteral("--report"), path, QStringLiteral("--lang"),
+                                  QStringLiteral("ru"), example});
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().startsWith(beginning));
+    }
+
+    void aReportThatCannotBeIsRefused() {
+        const QTemporaryDir folder;
+        const QString text = folder.filePath(QStringLiteral("card.txt"));
+        QCOMPARE(sparkout({QStringLiteral("--report"), text, example}).status, 2);
+        const QString card = folder.filePath(QStringLiteral("none/card.pdf"));
+        QCOMPARE(sparkout({QStringLiteral("--report"), card, example}).status, 1);
+        QCOMPARE(sparkout({QStringLiteral("--report"), folder.filePath(QStringLiteral("a.md")),
+                           QStringLiteral("/none.sparkout")})
+                     .status,
+                 1);
+        QVERIFY(QDir(folder.path()).isEmpty());
     }
 };
 

@@ -29,7 +29,7 @@ class SaveDialog {
 public:
     static QString askPath(QWidget* window, const QString& folder, const SaveRequest& request);
     static bool offerAnother(QWidget* window, const QString& text);
-    static QString failure() { return tr("The picture or table could not be made."); }
+    static QString failure() { return tr("The document, picture or table could not be made."); }
 };
 
 QString SaveDialog::askPath(QWidget* window, const QString& folder, const SaveRequest& request) {

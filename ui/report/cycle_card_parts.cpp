@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The head, settings and stages of the card.
+#include "ui/report/cycle_card_parts.h"
+
+#include "core/process/system_compliance.h"
+#include "core/units.h"
+#include "ui/session/member.h"
+#include "ui/session/number_text.h"
+#include "ui/session/texts.h"
+#include "ui/views/names.h"
+#include "ui/views/verdict_shop_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <numbers>
+
+namespace sparkout::report {
+
+namespace {
+
+QString number(double value) {
+    return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
+}
+
+QString withUnit(const QString& value, const char* unit) {
+    return value + u'\u00a0' + unitText(unit);
+}
+
+/// An input by its path, as its form names it.
+std::pair<QString, QString> input(const Project& project, const char* path) {
+    const ConstMember member = findMember(project, path);
+    const Field& field = *member.field;
+    QString name = inputText(field.label);
+    if (*field.symbol) {
+        name += QStringLiteral(" ") + QString::fromUtf8(field.symbol).remove(u'_');
+    }
+    if (field.kind == Kind::text) {
+        return {name, cell(oneLine(field.as<std::string>(member.owner)))};
+    }
+    const std::optional<double> value = numberIn(field, member.owner);
+    return {name, !value        ? cell({})
+                  : *field.unit ? withUnit(number(*value), field.unit)
+                                : number(*value)};
+}
+
+} // namespace
+
+QString manyLines(QString text) {
+    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
+    QString kept;
+    for (const QChar c : text) {
+        const bool line = c == u'\n' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator;
+        if (line) {
+            kept += u'\n';
+        } else if (c == u'\t' || c == u'\r') {
+            kept += u' ';
+        } else if (c >= u' ' && !c.isNonCharacter()) {
+            kept += c;
+        }
+    }
+    return kept;
+}
+
+QString oneLine(const std::string& text) {
+    return manyLines(QString::fromStdString(text)).simplified();
+}
+
+QString drawnDeviation(double value_um) {
+    return (value_um > 0 ? QStringLiteral("+") : QString()) + number(value_um);
+}
+
+QString cell(const QString& text) {
+    return text.trimmed().isEmpty() ? QStringLiteral("–") : text;
+}
+
+QString CycleCard::operation(const Project& project) {
+    if (project.operation == Operation::traverse) {
+        return tr("Cylindrical traverse grinding");
+    }
+    return project.part.surface == Surface::internal ? tr("Internal plunge grinding")
+                                                     : tr("Cylindrical plunge grinding");
+}
+
+Facts CycleCard::header(const Project& project, const QDate& date) {
+    const Part& part = project.part;
+    const QString size = tr("⌀%1 mm, deviations %2 / %3 µm")
+                             .arg(number(part.diameter_mm), drawnDeviation(part.upper_deviation_um),
+                                  drawnDeviation(part.lower_deviation_um));
+    return {{{tr("Operation"), operation(project)},
+             {tr("Part"), cell(oneLine(part.name))},
+             {tr("Equipment"), cell(oneLine(project.machine.name))},
+             {tr("Size by the drawing"), size},
+             {tr("Material"), cell(oneLine(project.material.grade))},
+             {tr("Hardness"), input(project, "/material/hardness_hrc").second},
+             input(project, "/part/length_mm"),
+             input(project, "/part/stock_mm"),
+             {tr("Prepared by"), cell(oneLine(project.author))},
+             {tr("Date"), QLocale().toString(date, QLocale::ShortFormat)}}};
+}
+
+Facts CycleCard::settings(const Outcome& outcome) {
+    const Project& project = outcome.result.project;
+    const Wheel& wheel = project.wheel;
+    Facts facts{
+        {{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
+         {tr("Wheel diameter × width"),
+          withUnit(number(wheel.diameter_mm) + QStringLiteral(" × ") + number(wheel.width_mm),
+                   "mm")},
+         input(project, "/wheel/dullness"),
+         input(project, "/machine/wheel_speed_m_s"),
+         {tr("Wheel rotation"),
+          withUnit(Names::significant(outcome.shop.wheelSpeed_rpm, 4), "rev/min")},
+         input(project, "/machine/work_speed_rpm"),
+         {tr("Work surface speed"),
+          tr("%1 m/min")
+              .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
+                                      * project.machine.work_speed_rpm / units::mmPerM))},
+         input(project, "/part/initial_runout_mm")}};
+    if (project.operation == Operation::traverse) {
+        for (const char* path :
+             {"/machine/overrun_entry_mm", "/machine/overrun_exit_mm", "/machine/dwell_entry_s",
+              "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
+            facts.facts.push_back(input(project, path));
+        }
+    }
+    QString control = tr("by the position of the wheel head");
+    if (project.gauge.control == Control::gauge) {
+        const auto section = static_cast<std::size_t>(gaugeSection(project));
+        const SectionResult& at = outcome.result.sections.at(section);
+        const double place = project.gauge.position_mm.value_or(at.position_mm);
+        control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
+                      .arg(Names::zone(at.zone, static_cast<int>(section)),
+                           withUnit(Names::significant(place), "mm"));
+    }
+    facts.facts.emplace_back(tr("Size control"), control);
+    return facts;
+}
+
+Table CycleCard::stages(const Outcome& outcome) {
+    const Project& project = outcome.result.project;
+    const bool traverse = project.operation == Operation::traverse;
+    Table table;
+    table.head = {tr("Stage"),
+                  traverse ? tr("Radial feed, mm/dbl stroke") : tr("Radial feed, mm/min")};
+    if (traverse) {
+        table.head << tr("Axial feed, mm/min");
+    }
+    table.head << tr("Stock per side, mm") << (traverse ? tr("Double strokes") : tr("Revolutions"))
+               << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
+               << tr("Largest force Py, N");
+    double stock = 0;
+    const auto count = project.cycle.stages.size();
+    const auto rest = [&table](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
+        row << shop::value(ShopRow::count, shop) << shop::value(ShopRow::time, shop) << sparkOut
+            << shop::value(ShopRow::peakPower, shop) << shop::value(ShopRow::normalForce, shop);
+        table.rows.push_back(row);
+    };
+    const auto feed = [](const std::optional<double>& value) {
+        return value ? number(*value) : cell({});
+    };
+    for (std::size_t z = 0; z < count; ++z) {
+        const Stage& stage = project.cycle.stages[z];
+        const bool feeds = stage.spark_out.mode == SparkOut::Mode::none;
+        QStringList row{QString::number(z + 1),
+                        feeds ? feed(traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min)
+                              : number(0)};
+        if (traverse) {
+            row << feed(stage.axial_feed_mm_min);
+        }
+        row << (feeds ? number(stage.stock_mm) : cell({}));
+        stock += feeds ? stage.stock_mm : 0;
+        rest(row, outcome.shop.stages.at(z),
+             feeds                                               ? cell({})
+             : stage.spark_out.mode == SparkOut::Mode::untilSize ? tr("until size")
+                                                                 : number(stage.spark_out.count));
+    }
+    QStringList sum{tr("Cycle"), cell({})};
+    if (traverse) {
+        sum << cell({});
+    }
+    sum << Names::significant(stock);
+    rest(sum, outcome.shop.cycle, cell({}));
+    table.lastIsSum = true;
+    table.texts = {true};
+    return table;
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the part comes out as: the verdict, the accuracy and the requirements.
+#include "ui/report/cycle_card_parts.h"
+
+#include "core/units.h"
+#include "ui/session/texts.h"
+#include "ui/views/estimate_names.h"
+#include "ui/views/names.h"
+#include "ui/views/verdict_model.h"
+#include "ui/views/verdict_shop_text.h"
+#include "ui/views/verdict_text.h"
+#include "ui/views/verdict_why.h"
+
+#include <algorithm>
+
+namespace sparkout::report {
+
+std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
+    const bool good = verdict::overallLight(outcome) != Light::fails;
+    std::vector<Block> blocks;
+    blocks.push_back(Facts{{{tr("Prediction for the part"), good ? tr("good") : tr("not good")},
+                            {tr("Machining time"), verdict::time(outcome.result)}}});
+    QStringList lines{verdict::overall(outcome)};
+    if (outcome.result.status != RunStatus::completed) {
+        lines.prepend(verdict::status(outcome.result));
+    }
+    for (const ConstraintResult& c : outcome.constraints) {
+        if (!c.holds) {
+            lines << verdict::why(outcome, c);
+        }
+    }
+    for (const QString& line : lines) {
+        blocks.push_back(Paragraph{line});
+    }
+    return blocks;
+}
+
+Table CycleCard::accuracy(const Outcome& outcome) {
+    const auto micrometres = [](double value_mm) {
+        return Names::micrometres(value_mm * units::umPerMm);
+    };
+    const auto deviation = [](double value_mm) {
+        return Names::signedMicrometres(value_mm * units::umPerMm);
+    };
+    Table table;
+    table.head = {tr("Zone or section"),
+                  tr("From the headstock end, mm"),
+                  tr("Smallest deviation, µm"),
+                  tr("Largest deviation, µm"),
+                  tr("Radial runout, µm"),
+                  tr("Roundness, µm"),
+                  tr("Ra, µm")};
+    const bool roughness = std::ranges::any_of(outcome.constraints, [](const ConstraintResult& c) {
+        return c.kind == ConstraintKind::roughness;
+    });
+    if (!roughness) {
+        table.head.removeLast();
+    }
+    const auto& sections = outcome.result.sections;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const SectionResult& section = sections[i];
+        const SectionAccuracy& form = outcome.accuracy.sections.at(i);
+        QStringList row{Names::zoneFull(section.zone, static_cast<int>(i)),
+                        Names::significant(section.position_mm),
+                        deviation(section.diameterDeviationMin_mm),
+                        deviation(section.diameterDeviationMax_mm),
+                        micrometres(section.radialRunout_mm),
+                        micrometres(form.minimumZone.deviation())};
+        if (roughness) {
+            const auto ra =
+                std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
+                    return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(i);
+                });
+            row << (ra == outcome.constraints.end() ? cell({})
+                                                    : Names::amount(ra->kind, ra->value, false));
+        }
+        table.rows.push_back(row);
+    }
+    table.texts = {true};
+    return table;
+}
+
+Table CycleCard::requirements(const Outcome& outcome) {
+    Table table;
+    table.head = {tr("Zone or section"), tr("Requirement"), tr("Value"),  tr("Limit"),
+                  tr("Margin"),          tr("Unit"),        tr("Verdict")};
+    table.texts = {true, true, false, false, false, true, true};
+    for (const ConstraintResult& c : outcome.constraints) {
+        const bool sign =
+            c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+        table.rows.push_back(
+            {Names::where(c), Names::constraint(c.kind), Names::amount(c.kind, c.value, sign),
+             Names::amount(c.kind, c.limit, sign), Names::amount(c.kind, c.margin, true),
+             cell(unitText(constraintUnit(c.kind))), lightName(lightOf(c))});
+    }
+    return table;
+}
+
+QStringList CycleCard::estimates(const Outcome& outcome) {
+    QStringList lines;
+    for (const ConstraintResult& c : outcome.constraints) {
+        if (const QString behind = EstimateNames::behind(c.kind); !behind.isEmpty()) {
+            lines << QStringLiteral("%1. %2").arg(Names::constraint(c.kind), behind);
+        }
+    }
+    lines.removeDuplicates();
+    return lines;
+}
+
+QStringList CycleCard::remarks(const Outcome& outcome) {
+    QStringList lines = shop::remarks(outcome.shop);
+    for (const Issue& issue : outcome.issues) {
+        lines << manyLines(Names::issue(issue));
+    }
+    return lines;
+}
+
+} // namespace sparkout::report

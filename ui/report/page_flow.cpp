@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/page_flow.h"
+
+#include "ui/report/text_box.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+namespace sparkout::report {
+
+namespace {
+
+// Sizes in tenths of a point, fonts in points.
+constexpr double bodySize = 9, smallSize = 7.5, headingSize = 11, titleSize = 15;
+constexpr double gap = 60, cellPad = 30, rowPad = 14, line = 5;
+constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
+    printFaint(90, 90, 90);
+constexpr double headingRoom = 300; ///< for a heading, or the caption of a figure
+constexpr double leastLines = 3;    ///< that follow a heading on its page
+
+struct PageText {
+    Q_DECLARE_TR_FUNCTIONS(PageText)
+public:
+    static QString number(int page, int count) { return tr("page %1 of %2").arg(page).arg(count); }
+};
+
+/// Widths of the columns that fill the page: each at least its longest word, the rest by need.
+std::vector<double> columnWidths(const Table& table, double width) {
+    const auto columns = static_cast<std::size_t>(table.head.size());
+    std::vector<double> least(columns), wanted(columns);
+    const auto measure = [&](const QStringList& cells, const QFont& font) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            const QString& text = cells[static_cast<qsizetype>(c)];
+            least[c] = std::max(least[c], TextBox::widestWord(text, font) + 2 * cellPad);
+            wanted[c] = std::max(wanted[c], TextBox::widestLine(text, font) + 2 * cellPad);
+        }
+    };
+    for (const QStringList& row : table.rows) {
+        measure(row, reportFont(bodySize, table.lastIsSum && &row == &table.rows.back()));
+    }
+    measure(table.head, reportFont(smallSize, true));
+    const double sumLeast = std::accumulate(least.begin(), least.end(), 0.0);
+    const double sumWanted = std::accumulate(wanted.begin(), wanted.end(), 0.0);
+    std::vector<double> widths(columns);
+    for (std::size_t c = 0; c < columns; ++c) {
+        if (sumLeast >= width) {
+            widths[c] = least[c] * width / sumLeast;
+        } else if (sumWanted <= width) {
+            widths[c] = wanted[c] * width / sumWanted;
+        } else {
+            widths[c] =
+                least[c]
+                + (wanted[c] - least[c]) * (width - sumLeast) / std::max(1.0, sumWanted - sumLeast);
+        }
+    }
+    return widths;
+}
+
+double rowHeight(const QStringList& cells, const std::vector<double>& widths, const QFont& font) {
+    double height = 0;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        const TextBox box(cells[static_cast<qsizetype>(c)], font, widths[c] - 2 * cellPad);
+        height = std::max(height, box.height());
+    }
+    return height + 2 * rowPad;
+}
+
+} // namespace
+
+PageFlow::PageFlow(const Report& report, QSizeF area)
+    : m_report(report)
+    , m_area(area)
+    , m_top(2 * smallSize * 10 + gap / 2)
+    , m_bottom(area.height() - 2 * smallSize * 10 - gap / 2) {
+    newPage();
+    addTitle();
+    for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+        if (std::holds_alternative<Heading>(report.blocks[i]) && i + 1 < report.blocks.size()) {
+            need(headingRoom + together(report.blocks[i + 1]));
+        }
+        std::visit(*this, report.blocks[i]);
+    }
+    addMargins();
+}
+
+void PageFlow::newPage() {
+    m_pages.emplace_back();
+    m_y = m_top;
+}
+
+void PageFlow::need(double height) {
+    if (height > room() && m_y > m_top) {
+        newPage();
+    }
+}
+
+void PageFlow::addTitle() {
+    const TextBox title(m_report.title, reportFont(titleSize, true), m_area.width());
+    add([title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
+    m_y += title.height() + gap / 2;
+}
+
+void PageFlow::operator()(const Heading& heading) {
+    const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
+    m_y += m_y > m_top ? gap : 0;
+    need(box.height());
+    add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
+    m_y += box.height() + gap / 3;
+}
+
+void PageFlow::operator()(const Paragraph& paragraph) {
+    const TextBox box(paragraph.text, reportFont(bodySize, paragraph.strong), m_area.width());
+    const double lineHeight = box.height() / box.lines();
+    for (int first = 0; first < box.lines();) {
+        need(lineHeight);
+        const int fitting = std::max(1, static_cast<int>(room() / lineHeight));
+        const TextBox part = box.part(first, std::min(fitting, box.lines() - first));
+        add([part, y = m_y](QPainter& p) { part.paint(p, 0, y); });
+        m_y += part.height();
+        first += part.lines();
+    }
+    m_y += gap / 3;
+}
+
+/// Two pairs abreast, framed as a card's head is.
+void PageFlow::operator()(const Facts& facts) {
+    const double half = m_area.width() / 2;
+    const QFont nameFont = reportFont(smallSize);
+    const QFont valueFont = reportFont(bodySize, true);
+    for (std::size_t i = 0; i < facts.facts.size(); i += 2) {
+        std::vector<std::pair<TextBox, TextBox>> boxes;
+        double height = 0;
+        for (std::size_t k = i; k < std::min(i + 2, facts.facts.size()); ++k) {
+            const auto& [name, value] = facts.facts[k];
+            boxes.emplace_back(TextBox(name, nameFont, half - 2 * cellPad),
+                               TextBox(value, valueFont, half - 2 * cellPad));
+            height = std::max(height, boxes.back().first.height() + boxes.back().second.height());
+        }
+        height += 2 * rowPad;
+        need(height);
+        add([boxes, y = m_y, height, half](QPainter& p) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double x = double(k) * half;
+                p.setPen(QPen(rule, line));
+                p.drawRect(QRectF(x, y, half, height));
+                if (k < boxes.size()) {
+                    const auto& [name, value] = boxes[k];
+                    p.setPen(printFaint);
+                    name.paint(p, x + cellPad, y + rowPad);
+                    p.setPen(printInk);
+                    value.paint(p, x + cellPad, y + rowPad + name.height());
+                }
+            }
+        });
+        m_y += height;
+    }
+    m_y += gap / 2;
+}
+
+void PageFlow::addRow(const QStringList& cells, const std::vector<double>& widths,
+                      const Table& table, const QFont& font, const QColor& ground) {
+    std::vector<TextBox> boxes;
+    double height = 0;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        const bool left = c < table.texts.size() && table.texts[c];
+        boxes.emplace_back(cells[static_cast<qsizetype>(c)], font, widths[c] - 2 * cellPad,
+                           left ? Qt::AlignLeft : Qt::AlignRight);
+        height = std::max(height, boxes.back().height());
+    }
+    height += 2 * rowPad;
+    add([boxes, widths, y = m_y, height, ground](QPainter& p) {
+        double x = 0;
+        for (std::size_t c = 0; c < boxes.size(); ++c) {
+            p.setPen(QPen(rule, line));
+            p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
+            p.drawRect(QRectF(x, y, widths[c], height));
+            p.setPen(printInk);
+            boxes[c].paint(p, x + cellPad, y + rowPad);
+            x += widths[c];
+        }
+    });
+    m_y += height;
+}
+
+void PageFlow::operator()(const Table& table) {
+    const std::vector<double> widths = columnWidths(table, m_area.width());
+    const QFont headFont = reportFont(smallSize, true);
+    const double head = rowHeight(table.head, widths, headFont);
+    bool begun = false;
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        const bool sum = table.lastIsSum && r + 1 == table.rows.size();
+        const QFont font = reportFont(bodySize, sum);
+        const double height = rowHeight(table.rows[r], widths, font);
+        const std::size_t pages = m_pages.size();
+        need(begun ? height : head + height);
+        if (!begun || m_pages.size() > pages) {
+            addRow(table.head, widths, table, headFont, shade);
+            begun = true;
+        }
+        addRow(table.rows[r], widths, table, font, sum ? shade : QColor());
+    }
+    m_y += gap / 2;
+}
+
+double PageFlow::together(const Block& block) const {
+    if (const auto* figure = std::get_if<Figure>(&block)) {
+        return figure->size.height() * scaleOf(*figure) + headingRoom;
+    }
+    const double lines = leastLines * 2 * bodySize * 10;
+    if (const auto* table = std::get_if<Table>(&block)) {
+        const std::vector<double> widths = columnWidths(*table, m_area.width());
+        double whole = rowHeight(table->head, widths, reportFont(smallSize, true));
+        for (const QStringList& row : table->rows) {
+            whole += rowHeight(row, widths, reportFont(bodySize));
+        }
+        return whole < (m_bottom - m_top) / 3 ? whole : lines;
+    }
+    return lines;
+}
+
+double PageFlow::scaleOf(const Figure& figure) const {
+    return std::min(m_area.width() / figure.size.width(),
+                    (m_bottom - m_top - 2 * headingRoom) / figure.size.height());
+}
+
+void PageFlow::operator()(const Figure& figure) {
+    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width(), Qt::AlignHCenter);
+    const double scale = scaleOf(figure);
+    need(figure.size.height() * scale + caption.height());
+    add([figure, scale, y = m_y](QPainter& p) {
+        p.translate(0, y);
+        p.scale(scale, scale);
+        figure.paint(p);
+    });
+    m_y += figure.size.height() * scale;
+    add([caption, y = m_y](QPainter& p) {
+        p.setPen(printFaint);
+        caption.paint(p, 0, y);
+    });
+    m_y += caption.height() + gap / 2;
+}
+
+void PageFlow::addMargins() {
+    const double width = m_area.width();
+    const double height = m_area.height();
+    const QFont font = reportFont(smallSize);
+    const QString origin = m_report.origin();
+    const QString about = m_report.subject;
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        const QString number =
+            PageText::number(static_cast<int>(i) + 1, static_cast<int>(m_pages.size()));
+        m_pages[i].push_back([=, bottom = m_bottom, top = m_top](QPainter& p) {
+            const QFontMetricsF metrics(font);
+            const auto elided = [&](const QString& text, double room) {
+                return metrics.elidedText(text, Qt::ElideRight, room);
+            };
+            p.setFont(font);
+            p.setPen(printFaint);
+            p.drawText(QPointF(0, metrics.ascent()), elided(about, width));
+            const double base = height - metrics.descent();
+            const double numberWidth = metrics.horizontalAdvance(number);
+            p.drawText(QPointF(0, base), elided(origin, width - numberWidth - gap));
+            p.drawText(QPointF(width - numberWidth, base), number);
+            p.setPen(QPen(rule, line));
+            p.drawLine(QPointF(0, top - gap / 2), QPointF(width, top - gap / 2));
+            p.drawLine(QPointF(0, bottom + gap / 2), QPointF(width, bottom + gap / 2));
+        });
+    }
+}
+
+} // namespace sparkout::report

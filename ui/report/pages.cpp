@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/pages.h"
+
+#include "ui/report/page_flow.h"
+
+#include <QBuffer>
+#include <QMarginsF>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QPrinter>
+
+#include <algorithm>
+
+namespace sparkout::report {
+
+namespace {
+constexpr QMarginsF margins_mm(18, 12, 12, 12); // the left one for filing
+constexpr int pdfResolution = 1200;
+constexpr double pointsPerInch = 72;
+
+QSizeF areaOf(const QPagedPaintDevice& device) {
+    return device.pageLayout().paintRect(QPageLayout::Point).size() * Pages::unitsPerInch
+           / pointsPerInch;
+}
+
+/// The information block of a PDF by Qt has no place for the author; this one has.
+QByteArray xmp(const Report& report) {
+    return QStringLiteral("<?xpacket begin=\"\uFEFF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+                          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
+                          "xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
+                          "<rdf:Description rdf:about=\"\" "
+                          "xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
+                          "xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">"
+                          "<dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">%1</rdf:li></rdf:Alt>"
+                          "</dc:title><dc:creator><rdf:Seq><rdf:li>%2</rdf:li></rdf:Seq>"
+                          "</dc:creator><xmp:CreatorTool>%3</xmp:CreatorTool></rdf:Description>"
+                          "</rdf:RDF></x:xmpmeta>\n<?xpacket end=\"w\"?>\n")
+        .arg(report.title.toHtmlEscaped(), report.author.toHtmlEscaped(),
+             report.program.toHtmlEscaped())
+        .toUtf8();
+}
+
+bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last) {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    const double scale = device.logicalDpiX() / Pages::unitsPerInch;
+    for (int page = first; page <= last; ++page) {
+        if (page > first && !device.newPage()) {
+            return false;
+        }
+        painter.save();
+        painter.scale(scale, scale);
+        pages.paint(painter, page);
+        painter.restore();
+    }
+    return painter.end();
+}
+} // namespace
+
+Pages::Pages(const Report& report, QSizeF area_units)
+    : m_pages(PageFlow(report, area_units).take()) {}
+
+void Pages::paint(QPainter& painter, int page) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Paint& paint : m_pages.at(static_cast<std::size_t>(page))) {
+        painter.save();
+        paint(painter);
+        painter.restore();
+    }
+}
+
+void setUpPaper(QPagedPaintDevice& device) {
+    device.setPageSize(QPageSize(QPageSize::A4));
+    device.setPageOrientation(QPageLayout::Portrait);
+    device.setPageMargins(margins_mm, QPageLayout::Millimeter);
+}
+
+bool paintPages(const Report& report, QPagedPaintDevice& device) {
+    const Pages pages(report, areaOf(device));
+    return paintRange(pages, device, 0, pages.count() - 1);
+}
+
+void printPages(const Report& report, QPrinter& printer) {
+    const Pages pages(report, areaOf(printer));
+    const bool some = printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0;
+    const int first = some ? std::clamp(printer.fromPage() - 1, 0, pages.count() - 1) : 0;
+    const int last =
+        some ? std::clamp(printer.toPage() - 1, first, pages.count() - 1) : pages.count() - 1;
+    paintRange(pages, printer, first, last);
+}
+
+QByteArray pdf(const Report& report) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly)) {
+        return {};
+    }
+    bool painted = false;
+    {
+        QPdfWriter writer(&buffer);
+        writer.setResolution(pdfResolution);
+        setUpPaper(writer);
+        writer.setTitle(report.subject.isEmpty()
+                            ? report.title
+                            : report.title + QStringLiteral(" – ") + report.subject);
+        writer.setCreator(report.program);
+        writer.setDocumentXmpMetadata(xmp(report));
+        painted = paintPages(report, writer);
+    }
+    return painted && bytes.contains("%%EOF") ? bytes : QByteArray();
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/report.h"
+
+#include <QByteArray>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QPagedPaintDevice;
+class QPainter;
+class QPrinter;
+
+namespace sparkout::report {
+
+/// A report laid out on pages of a size: one layout for the preview, the printer and the PDF. Rows
+/// and lines are never cut; a table that goes on repeats its head.
+class Pages {
+public:
+    static constexpr double unitsPerInch = 720; ///< tenths of a point
+
+    Pages(const Report& report, QSizeF area_units); ///< of the paper within its margins
+
+    [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
+    void paint(QPainter& painter, int page) const; ///< from 0; at 720 units an inch
+
+private:
+    friend class PageFlow;
+    using Paint = std::function<void(QPainter&)>;
+    std::vector<std::vector<Paint>> m_pages;
+};
+
+/// A4 upright with the margins of the report.
+void setUpPaper(QPagedPaintDevice& device);
+/// Paints the pages, of a printer those asked for; false when the device fails.
+bool paintPages(const Report& report, QPagedPaintDevice& device);
+void printPages(const Report& report, QPrinter& printer);
+
+/// With embedded fonts; empty when it could not be made.
+[[nodiscard]] QByteArray pdf(const Report& report);
+
+} // namespace sparkout::report

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/report_commands.h"
+
+#include "ui/dialogs/save_dialog.h"
+#include "ui/report/cycle_card.h"
+#include "ui/report/pages.h"
+
+#include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrintPreviewDialog>
+#include <QPrinter>
+
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+void setUp(QPrinter& printer, const report::Report& report) {
+    report::setUpPaper(printer);
+    printer.setDocName(fileNameOf({report.title, report.subject}));
+    printer.setCreator(report.program);
+}
+
+} // namespace
+
+ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& settings,
+                               QWidget* window)
+    : QObject(window), m_subject(std::move(subject)), m_settings(settings), m_window(window) {}
+
+std::optional<report::Report> ReportCommands::card() {
+    const Subject subject = m_subject();
+    if (subject.outcome && subject.outcome->ran()) {
+        return report::cycleCard(subject.outcome, subject.file, QDate::currentDate());
+    }
+    QMessageBox box(QMessageBox::Information, tr("No report"),
+                    tr("There is no result of these inputs, so there is nothing to report. The "
+                       "messages say what is wrong with them."),
+                    QMessageBox::Ok, m_window);
+    box.setTextFormat(Qt::PlainText);
+    box.exec();
+    return {};
+}
+
+void ReportCommands::preview() {
+    const auto report = card();
+    if (!report) {
+        return;
+    }
+    QPrinter printer(QPrinter::HighResolution);
+    setUp(printer, *report);
+    QPrintPreviewDialog dialog(&printer, m_window);
+    dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
+    connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
+            [&report](QPrinter* target) { report::printPages(*report, *target); });
+    dialog.resize(m_window->size() * 0.9);
+    dialog.exec();
+}
+
+void ReportCommands::print() {
+    const auto report = card();
+    if (!report) {
+        return;
+    }
+    QPrinter printer(QPrinter::HighResolution);
+    setUp(printer, *report);
+    QPrintDialog dialog(&printer, m_window);
+    dialog.setWindowTitle(tr("Print: %1").arg(report->title));
+    if (dialog.exec() == QDialog::Accepted) {
+        report::printPages(*report, printer);
+    }
+}
+
+void ReportCommands::exportReport(report::Format format) {
+    const auto report = card();
+    if (!report) {
+        return;
+    }
+    SaveRequest request{tr("Export the cycle card"),
+                        fileNameOf({report->title, report->subject}),
+                        {},
+                        {},
+                        [&]() -> std::function<QByteArray()> {
+                            return [kept = *report, format] { return bytesOf(kept, format); };
+                        }};
+    switch (format) {
+    case report::Format::pdf:
+        request.suffix = QStringLiteral("pdf");
+        request.filter = tr("PDF documents (*.pdf)");
+        break;
+    case report::Format::html:
+        request.suffix = QStringLiteral("html");
+        request.filter = tr("Web pages (*.html)");
+        break;
+    case report::Format::markdown:
+        request.suffix = QStringLiteral("md");
+        request.filter = tr("Markdown texts (*.md)");
+        break;
+    }
+    (void)saveWithDialog(m_window, &m_settings, request);
+}
+
+} // namespace sparkout

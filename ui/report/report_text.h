@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/report.h"
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace sparkout::report {
+
+/// One file that needs no other: figures are SVG inside it. Well-formed XML too.
+[[nodiscard]] QByteArray html(const Report& report);
+
+/// Tables and texts; a figure is told in words.
+[[nodiscard]] QByteArray markdown(const Report& report);
+
+/// The formats of an exported report, by the ending of the file.
+enum class Format { pdf, html, markdown };
+[[nodiscard]] std::optional<Format> formatOf(const QString& path);
+
+/// Empty when it could not be made.
+[[nodiscard]] QByteArray bytesOf(const Report& report, Format format);
+
+} // namespace sparkout::report

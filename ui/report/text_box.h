@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QString>
+#include <QStringList>
+
+class QPainter;
+
+namespace sparkout::report {
+
+/// A text wrapped to a width: between words, within one only where it is wider than that.
+/// Independent of any device: the font's size is in units of the page.
+class TextBox {
+public:
+    TextBox(QString text, QFont font, double width, Qt::Alignment align = Qt::AlignLeft);
+
+    [[nodiscard]] double height() const { return m_lineHeight * double(m_lines.size()); }
+    [[nodiscard]] int lines() const { return static_cast<int>(m_lines.size()); }
+    /// The lines from one on, as many as given.
+    [[nodiscard]] TextBox part(int first, int count) const;
+    void paint(QPainter& painter, double x, double y) const;
+
+    [[nodiscard]] static double widestWord(const QString& text, const QFont& font);
+    [[nodiscard]] static double widestLine(const QString& text, const QFont& font);
+
+private:
+    QFont m_font;
+    double m_width;
+    Qt::Alignment m_align;
+    double m_lineHeight;
+    double m_ascent;
+    QStringList m_lines;
+};
+
+/// The font of the report, so many points high on paper.
+[[nodiscard]] QFont reportFont(double points, bool bold = false);
+
+} // namespace sparkout::report
