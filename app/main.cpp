@@ -4,9 +4,11 @@
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
+#include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/session/operation.h"
+#include "ui/session/program_log.h"
 #include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
 #include "ui/theme.h"
@@ -16,6 +18,7 @@
 #include <QBuffer>
 #include <QEventLoop>
 #include <QFile>
+#include <QSysInfo>
 #include <QTimer>
 
 #include <algorithm>
@@ -218,7 +221,12 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
     window.files().protect(userStateFolder());
     window.show();
     openFirstExample(window.document());
-    QTimer::singleShot(0, &window, [&] { window.files().start(options.file); });
+    QTimer::singleShot(0, &window, [&] {
+        window.files().start(options.file);
+        if (options.file.isEmpty()) {
+            window.help().offerTour();
+        }
+    });
     return app.exec();
 }
 
@@ -265,6 +273,10 @@ int main(int argc, char** argv) {
     int noArguments = 1; // the options are ours, Qt reads none of them
     QApplication app(noArguments, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
+    const ProgramLog log;
+    ProgramLog::note(QStringLiteral("Sparkout %1, Qt %2, %3")
+                         .arg(QString::fromUtf8(version), QString::fromUtf8(qVersion()),
+                              QSysInfo::prettyProductName()));
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
     Settings settings = picture ? Settings::transient() : Settings();

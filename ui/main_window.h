@@ -22,6 +22,7 @@ class Actions;
 class ConstraintsView;
 class FeedsView;
 class FileCommands;
+class HelpDesk;
 class InputsPanel;
 class MessagesPanel;
 class PlaybackBar;
@@ -48,6 +49,7 @@ public:
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
     bool showView(const QString& name); ///< by object name or number from 1; false when none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+    [[nodiscard]] HelpDesk& help() { return *m_help; }
     [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
 
 signals:
@@ -102,6 +104,7 @@ private:
     QLabel* m_time;
     Actions* m_actions;
     FileCommands* m_files;
+    HelpDesk* m_help;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone

@@ -12,7 +12,7 @@ constexpr int sample = 22;
 constexpr int sampleGap = 5;
 constexpr int between = 14;
 constexpr int swatchHeight = 10;
-constexpr double faint = 0.45; ///< opacity of what is hidden
+constexpr double hiddenOpacity = 0.45; ///< opacity of what is hidden
 } // namespace
 
 std::vector<QRect> legendRects(const LegendEntries& entries, const QFontMetrics& metrics,
@@ -39,7 +39,7 @@ int legendHeight(const std::vector<QRect>& rects) {
 void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& rect,
                      const QColor& textColour) {
     painter.save();
-    painter.setOpacity(entry.shown ? 1 : faint);
+    painter.setOpacity(entry.shown ? 1 : hiddenOpacity);
     const int middle = rect.center().y();
     if (entry.pen == Qt::NoPen) {
         const QRect swatch(rect.left() + 4, middle - swatchHeight / 2 + 1, sample - 8,
