@@ -3944,22 +3944,6 @@ target, µm</source>
             <translation>&amp;Клавиши</translation>
         </message>
         <message>
-            <source>&amp;Font size</source>
-            <translation>Размер &amp;шрифта</translation>
-        </message>
-        <message>
-            <source>&amp;Larger</source>
-            <translation>&amp;Крупнее</translation>
-        </message>
-        <message>
-            <source>&amp;Smaller</source>
-            <translation>&amp;Мельче</translation>
-        </message>
-        <message>
-            <source>&amp;Usual</source>
-            <translation>&amp;Обычный</translation>
-        </message>
-        <message>
             <source>&amp;Tour of the window</source>
             <translation>&amp;Знакомство с окном</translation>
         </message>
