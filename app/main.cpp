@@ -4,11 +4,13 @@
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
+#include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/report/cycle_card.h"
 #include "ui/report/report_text.h"
 #include "ui/session/operation.h"
+#include "ui/session/program_log.h"
 #include "ui/session/recovery_store.h"
 #include "ui/session/texts.h"
 #include "ui/theme.h"
@@ -19,6 +21,7 @@
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
+#include <QSysInfo>
 #include <QTimer>
 
 #include <algorithm>
@@ -277,7 +280,12 @@ int runWindow(QApplication& app, MainWindow& window, const Options& options) {
     window.files().protect(userStateFolder());
     window.show();
     openFirstExample(window.document());
-    QTimer::singleShot(0, &window, [&] { window.files().start(options.file); });
+    QTimer::singleShot(0, &window, [&] {
+        window.files().start(options.file);
+        if (options.file.isEmpty()) {
+            window.help().offerTour();
+        }
+    });
     return app.exec();
 }
 
@@ -326,6 +334,10 @@ int main(int argc, char** argv) {
     int noArguments = 1; // the options are ours, Qt reads none of them
     QApplication app(noArguments, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
+    const ProgramLog log;
+    ProgramLog::note(QStringLiteral("Sparkout %1, Qt %2, %3")
+                         .arg(QString::fromUtf8(version), QString::fromUtf8(qVersion()),
+                              QSysInfo::prettyProductName()));
     QApplication::setApplicationName(QStringLiteral("sparkout"));
     QApplication::setApplicationVersion(QString::fromUtf8(version));
     Settings settings = hidden ? Settings::transient() : Settings();

@@ -224,6 +224,73 @@
         </message>
     </context>
     <context>
+        <name>Condition</name>
+        <message>
+            <source>traverse</source>
+            <translation>с осевой подачей</translation>
+        </message>
+        <message>
+            <source>plunge</source>
+            <translation>врезное</translation>
+        </message>
+        <message>
+            <source>external</source>
+            <translation>наружная поверхность</translation>
+        </message>
+        <message>
+            <source>internal</source>
+            <translation>отверстие</translation>
+        </message>
+        <message>
+            <source>ellipse</source>
+            <translation>эллипс</translation>
+        </message>
+        <message>
+            <source>eccentric</source>
+            <translation>эксцентриситет</translation>
+        </message>
+        <message>
+            <source>lobes</source>
+            <translation>огранка</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>измеренный профиль</translation>
+        </message>
+        <message>
+            <source>between centres</source>
+            <translation>в центрах</translation>
+        </message>
+        <message>
+            <source>in a chuck</source>
+            <translation>в патроне</translation>
+        </message>
+        <message>
+            <source>gauge at a section</source>
+            <translation>прибор в сечении</translation>
+        </message>
+        <message>
+            <source>gauge at a free position</source>
+            <translation>прибор в произвольном месте</translation>
+        </message>
+        <message>
+            <source>gauge control</source>
+            <translation>управление по прибору</translation>
+        </message>
+        <message>
+            <source>position control</source>
+            <translation>управление по положению</translation>
+        </message>
+        <message>
+            <source>the stage feeds</source>
+            <translation>ступень с подачей</translation>
+        </message>
+        <message>
+            <source>the stage is a spark-out</source>
+            <translation>ступень выхаживания</translation>
+        </message>
+    </context>
+    <context>
         <name>CouplingCurves</name>
         <message>
             <source>Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.</source>
@@ -1144,6 +1211,57 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from the middle of the field</source>
             <translation>Прибор на %1 мм: диаметры от %2 (%3) до %4 мкм (%5), не дальше %6 мкм от середины поля</translation>
+        </message>
+    </context>
+    <context>
+        <name>Help</name>
+        <message>
+            <source>Getting started</source>
+            <translation>Начало работы</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Views and results</source>
+            <translation>Виды и результаты</translation>
+        </message>
+        <message>
+            <source>The model</source>
+            <translation>Модель</translation>
+        </message>
+        <message>
+            <source>Working with the program</source>
+            <translation>Работа с программой</translation>
+        </message>
+        <message>
+            <source>Commands of the menus</source>
+            <translation>Команды меню</translation>
+        </message>
+        <message>
+            <source>Pages of the inputs</source>
+            <translation>Страницы исходных данных</translation>
+        </message>
+        <message>
+            <source>In a plot</source>
+            <translation>На графике</translation>
+        </message>
+        <message>
+            <source>Read with: %1</source>
+            <translation>Используется при: %1</translation>
+        </message>
+        <message>
+            <source>Choices: %1</source>
+            <translation>Варианты: %1</translation>
+        </message>
+        <message>
+            <source>Its inputs are those of %1.</source>
+            <translation>Его величины те же, что у %1.</translation>
+        </message>
+        <message>
+            <source>In the project file: %1</source>
+            <translation>В файле проекта: %1</translation>
         </message>
     </context>
     <context>
@@ -3911,6 +4029,65 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Tour</name>
+        <message>
+            <source>An example to begin with</source>
+            <translation>Пример для начала</translation>
+        </message>
+        <message>
+            <source>The window shows a shipped example. You work on a copy: change what you like. The last button of the tool bar opens the other examples, the first one begins a project of your own.</source>
+            <translation>В окне открыт пример из поставки. Вы работаете с копией: меняйте что угодно. Последняя кнопка панели инструментов открывает другие примеры, первая начинает ваш собственный проект.</translation>
+        </message>
+        <message>
+            <source>The stages of the cycle</source>
+            <translation>Ступени цикла</translation>
+        </message>
+        <message>
+            <source>A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a cell; everything is computed again at once. The pages above hold part, material, wheel, machine and gauge.</source>
+            <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок и ПАК.</translation>
+        </message>
+        <message>
+            <source>What is fed and what is cut</source>
+            <translation>Что подано и что снято</translation>
+        </message>
+        <message>
+            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance and layers.</source>
+            <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость и слои.</translation>
+        </message>
+        <message>
+            <source>Does it hold the drawing?</source>
+            <translation>Выполнен ли чертёж?</translation>
+        </message>
+        <message>
+            <source>Time of the cycle and every requirement with its margin. A double click on a row leads to the place where the value comes about.</source>
+            <translation>Время цикла и каждое требование с запасом. Двойной щелчок по строке ведёт туда, где значение возникает.</translation>
+        </message>
+        <message>
+            <source>Play with the feeds</source>
+            <translation>Поиграйте подачами</translation>
+        </message>
+        <message>
+            <source>Drag a slider and watch curves, time and margins follow. Undo takes a whole drag back.</source>
+            <translation>Потяните ползунок и смотрите, как меняются кривые, время и запасы. Отмена возвращает перетаскивание целиком.</translation>
+        </message>
+        <message>
+            <source>Step through the cycle</source>
+            <translation>Пройдите цикл по шагам</translation>
+        </message>
+        <message>
+            <source>Play, or step by stage, double stroke, step E1…E5 or radius. All views follow; the button at the right shows the formulas with their numbers.</source>
+            <translation>Пустите показ или шагайте по ступеням, двойным ходам, этапам Э1…Э5 или радиусам. За показом следуют все виды; кнопка справа открывает формулы с числами.</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Справка</translation>
+        </message>
+        <message>
+            <source>F1 explains the field or the view in focus. This tour can be started again from the menu Help.</source>
+            <translation>F1 поясняет поле или вид, где стоит курсор. Это знакомство можно повторить из меню «Справка».</translation>
+        </message>
+    </context>
+    <context>
         <name>Unit</name>
         <message>
             <source>mm/min</source>
@@ -4210,16 +4387,40 @@ target, µm</source>
             <translation>Рабочее место технолога круглого шлифования: рассчитывает цикл проход за проходом и сравнивает результат с чертежом.</translation>
         </message>
         <message>
-            <source>Built with Qt %1, QCustomPlot %2; running on Qt %3, %4.</source>
-            <translation>Собрано с Qt %1 и QCustomPlot %2; работает на Qt %3, %4.</translation>
-        </message>
-        <message>
             <source>Free software under the GNU General Public License, version 3 or later. It comes without any warranty.</source>
             <translation>Свободная программа под лицензией GNU General Public License версии 3 или новее. Без каких-либо гарантий.</translation>
         </message>
         <message>
             <source>C&amp;lose</source>
             <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>C&amp;opy the versions</source>
+            <translation>&amp;Копировать версии</translation>
+        </message>
+        <message>
+            <source>Program and engine: %1</source>
+            <translation>Программа и расчётное ядро: %1</translation>
+        </message>
+        <message>
+            <source>Vector unit of the processor in use: %1</source>
+            <translation>Используемый векторный блок процессора: %1</translation>
+        </message>
+        <message>
+            <source>Qt: %1, built with %2</source>
+            <translation>Qt: %1, сборка с %2</translation>
+        </message>
+        <message>
+            <source>Libraries: %1</source>
+            <translation>Библиотеки: %1</translation>
+        </message>
+        <message>
+            <source>Compiler: %1</source>
+            <translation>Компилятор: %1</translation>
+        </message>
+        <message>
+            <source>System: %1, %2</source>
+            <translation>Система: %1, %2</translation>
         </message>
     </context>
     <context>
@@ -4391,6 +4592,26 @@ target, µm</source>
         <message>
             <source>&amp;Markdown…</source>
             <translation>&amp;Markdown…</translation>
+        </message>
+        <message>
+            <source>&amp;Help on what is in focus</source>
+            <translation>&amp;Справка по месту курсора</translation>
+        </message>
+        <message>
+            <source>&amp;Contents</source>
+            <translation>&amp;Содержание справки</translation>
+        </message>
+        <message>
+            <source>&amp;Keyboard shortcuts</source>
+            <translation>&amp;Клавиши</translation>
+        </message>
+        <message>
+            <source>&amp;Tour of the window</source>
+            <translation>&amp;Знакомство с окном</translation>
+        </message>
+        <message>
+            <source>&amp;Log</source>
+            <translation>&amp;Журнал</translation>
         </message>
     </context>
     <context>
@@ -6164,6 +6385,14 @@ mm/min</source>
             <source>Keep mine</source>
             <translation>Оставить мою</translation>
         </message>
+        <message>
+            <source>Saved: %1</source>
+            <translation>Сохранён: %1</translation>
+        </message>
+        <message>
+            <source>Opened: %1</source>
+            <translation>Открыт: %1</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FormRow</name>
@@ -6174,6 +6403,45 @@ mm/min</source>
         <message>
             <source>%1, %2</source>
             <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HelpWindow</name>
+        <message>
+            <source>Back</source>
+            <translation>Назад</translation>
+        </message>
+        <message>
+            <source>Forward</source>
+            <translation>Вперёд</translation>
+        </message>
+        <message>
+            <source>Search the help (Ctrl+F)</source>
+            <translation>Поиск по справке (Ctrl+F)</translation>
+        </message>
+        <message>
+            <source>Search the help</source>
+            <translation>Поиск по справке</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Содержание</translation>
+        </message>
+        <message>
+            <source>Page of the help</source>
+            <translation>Страница справки</translation>
+        </message>
+        <message>
+            <source>No page has all these words.</source>
+            <translation>Ни на одной странице нет всех этих слов.</translation>
+        </message>
+        <message>
+            <source>%1 — Sparkout help</source>
+            <translation>%1 — справка Sparkout</translation>
+        </message>
+        <message>
+            <source>Sparkout help</source>
+            <translation>Справка Sparkout</translation>
         </message>
     </context>
     <context>
@@ -6493,6 +6761,37 @@ mm/min</source>
         <message>
             <source>Ctrl+Del</source>
             <translation>Ctrl+Del</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::LogDialog</name>
+        <message>
+            <source>warning: </source>
+            <translation>предупреждение: </translation>
+        </message>
+        <message>
+            <source>error: </source>
+            <translation>ошибка: </translation>
+        </message>
+        <message>
+            <source>Log of this session</source>
+            <translation>Журнал этого запуска</translation>
+        </message>
+        <message>
+            <source>C&amp;opy</source>
+            <translation>&amp;Копировать</translation>
+        </message>
+        <message>
+            <source>C&amp;lose</source>
+            <translation>&amp;Закрыть</translation>
+        </message>
+        <message>
+            <source>%1 earlier lines are no longer kept.</source>
+            <translation>Более ранних строк, которые уже не хранятся: %1.</translation>
+        </message>
+        <message>
+            <source>Nothing was reported.</source>
+            <translation>Сообщений не было.</translation>
         </message>
     </context>
     <context>
@@ -8028,6 +8327,32 @@ target, µm</source>
         <message>
             <source>Balance of the radius with its numbers</source>
             <translation>Баланс для радиуса с числами</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::Tour</name>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 из %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::TourBalloon</name>
+        <message>
+            <source>Skip</source>
+            <translation>Пропустить</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Назад</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>Готово</translation>
+        </message>
+        <message>
+            <source>Next</source>
+            <translation>Далее</translation>
         </message>
     </context>
     <context>

@@ -41,6 +41,11 @@ Actions::Actions(QMainWindow& window)
     , nextPanel(make("nextPanel", u"", Qt::Key_F6))
     , previousPanel(make("previousPanel", u"", Qt::SHIFT | Qt::Key_F6))
     , resetLayout(make("resetLayout", u""))
+    , help(make("help", u"info", QKeySequence::HelpContents))
+    , helpContents(make("helpContents", u""))
+    , helpShortcuts(make("helpShortcuts", u""))
+    , tour(make("tour", u""))
+    , log(make("log", u""))
     , about(make("about", u"")) {
     quit->setMenuRole(QAction::QuitRole);
     about->setMenuRole(QAction::AboutRole);
@@ -98,6 +103,8 @@ void Actions::buildMenus(QMainWindow& window) {
     m_edit->addAction(keepRun);
     buildViewMenu(bar);
     m_help = bar.addMenu(QString());
+    m_help->addActions({help, helpContents, helpShortcuts, tour, log});
+    m_help->addSeparator();
     m_help->addAction(about);
 }
 
@@ -209,6 +216,11 @@ void Actions::retranslate() {
     for (std::size_t i = 0; i < themes.size(); ++i) {
         themes[i]->setText(names[qsizetype(i)]);
     }
+    help->setText(tr("&Help on what is in focus"));
+    helpContents->setText(tr("&Contents"));
+    helpShortcuts->setText(tr("&Keyboard shortcuts"));
+    tour->setText(tr("&Tour of the window"));
+    log->setText(tr("&Log"));
     about->setText(tr("&About Sparkout"));
 }
 

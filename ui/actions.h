@@ -60,6 +60,11 @@ public:
     QAction* nextPanel;
     QAction* previousPanel;
     QAction* resetLayout;
+    QAction* help; ///< on what has the focus
+    QAction* helpContents;
+    QAction* helpShortcuts;
+    QAction* tour;
+    QAction* log;
     QAction* about;
 
 private:

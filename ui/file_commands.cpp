@@ -8,6 +8,7 @@
 #include "ui/recent_files_menu.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
+#include "ui/session/program_log.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
 
@@ -145,6 +146,7 @@ void FileCommands::take(LoadedProject loaded, const QString& path, Opening openi
         m_guard.unlock();
     }
     remember(path);
+    ProgramLog::note(tr("Opened: %1").arg(path));
     tellOpened(loaded.issues);
 }
 

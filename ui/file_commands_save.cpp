@@ -3,6 +3,7 @@
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
 #include "ui/session/document.h"
+#include "ui/session/program_log.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
 
@@ -89,6 +90,7 @@ bool FileCommands::saveTo(const QString& path) {
         }
     }
     remember(path);
+    ProgramLog::note(tr("Saved: %1").arg(path));
     emit saved();
     return true;
 }

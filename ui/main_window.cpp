@@ -2,8 +2,8 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
-#include "ui/dialogs/about_dialog.h"
 #include "ui/file_commands.h"
+#include "ui/help/help_desk.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/keyboard.h"
@@ -47,7 +47,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr QSize usualSize(1366, 768);
+constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
 constexpr int inputsWidth = 360;
 constexpr int verdictWidth = 327;
@@ -89,6 +89,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_time(new QLabel(this))
     , m_actions(new Actions(*this))
     , m_files(new FileCommands(m_document, settings, this))
+    , m_help(new HelpDesk(*this, settings, *m_inputs, *m_tabs, *m_actions))
     , m_runs(nullptr, std::move(runner)) {
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
@@ -218,7 +219,7 @@ void MainWindow::resetLayout() {
 
 void MainWindow::restoreWindow() {
     // Frame and title bar need room too: on a small screen the status bar must stay in sight.
-    resize(usualSize.boundedTo(screen()->availableSize() - frameAllowance));
+    resize(usualWindow.boundedTo(screen()->availableSize() - frameAllowance));
     resetLayout();
     if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
         restoreGeometry(parts->front());
@@ -284,7 +285,6 @@ void MainWindow::connectActions() {
     on(m_actions->nextPanel, [this] { movePanel(1); });
     on(m_actions->previousPanel, [this] { movePanel(-1); });
     on(m_actions->resetLayout, [this] { resetLayout(); });
-    on(m_actions->about, [this] { AboutDialog(this).exec(); });
 }
 
 void MainWindow::connectDocument() {

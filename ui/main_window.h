@@ -22,6 +22,7 @@ class Actions;
 class ConstraintsView;
 class FeedsView;
 class FileCommands;
+class HelpDesk;
 class InputsPanel;
 class KeptRuns;
 class MessagesPanel;
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
     bool showView(const QString& name); ///< by object name or number from 1; false when none
     [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+    [[nodiscard]] HelpDesk& help() { return *m_help; }
     [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
 
 signals:
@@ -106,6 +108,7 @@ private:
     Actions* m_actions;
     FileCommands* m_files;
     RunKeeper* m_keeper = nullptr;
+    HelpDesk* m_help;
     QTimer m_recolour;
     QTimer m_refusalsTimer; ///< gathers many remarks of one edit
     RunController m_runs;   ///< last: stopped before anything it reports to is gone

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/notice_bar.h"
 
+#include "ui/session/program_log.h"
+
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -20,6 +22,7 @@ NoticeBar::NoticeBar(QWidget* parent) : QWidget(parent), m_rows(new QVBoxLayout(
 }
 
 void NoticeBar::add(Notice notice) {
+    ProgramLog::note(notice.text());
     const auto same = std::find_if(m_notices.begin(), m_notices.end(),
                                    [&](const Notice& one) { return one.key == notice.key; });
     if (same != m_notices.end()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/playback_bar.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/theme.h"
 #include "ui/views/names.h"
@@ -40,6 +41,7 @@ PlaybackBar::PlaybackBar(CycleCursor& cursor, QWidget* parent)
     , m_slider(new QSlider(Qt::Horizontal, this))
     , m_place(new QLabel(this)) {
     setObjectName(QStringLiteral("playback"));
+    setHelpTopic(*this, QStringLiteral("playback"));
     build();
     connectParts();
     retranslate();

@@ -5,6 +5,7 @@
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
 #include "core/project/validate.h"
+#include "core/text.h"
 
 #include <array>
 #include <map>
@@ -46,23 +47,27 @@ struct Question {
 
 const std::array<Question, 7>& questions() {
     static const std::array<Question, 7> all{{
-        {{"traverse", "plunge"},
+        {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
          [](Project& p, Stage&, std::size_t i) { p.operation = static_cast<Operation>(i); }},
-        {{"external", "internal"},
+        {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
          [](Project& p, Stage&, std::size_t i) { p.part.surface = static_cast<Surface>(i); }},
-        {{"ellipse", "eccentric", "lobes", "measured"},
+        {{SPARKOUT_NOOP("Condition", "ellipse"), SPARKOUT_NOOP("Condition", "eccentric"),
+          SPARKOUT_NOOP("Condition", "lobes"), SPARKOUT_NOOP("Condition", "measured")},
          [](Project& p, Stage&, std::size_t i) { p.part.profile = static_cast<ProfileForm>(i); }},
-        {{"between centres", "in a chuck"},
+        {{SPARKOUT_NOOP("Condition", "between centres"), SPARKOUT_NOOP("Condition", "in a chuck")},
          [](Project& p, Stage&, std::size_t i) {
              p.part.shaft.mounting = static_cast<Mounting>(i);
          }},
-        {{"gauge at a section", "gauge at a free position"},
+        {{SPARKOUT_NOOP("Condition", "gauge at a section"),
+          SPARKOUT_NOOP("Condition", "gauge at a free position")},
          [](Project& p, Stage&, std::size_t i) {
              p.gauge.position_mm = i == 0 ? std::nullopt : std::optional<double>(1);
          }},
-        {{"gauge control", "position control"},
+        {{SPARKOUT_NOOP("Condition", "gauge control"),
+          SPARKOUT_NOOP("Condition", "position control")},
          [](Project& p, Stage&, std::size_t i) { p.gauge.control = static_cast<Control>(i); }},
-        {{"the stage feeds", "the stage is a spark-out"},
+        {{SPARKOUT_NOOP("Condition", "the stage feeds"),
+          SPARKOUT_NOOP("Condition", "the stage is a spark-out")},
          [](Project&, Stage& stage, std::size_t i) {
              stage.spark_out.mode = i == 0 ? SparkOut::Mode::none : SparkOut::Mode::untilSize;
          }},
@@ -251,7 +256,7 @@ private:
 
 } // namespace
 
-std::string conditionText(Condition condition, const StructInfo& table) {
+ConditionAnswers conditionAnswers(Condition condition, const StructInfo& table) {
     std::vector<std::set<std::size_t>> seen(questions().size());
     forEachTrueSituation(condition, table, [&](const std::vector<std::size_t>& answers) {
         for (std::size_t q = 0; q < answers.size(); ++q) {
@@ -259,16 +264,31 @@ std::string conditionText(Condition condition, const StructInfo& table) {
         }
     });
     if (seen[0].empty()) {
-        return "never";
+        return std::nullopt;
     }
-    std::string text;
+    std::vector<std::vector<const char*>> groups;
     for (std::size_t q = 0; q < seen.size(); ++q) {
         if (seen[q].size() == questions()[q].answers.size()) {
             continue;
         }
-        std::string part;
+        auto& group = groups.emplace_back();
         for (const std::size_t answer : seen[q]) {
-            part += (part.empty() ? "" : " or ") + std::string(questions()[q].answers[answer]);
+            group.push_back(questions()[q].answers[answer]);
+        }
+    }
+    return groups;
+}
+
+std::string conditionText(Condition condition, const StructInfo& table) {
+    const ConditionAnswers answers = conditionAnswers(condition, table);
+    if (!answers) {
+        return "never";
+    }
+    std::string text;
+    for (const auto& group : *answers) {
+        std::string part;
+        for (const char* answer : group) {
+            part += (part.empty() ? "" : " or ") + std::string(answer);
         }
         text += (text.empty() ? "" : ", ") + part;
     }

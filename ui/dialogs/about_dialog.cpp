@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/about_dialog.h"
 
+#include "core/engine_info.h"
 #include "core/version.h"
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 
+#include <QClipboard>
 #include <QDialogButtonBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
+#include <QPushButton>
 #include <QSysInfo>
 #include <QVBoxLayout>
 
@@ -16,28 +21,32 @@
 namespace sparkout {
 
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
+    setHelpTopic(*this, QStringLiteral("look#about"));
     setWindowTitle(tr("About Sparkout"));
     auto* icon = new QLabel(this);
-    icon->setPixmap(QIcon(QStringLiteral(":/icons/sparkout.svg")).pixmap(metrics::iconProgram, metrics::iconProgram));
+    icon->setPixmap(QIcon(QStringLiteral(":/icons/sparkout.svg"))
+                        .pixmap(metrics::iconProgram, metrics::iconProgram));
     icon->setAlignment(Qt::AlignTop);
     icon->setAccessibleName(tr("Icon of the program"));
     const QStringList paragraphs{
         tr("Sparkout %1").arg(QString::fromUtf8(version)),
         tr("A workbench for cylindrical grinding cycles: computes a cycle pass by pass and holds "
            "it against the drawing."),
-        tr("Built with Qt %1, QCustomPlot %2; running on Qt %3, %4.")
-            .arg(QStringLiteral(QT_VERSION_STR), QStringLiteral(QCUSTOMPLOT_VERSION_STR),
-                 QString::fromUtf8(qVersion()), QSysInfo::prettyProductName()),
+        versions(),
         tr("Free software under the GNU General Public License, version 3 or later. It comes "
            "without any warranty."),
     };
     auto* text = new QLabel(paragraphs.join(QStringLiteral("\n\n")), this);
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);
-    text->setMinimumWidth(380);
+    text->setMinimumWidth(420);
     text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* buttons = new QDialogButtonBox(this);
+    auto* copy = buttons->addButton(tr("C&opy the versions"), QDialogButtonBox::ActionRole);
+    copy->setObjectName(QStringLiteral("copyVersions"));
     buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
+    connect(copy, &QPushButton::clicked, this,
+            [] { QGuiApplication::clipboard()->setText(versions()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* body = new QHBoxLayout;
     body->setSpacing(metrics::wide);
@@ -46,6 +55,24 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(body);
     layout->addWidget(buttons);
+}
+
+QString AboutDialog::versions() {
+    const EngineInfo engine = engineInfo();
+    const auto text = [](const std::string& part) { return QString::fromStdString(part); };
+    return QStringList{
+        tr("Program and engine: %1").arg(QString::fromUtf8(version)),
+        tr("Vector unit of the processor in use: %1").arg(text(engine.vectorUnit)),
+        tr("Qt: %1, built with %2")
+            .arg(QString::fromUtf8(qVersion()), QStringLiteral(QT_VERSION_STR)),
+        tr("Libraries: %1")
+            .arg(QStringLiteral("QCustomPlot " QCUSTOMPLOT_VERSION_STR ", Eigen %1, JSON %2, "
+                                "Boost %3")
+                     .arg(text(engine.eigen), text(engine.json), text(engine.boost))),
+        tr("Compiler: %1").arg(text(engine.compiler)),
+        tr("System: %1, %2").arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture()),
+    }
+        .join(u'\n');
 }
 
 } // namespace sparkout

@@ -11,6 +11,9 @@ class AboutDialog : public QDialog {
 
 public:
     explicit AboutDialog(QWidget* parent = nullptr);
+
+    /// A line each: program, engine, libraries, compiler, system.
+    [[nodiscard]] static QString versions();
 };
 
 } // namespace sparkout

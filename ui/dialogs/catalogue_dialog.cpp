@@ -2,6 +2,7 @@
 #include "ui/dialogs/catalogue_dialog.h"
 
 #include "ui/dialogs/entry_name_dialog.h"
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/sealed_state.h"
 #include "ui/session/catalogue_changes.h"
@@ -105,6 +106,7 @@ CatalogueDialog::CatalogueDialog(CatalogueStore& store, Project project, Setting
     , m_refused(plainLabel(this))
     , m_rename(new QPushButton(tr("&Rename…"), this))
     , m_remove(new QPushButton(tr("&Delete…"), this)) {
+    setHelpTopic(*this, QStringLiteral("editing#catalogues"));
     setWindowTitle(title(store.kind()));
     build();
     resize(usualSize);

@@ -2,6 +2,7 @@
 #include "ui/dialogs/examples_dialog.h"
 
 #include "core/project/project_file.h"
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/session/example_texts.h"
 #include "ui/session/run_controller.h"
@@ -39,6 +40,7 @@ QByteArray ExamplesDialog::textOf(const QString& path) {
 
 ExamplesDialog::ExamplesDialog(QWidget* parent)
     : QDialog(parent), m_list(new QListWidget(this)), m_notes(new QLabel) {
+    setHelpTopic(*this, QStringLiteral("start#examples"));
     setWindowTitle(tr("Example gallery"));
     m_list->setAccessibleName(tr("Examples"));
     m_list->setIconSize({metrics::iconLarge, metrics::iconLarge});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/faults_dialog.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/inputs/mark.h"
 #include "ui/session/texts.h"
 
@@ -31,6 +32,7 @@ QStringList FaultsDialog::lines(const Issues& issues) {
 
 FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent, File state)
     : QDialog(parent) {
+    setHelpTopic(*this, QStringLiteral("files#faults"));
     const QString name = QFileInfo(file).fileName();
     setWindowTitle(state == File::refused ? tr("The file was not opened")
                                           : tr("Faults of the file"));

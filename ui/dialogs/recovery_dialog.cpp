@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/recovery_dialog.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/inputs/mark.h"
 
 #include <QDialogButtonBox>
@@ -38,6 +39,7 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
                                QWidget* parent)
     : QDialog(parent), m_store(store), m_items(std::move(items)), m_list(new QTreeWidget(this)) {
     setWindowTitle(tr("Recover work"));
+    setHelpTopic(*this, QStringLiteral("files#recovery"));
     m_list->setAccessibleName(tr("Unsaved work"));
     m_list->setRootIsDecorated(false);
     m_list->setHeaderLabels({tr("Project"), tr("File"), tr("Kept at"), tr("State")});

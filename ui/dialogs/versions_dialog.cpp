@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/versions_dialog.h"
 
+#include "ui/help/help_topic.h"
+
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHeaderView>
@@ -16,6 +18,7 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
                                QWidget* parent)
     : QDialog(parent), m_versions(std::move(versions)), m_list(new QTreeWidget(this)) {
     setWindowTitle(tr("Earlier versions"));
+    setHelpTopic(*this, QStringLiteral("files#versions"));
     auto* head = new QLabel(
         m_versions.empty()
             ? tr("No earlier version of “%1” is kept yet.").arg(QFileInfo(project).fileName())

@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/catalogue_dialog.h"
 #include "ui/dialogs/entry_name_dialog.h"
+#include "ui/help/help_topic.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/metrics.h"
 #include "ui/session/document.h"
@@ -39,6 +40,7 @@ CatalogueBar::CatalogueBar(CatalogueKind kind, Document& document, Settings* set
     , m_choose(new QPushButton(this))
     , m_keep(new QPushButton(this))
     , m_fault(new ReasonLabel(this)) {
+    setHelpTopic(*this, QStringLiteral("editing#catalogues"));
     m_choose->setObjectName(QStringLiteral("fromCatalogue"));
     m_keep->setObjectName(QStringLiteral("saveAsMine"));
     m_fault->setObjectName(QStringLiteral("catalogueKeptFault"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/form_page.h"
 
+#include "ui/help/help_fields.h"
+#include "ui/help/help_topic.h"
 #include "ui/inputs/catalogue_bar.h"
 #include "ui/inputs/compliance_box.h"
 #include "ui/inputs/form_row.h"
@@ -39,6 +41,7 @@ QGridLayout* newGrid(QVBoxLayout& into, int depth) {
 
 FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
     : QScrollArea(parent), m_page(page), m_document(document) {
+    setHelpTopic(*this, fieldPageId(page));
     auto* body = new QWidget(this);
     auto* layout = new QVBoxLayout(body);
     const int side = metrics::margin - SectionBox::inset(0);

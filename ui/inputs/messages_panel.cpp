@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/messages_panel.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/session/texts.h"
 
 namespace sparkout {
 
 MessagesPanel::MessagesPanel(QWidget* parent) : QListWidget(parent) {
+    setHelpTopic(*this, QStringLiteral("messages"));
     setWordWrap(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(this, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/stage_table.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/inputs/stage_delegate.h"
 #include "ui/inputs/stage_model.h"
 
@@ -37,6 +38,7 @@ StageTable::StageTable(Document& document, QWidget* parent)
 StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
     , m_stages(model) {
+    setHelpTopic(*this, QStringLiteral("stages"));
     view().verticalHeader()->setDefaultSectionSize(StageDelegate::rowHeight(view().fontMetrics()));
     view().setWordWrap(true); // a spark-out takes two lines
     showTitleBold();

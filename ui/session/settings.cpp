@@ -12,6 +12,7 @@ namespace {
 
 const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
+const QString tourKey = QStringLiteral("tourSeen");
 const QString csvKey = QStringLiteral("csvDialect");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
@@ -72,6 +73,14 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
     m_file->set(themeKey, theme);
+}
+
+bool Settings::tourSeen() const {
+    return m_file->value(tourKey).toBool();
+}
+
+void Settings::setTourSeen() {
+    m_file->set(tourKey, true);
 }
 
 QString Settings::csvDialect() const {

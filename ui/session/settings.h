@@ -23,6 +23,8 @@ public:
     void setLanguage(const QString& code);
     [[nodiscard]] QString theme() const; ///< "system", "light", "dark" or "contrast"
     void setTheme(const QString& theme);
+    [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
+    void setTourSeen();
     [[nodiscard]] QString csvDialect() const; ///< "ru" (; and comma) or "en" (, and point)
     void setCsvDialect(const QString& dialect);
     [[nodiscard]] QString lastFolder() const;

@@ -93,4 +93,13 @@ QString sourceText(std::string_view key) {
     return found == names.end() ? QString() : QCoreApplication::translate("Source", found->text);
 }
 
+std::vector<std::pair<QString, QString>> sourceTexts() {
+    std::vector<std::pair<QString, QString>> texts;
+    for (const SourceName& name : names) {
+        texts.emplace_back(QString::fromLatin1(name.key.data(), qsizetype(name.key.size())),
+                           QCoreApplication::translate("Source", name.text));
+    }
+    return texts;
+}
+
 } // namespace sparkout

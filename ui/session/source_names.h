@@ -4,11 +4,16 @@
 #include <QString>
 
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sparkout {
 
 /// A source in words, in the present language: "MODEL-5" → "model page, section 5, traverse
 /// cycle". Empty for a key that core/SOURCES.md does not have.
 [[nodiscard]] QString sourceText(std::string_view key);
+
+/// Every source, its key and its words.
+[[nodiscard]] std::vector<std::pair<QString, QString>> sourceTexts();
 
 } // namespace sparkout

@@ -2,6 +2,7 @@
 #include "ui/views/step_sheet.h"
 
 #include "core/quality/visit_sheet.h"
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/views/formula_text.h"
 #include "ui/views/names.h"
@@ -24,6 +25,7 @@ StepSheet::StepSheet(CycleCursor& cycle, QWidget* parent)
     , m_place(new QLabel(this))
     , m_sheet(new QTextEdit(this)) {
     setObjectName(QStringLiteral("stepSheet"));
+    setHelpTopic(*this, QStringLiteral("step"));
     m_zone->setObjectName(QStringLiteral("stepZone"));
     m_place->setObjectName(QStringLiteral("stepPlace"));
     m_sheet->setObjectName(QStringLiteral("stepFormulas"));

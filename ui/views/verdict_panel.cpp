@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_panel.h"
 
+#include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/light_icon.h"
@@ -24,6 +25,7 @@ using metrics::iconSmall;
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
+    setHelpTopic(*this, QStringLiteral("verdict"));
     build();
     buildTable();
     drawIcons();

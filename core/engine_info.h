@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace sparkout {
+
+/// What the engine was built with, and what of the processor it uses.
+struct EngineInfo {
+    std::string compiler;   ///< "GCC 12.2.0"
+    std::string eigen;      ///< version of the library
+    std::string json;       ///< version of nlohmann-json
+    std::string boost;      ///< version of its headers
+    std::string vectorUnit; ///< of the inner loop: "AVX2"
+};
+
+[[nodiscard]] EngineInfo engineInfo();
+
+} // namespace sparkout

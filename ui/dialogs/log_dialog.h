@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+
+class QPlainTextEdit;
+
+namespace sparkout {
+
+class ProgramLog;
+
+/// What the program and Qt reported since the start, beside the work; follows what comes.
+class LogDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// Without a log it says so.
+    explicit LogDialog(const ProgramLog* log, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString text() const;
+
+private:
+    void fill();
+
+    const ProgramLog* m_log;
+    QPlainTextEdit* m_text;
+    QTimer m_pause; ///< gathers lines that come together
+};
+
+} // namespace sparkout

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/help_book.h"
+
+#include "ui/help/help_fields.h"
+#include "ui/session/source_names.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+
+namespace sparkout {
+
+namespace {
+
+struct HelpEntry {
+    const char* id; ///< and name of the file
+    const char* group;
+};
+
+constexpr const char* gettingStarted = QT_TRANSLATE_NOOP("Help", "Getting started");
+constexpr const char* inputPages = QT_TRANSLATE_NOOP("Help", "Inputs");
+constexpr const char* viewPages = QT_TRANSLATE_NOOP("Help", "Views and results");
+constexpr const char* modelPages = QT_TRANSLATE_NOOP("Help", "The model");
+constexpr const char* workPages = QT_TRANSLATE_NOOP("Help", "Working with the program");
+
+constexpr std::array helpContents{
+    HelpEntry{"start", gettingStarted},    HelpEntry{"editing", gettingStarted},
+    HelpEntry{"inputs-part", inputPages},  HelpEntry{"inputs-material", inputPages},
+    HelpEntry{"inputs-wheel", inputPages}, HelpEntry{"inputs-machine", inputPages},
+    HelpEntry{"inputs-gauge", inputPages}, HelpEntry{"inputs-cycle", inputPages},
+    HelpEntry{"stages", inputPages},       HelpEntry{"inputs-file", inputPages},
+    HelpEntry{"verdict", viewPages},       HelpEntry{"feeds", viewPages},
+    HelpEntry{"profiles", viewPages},      HelpEntry{"constraints", viewPages},
+    HelpEntry{"compliance", viewPages},    HelpEntry{"layers", viewPages},
+    HelpEntry{"playback", viewPages},      HelpEntry{"step", viewPages},
+    HelpEntry{"messages", viewPages},      HelpEntry{"plots", viewPages},
+    HelpEntry{"model", modelPages},        HelpEntry{"limits", modelPages},
+    HelpEntry{"sources", modelPages},      HelpEntry{"shortcuts", workPages},
+    HelpEntry{"files", workPages},         HelpEntry{"look", workPages},
+    HelpEntry{"cli", workPages},
+};
+
+constexpr std::array formPages{Page::part,  Page::material, Page::wheel, Page::machine,
+                               Page::gauge, Page::cycle,    Page::none};
+
+QString writtenPage(const QString& id) {
+    const QString language =
+        QLocale().language() == QLocale::Russian ? QStringLiteral("ru") : QStringLiteral("en");
+    QFile file(QStringLiteral(":/help/%1/%2.html").arg(language, id));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QString sourcesHtml() {
+    QString html = QStringLiteral("<table>");
+    for (const auto& [key, text] : sourceTexts()) {
+        html += QStringLiteral("<tr><td><a name=\"%1\"></a><code>%1</code></td><td>%2</td></tr>")
+                    .arg(key, text.toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+/// What the program adds to a page by itself.
+QString madePart(const QString& id, const QString& shortcuts) {
+    for (const Page page : formPages) {
+        if (id == fieldPageId(page)) {
+            return fieldsHtml(page);
+        }
+    }
+    return id == u"shortcuts" ? shortcuts : id == u"sources" ? sourcesHtml() : QString();
+}
+
+QString plainOf(QString html) {
+    static const QRegularExpression tags(QStringLiteral("<[^>]*>"));
+    html.replace(tags, QStringLiteral(" ")).replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));
+    html.replace(QStringLiteral("&lt;"), QStringLiteral("<"))
+        .replace(QStringLiteral("&gt;"), QStringLiteral(">"))
+        .replace(QStringLiteral("&quot;"), QStringLiteral("\""))
+        .replace(QStringLiteral("&amp;"), QStringLiteral("&"));
+    return html.simplified();
+}
+
+const QRegularExpression& headingPattern() {
+    static const QRegularExpression pattern(
+        QStringLiteral("<h([1-3])(?: id=\"([^\"]*)\")?>(.*?)</h\\1>"),
+        QRegularExpression::DotMatchesEverythingOption);
+    return pattern;
+}
+
+std::vector<HelpSection> sectionsOf(const QString& html) {
+    std::vector<HelpSection> sections;
+    qsizetype end = 0; // of the last heading
+    const auto finish = [&](qsizetype next) {
+        if (!sections.empty()) {
+            sections.back().text = plainOf(html.mid(end, next - end));
+        }
+    };
+    for (auto it = headingPattern().globalMatch(html); it.hasNext();) {
+        const auto found = it.next();
+        finish(found.capturedStart());
+        end = found.capturedEnd();
+        sections.push_back({found.captured(2), plainOf(found.captured(3)), {}});
+    }
+    finish(html.size());
+    return sections;
+}
+
+HelpPage pageOf(const HelpEntry& entry, const QString& shortcuts) {
+    HelpPage page;
+    page.id = QString::fromLatin1(entry.id);
+    page.group = QCoreApplication::translate("Help", entry.group);
+    page.html = writtenPage(page.id) + madePart(page.id, shortcuts);
+    page.sections = sectionsOf(page.html);
+    page.title = page.sections.empty() ? page.id : page.sections.front().title;
+    page.html.replace(headingPattern(), QStringLiteral("<h\\1><a name=\"\\2\"></a>\\3</h\\1>"));
+    return page;
+}
+
+/// So that case, and е for ё, make no difference.
+QString folded(QString text) {
+    return text.toCaseFolded().replace(u'ё', u'е');
+}
+
+} // namespace
+
+HelpBook::HelpBook(const QString& shortcuts) {
+    for (const HelpEntry& entry : helpContents) {
+        m_pages.push_back(pageOf(entry, shortcuts));
+    }
+}
+
+const HelpPage* HelpBook::find(const QString& id) const {
+    const auto found = std::ranges::find(m_pages, id, &HelpPage::id);
+    return found == m_pages.end() ? nullptr : &*found;
+}
+
+QString HelpBook::Hit::topic() const {
+    return section->anchor.isEmpty() ? page->id : page->id + u'#' + section->anchor;
+}
+
+std::vector<HelpBook::Hit> HelpBook::search(const QString& words) const {
+    const QStringList wanted = folded(words).split(u' ', Qt::SkipEmptyParts);
+    std::vector<Hit> inTitle;
+    std::vector<Hit> inText;
+    const auto has = [&wanted](const QString& text) {
+        return std::ranges::all_of(wanted, [&](const QString& w) { return text.contains(w); });
+    };
+    for (const HelpPage& page : m_pages) {
+        for (const HelpSection& section : page.sections) {
+            if (wanted.isEmpty()) {
+                continue;
+            }
+            if (const QString title = folded(section.title); has(title)) {
+                inTitle.push_back({&page, &section});
+            } else if (has(title + u' ' + folded(section.text))) {
+                inText.push_back({&page, &section});
+            }
+        }
+    }
+    inTitle.insert(inTitle.end(), inText.begin(), inText.end());
+    return inTitle;
+}
+
+} // namespace sparkout

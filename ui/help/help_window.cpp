@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/help_window.h"
+
+#include "ui/help/help_book.h"
+#include "ui/help/help_browser.h"
+#include "ui/keyboard.h"
+#include "ui/metrics.h"
+#include "ui/theme.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QScreen>
+#include <QSplitter>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr QSize helpSize(900, 640);
+constexpr QSize helpFrame(40, 80);
+constexpr int contentsWidth = 250;
+constexpr int topicRole = Qt::UserRole;
+constexpr int searchPause_ms = 200; ///< after a letter of what is sought
+
+QTreeWidgetItem* contentsItem(QTreeWidget& list, const QString& topic) {
+    for (int i = 0; i < list.topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = list.topLevelItem(i);
+        for (int j = 0; j < group->childCount(); ++j) {
+            if (group->child(j)->data(0, topicRole) == topic) {
+                return group->child(j);
+            }
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+HelpWindow::HelpWindow(std::function<QString()> shortcuts, QWidget* parent)
+    : QWidget(parent, Qt::Window)
+    , m_shortcuts(std::move(shortcuts))
+    , m_back(new QToolButton(this))
+    , m_forward(new QToolButton(this))
+    , m_search(new QLineEdit(this))
+    , m_list(new QTreeWidget(this))
+    , m_browser(new HelpBrowser(this)) {
+    setObjectName(QStringLiteral("help"));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
+    setAttribute(Qt::WA_QuitOnClose, false); // the program ends with its own window
+    build();
+    connectParts();
+    renew();
+    resize(helpSize.boundedTo(screen()->availableSize() - helpFrame));
+}
+
+HelpWindow::~HelpWindow() = default;
+
+void HelpWindow::build() {
+    m_back->setObjectName(QStringLiteral("helpBack"));
+    m_back->setIcon(themeIcon(u"back"));
+    m_back->setShortcut(Qt::ALT | Qt::Key_Left);
+    m_forward->setObjectName(QStringLiteral("helpForward"));
+    m_forward->setIcon(themeIcon(u"forward"));
+    m_forward->setShortcut(Qt::ALT | Qt::Key_Right);
+    for (QToolButton* button : {m_back, m_forward}) {
+        button->setIconSize({metrics::icon, metrics::icon});
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    m_search->setObjectName(QStringLiteral("helpSearch"));
+    m_search->setClearButtonEnabled(true);
+    m_list->setObjectName(QStringLiteral("helpContents"));
+    m_list->setHeaderHidden(true);
+    m_list->setTextElideMode(Qt::ElideRight);
+    m_browser->setObjectName(QStringLiteral("helpPage"));
+    auto* bar = new QHBoxLayout;
+    bar->setSpacing(metrics::tight);
+    bar->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::tight);
+    bar->addWidget(m_back);
+    bar->addWidget(m_forward);
+    bar->addWidget(m_search, 1);
+    auto* parts = new QSplitter(this);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_list);
+    parts->addWidget(m_browser);
+    parts->setStretchFactor(1, 1);
+    parts->setSizes({contentsWidth, helpSize.width() - contentsWidth});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addLayout(bar);
+    layout->addWidget(parts, 1);
+}
+
+void HelpWindow::connectParts() {
+    connect(m_back, &QToolButton::clicked, m_browser, &HelpBrowser::backward);
+    connect(m_forward, &QToolButton::clicked, m_browser, &HelpBrowser::forward);
+    connect(m_browser, &HelpBrowser::backwardAvailable, m_back, &QToolButton::setEnabled);
+    connect(m_browser, &HelpBrowser::forwardAvailable, m_forward, &QToolButton::setEnabled);
+    connect(m_browser, &HelpBrowser::sourceChanged, this, [this](const QUrl& url) {
+        m_page = url.path(); // the browser's own source is not up to date here
+        showPlace();
+    });
+    m_back->setEnabled(false);
+    m_forward->setEnabled(false);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &HelpWindow::openListed);
+    auto* find = new QAction(this);
+    find->setShortcut(QKeySequence::Find);
+    addAction(find);
+    connect(find, &QAction::triggered, m_search, [this] {
+        m_search->setFocus(Qt::ShortcutFocusReason);
+        m_search->selectAll();
+    });
+    auto* pause = new QTimer(this);
+    pause->setSingleShot(true);
+    pause->setInterval(searchPause_ms);
+    connect(m_search, &QLineEdit::textChanged, pause, qOverload<>(&QTimer::start));
+    connect(pause, &QTimer::timeout, this, &HelpWindow::fillList);
+    connect(m_search, &QLineEdit::returnPressed, this, [this, pause] {
+        if (pause->isActive()) {
+            pause->stop();
+            fillList();
+        }
+        QTreeWidgetItem* first = m_list->topLevelItem(0);
+        if (first && !m_search->text().trimmed().isEmpty()) {
+            m_list->setCurrentItem(first);
+            m_list->setFocus(Qt::TabFocusReason);
+        }
+    });
+    m_renewal.setSingleShot(true);
+    m_renewal.setInterval(0);
+    connect(&m_renewal, &QTimer::timeout, this, &HelpWindow::renew);
+}
+
+void HelpWindow::renew() {
+    auto before = std::exchange(m_book, std::make_unique<HelpBook>(m_shortcuts()));
+    m_browser->setBook(m_book.get());
+    m_back->setToolTip(tr("Back"));
+    m_forward->setToolTip(tr("Forward"));
+    for (QToolButton* button : {m_back, m_forward}) {
+        button->setAccessibleName(button->toolTip());
+        button->setToolTip(QStringLiteral("%1 (%2)").arg(
+            button->toolTip(), button->shortcut().toString(QKeySequence::NativeText)));
+    }
+    m_search->setPlaceholderText(tr("Search the help (Ctrl+F)"));
+    m_search->setAccessibleName(tr("Search the help"));
+    m_list->setAccessibleName(tr("Contents"));
+    m_browser->setAccessibleName(tr("Page of the help"));
+    if (before) {
+        m_browser->renew();
+    }
+    fillList();
+    showPlace();
+}
+
+void HelpWindow::fillList() {
+    const QScopedValueRollback showing(m_showing, true);
+    m_list->clear();
+    const QString words = m_search->text().trimmed();
+    m_list->setRootIsDecorated(words.isEmpty());
+    if (!words.isEmpty()) {
+        for (const HelpBook::Hit& hit : m_book->search(words)) {
+            const QString title =
+                hit.section->title == hit.page->title
+                    ? hit.page->title
+                    : QStringLiteral("%1 — %2").arg(hit.section->title, hit.page->title);
+            auto* item = new QTreeWidgetItem(m_list, {title});
+            item->setData(0, topicRole, hit.topic());
+            item->setToolTip(0, title);
+        }
+        if (m_list->topLevelItemCount() == 0) {
+            auto* none = new QTreeWidgetItem(m_list, {tr("No page has all these words.")});
+            none->setFlags(Qt::NoItemFlags);
+        }
+        return;
+    }
+    QTreeWidgetItem* group = nullptr;
+    for (const HelpPage& page : m_book->pages()) {
+        if (!group || group->text(0) != page.group) {
+            group = new QTreeWidgetItem(m_list, {page.group});
+            group->setFlags(Qt::ItemIsEnabled);
+        }
+        auto* item = new QTreeWidgetItem(group, {page.title});
+        item->setData(0, topicRole, page.id);
+        item->setToolTip(0, page.title);
+    }
+    m_list->expandAll();
+    showPlace();
+}
+
+void HelpWindow::openListed() {
+    const QTreeWidgetItem* item = m_list->currentItem();
+    if (m_showing || !item || !item->data(0, topicRole).isValid()) {
+        return;
+    }
+    const QScopedValueRollback showing(m_showing, true);
+    m_browser->openTopic(item->data(0, topicRole).toString());
+    m_browser->mark(m_search->text());
+}
+
+void HelpWindow::openTopic(const QString& topic) {
+    m_browser->openTopic(topic);
+}
+
+QString HelpWindow::topic() const {
+    return m_browser->topic();
+}
+
+void HelpWindow::showFront() {
+    setWindowState(windowState() & ~Qt::WindowMinimized);
+    show();
+    raise();
+    activateWindow();
+    m_browser->setFocus(Qt::OtherFocusReason);
+}
+
+void HelpWindow::showPlace() {
+    const HelpPage* page = m_book->find(m_page);
+    setWindowTitle(page ? tr("%1 — Sparkout help").arg(page->title) : tr("Sparkout help"));
+    if (page && m_search->text().trimmed().isEmpty()) {
+        const QScopedValueRollback showing(m_showing, true);
+        m_list->setCurrentItem(contentsItem(*m_list, page->id));
+    }
+}
+
+void HelpWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        m_renewal.start();
+    }
+    QWidget::changeEvent(event);
+}
+
+void HelpWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        if (m_search->hasFocus() && !m_search->text().isEmpty()) {
+            m_search->clear();
+        } else {
+            close();
+        }
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+} // namespace sparkout

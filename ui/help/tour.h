@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QRect>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QWidget;
+
+namespace sparkout {
+
+class TourBalloon;
+
+/// A part of the window the tour stops at.
+struct TourStep {
+    /// Brings it into sight; its place in the window, empty: the step is passed over.
+    std::function<QRect()> target;
+    std::function<QString()> title; ///< in the present language
+    std::function<QString()> text;
+};
+
+/// A walk through the window: a balloon beside one part after the other. Escape ends it.
+class Tour : public QObject {
+    Q_OBJECT
+
+public:
+    Tour(QWidget& window, std::vector<TourStep> steps);
+    ~Tour() override;
+
+    void start();
+    void end();
+    [[nodiscard]] bool running() const;
+    [[nodiscard]] int step() const { return m_step; }
+    [[nodiscard]] const TourBalloon* balloon() const { return m_balloon.get(); }
+
+signals:
+    void finished(); ///< came to its end, or was skipped
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void go(int by);
+    bool showStep(); ///< false: its part is not in sight
+
+    QWidget& m_window;
+    std::vector<TourStep> m_steps;
+    std::unique_ptr<TourBalloon> m_balloon;
+    int m_step = 0;
+};
+
+} // namespace sparkout
