@@ -66,6 +66,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::FactorBox</name>
+        <message numerus="yes">
+            <source>%n values, %1…%2 %3</source>
+            <translation>
+                <numerusform>%n value, %1…%2 %3</numerusform>
+                <numerusform>%n values, %1…%2 %3</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::HistogramPlot</name>
         <message numerus="yes">
             <source>%1: %2 %3, %n part(s)</source>

@@ -728,6 +728,45 @@
         </message>
     </context>
     <context>
+        <name>FactorLines</name>
+        <message>
+            <source>Lowest</source>
+            <translation>Наименьшее</translation>
+        </message>
+        <message>
+            <source>Highest</source>
+            <translation>Наибольшее</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Standard deviation</source>
+            <translation>Стандартное отклонение</translation>
+        </message>
+        <message>
+            <source>Most frequent</source>
+            <translation>Наиболее частое</translation>
+        </message>
+        <message>
+            <source>First part</source>
+            <translation>Первая деталь</translation>
+        </message>
+        <message>
+            <source>Last part</source>
+            <translation>Последняя деталь</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Empty: %1.</source>
+            <translation>Пусто: %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>FeedText</name>
         <message>
             <source>programmed feed</source>
@@ -3170,6 +3209,13 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
+        <name>NumberLines</name>
+        <message>
+            <source>Allowed: %1.</source>
+            <translation>Допускается: %1.</translation>
+        </message>
+    </context>
+    <context>
         <name>OperationNotice</name>
         <message>
             <source>A plunge grinds no more than the wheel covers. With the operation these inputs changed: %1.</source>
@@ -4770,6 +4816,21 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::BatchHelper</name>
+        <message>
+            <source>A batch says which share of many parts keeps the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
+            <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
+        </message>
+        <message>
+            <source>Add a usual batch</source>
+            <translation>Добавить обычную партию</translation>
+        </message>
+        <message>
+            <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::BatchView</name>
         <message>
             <source>Batch</source>
@@ -4944,12 +5005,12 @@ target, µm</source>
             <translation>Добавить обычную партию</translation>
         </message>
         <message>
-            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing.</source>
-            <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж.</translation>
+            <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing. Choose the factors on the page Batch of the inputs, or start with usual ones.</source>
+            <translation>В проекте не описана партия. Партия — это детали, у которых припуск, биение, затупление и другие факторы рассеиваются: она показывает, какая их доля выдерживает чертёж. Выберите факторы на странице «Партия» исходных данных или начните с обычных.</translation>
         </message>
         <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить</translation>
+            <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
         </message>
     </context>
     <context>
@@ -5841,6 +5902,18 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::CorrelationBox</name>
+        <message>
+            <source>%1 – %2</source>
+            <comment>two factors</comment>
+            <translation>%1 – %2</translation>
+        </message>
+        <message>
+            <source>Between −1 and 1; 0: independent. Of normal factors Pearson's coefficient, of others nearly Spearman's.</source>
+            <translation>От −1 до 1; 0 — независимы. Для нормальных факторов — коэффициент Пирсона, для прочих — почти Спирмена.</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::EntryNameDialog</name>
         <message>
             <source>&amp;Name in your catalogue:</source>
@@ -5902,6 +5975,97 @@ target, µm</source>
             <translation>%1. %2. %3.
 
 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FactorBox</name>
+        <message>
+            <source>constant</source>
+            <translation>постоянное</translation>
+        </message>
+        <message>
+            <source>uniform</source>
+            <translation>равномерное</translation>
+        </message>
+        <message>
+            <source>normal</source>
+            <translation>нормальное</translation>
+        </message>
+        <message>
+            <source>triangular</source>
+            <translation>треугольное</translation>
+        </message>
+        <message>
+            <source>as measured</source>
+            <translation>по измерениям</translation>
+        </message>
+        <message>
+            <source>growing part by part</source>
+            <translation>растёт от детали к детали</translation>
+        </message>
+        <message>
+            <source>Read measured blanks</source>
+            <translation>Прочитать измеренные заготовки</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+            <translation>Таблицы (*.csv *.txt *.tsv *.dat);;Все файлы (*)</translation>
+        </message>
+        <message>
+            <source>“%1” was not taken: %2</source>
+            <translation>Файл «%1» не принят: %2</translation>
+        </message>
+        <message>
+            <source>no column is headed “%1”</source>
+            <translation>нет столбца с заголовком «%1»</translation>
+        </message>
+        <message>
+            <source>line %1: “%2” is no number</source>
+            <translation>строка %1: «%2» — не число</translation>
+        </message>
+        <message>
+            <source>no values yet</source>
+            <translation>значений ещё нет</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n values, %1…%2 %3</source>
+            <translation>
+                <numerusform>%n значение, %1…%2 %3</numerusform>
+                <numerusform>%n значения, %1…%2 %3</numerusform>
+                <numerusform>%n значений, %1…%2 %3</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Ticked: it scatters from part to part.</source>
+            <translation>Отмечено: рассеивается от детали к детали.</translation>
+        </message>
+        <message>
+            <source>Distribution</source>
+            <translation>Распределение</translation>
+        </message>
+        <message>
+            <source>%1: distribution</source>
+            <translation>%1: распределение</translation>
+        </message>
+        <message>
+            <source>truncated</source>
+            <translation>усечённое</translation>
+        </message>
+        <message>
+            <source>%1: truncated</source>
+            <translation>%1: усечённое</translation>
+        </message>
+        <message>
+            <source>Read from CSV…</source>
+            <translation>Прочитать из CSV…</translation>
+        </message>
+        <message>
+            <source>%1: read from a CSV file</source>
+            <translation>%1: прочитать из файла CSV</translation>
+        </message>
+        <message>
+            <source>A table whose column “%1” holds a value a line</source>
+            <translation>Таблица, в столбце «%1» которой в каждой строке значение</translation>
         </message>
     </context>
     <context>
@@ -6528,6 +6692,10 @@ mm/min</source>
             <source>%1 (Alt+%2)</source>
             <translation>%1 (Alt+%2)</translation>
         </message>
+        <message>
+            <source>Batch</source>
+            <translation>Партия</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::LayersPlot</name>
@@ -7127,6 +7295,14 @@ target, µm</source>
         <message>
             <source>unusual; usual: %1</source>
             <translation>необычное значение; обычно: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NumberLines</name>
+        <message>
+            <source>%1: %2</source>
+            <comment>factor: number</comment>
+            <translation>%1: %2</translation>
         </message>
     </context>
     <context>

@@ -20,33 +20,35 @@ const StructInfo& tableOf<Factor>() {
     static const std::array rows{
         SPARKOUT_FIELD(
             Factor, uniform, .label = SPARKOUT_NOOP("Input", "Uniform"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Lowest and highest value; equal, a constant.")),
         SPARKOUT_FIELD(Factor, normal, .label = SPARKOUT_NOOP("Input", "Normal"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .count = 2, .hint = SPARKOUT_NOOP("Input", "Mean and standard deviation.")),
+                       .count = 2, .page = Page::batch,
+                       .hint = SPARKOUT_NOOP("Input", "Mean and standard deviation.")),
         SPARKOUT_FIELD(
             Factor, within, .label = SPARKOUT_NOOP("Input", "Within"), .hard = {-1e6, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not truncated"), .count = 2,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not truncated"), .count = 2, .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Bounds that truncate the normal distribution.")),
         SPARKOUT_FIELD(Factor, triangular, .label = SPARKOUT_NOOP("Input", "Triangular"),
                        .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .count = 3,
+                       .count = 3, .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Lowest, most frequent and highest value.")),
-        SPARKOUT_FIELD(Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"),
-                       .hard = {-1e6, 1e6}, .nullMeaning = SPARKOUT_NOOP("Input", "not this form"),
-                       .hint = SPARKOUT_NOOP("Input",
-                                             "Values of measured blanks, each as frequent as any "
-                                             "other; `sparkout-cli batch --measured` reads them "
-                                             "from a CSV.")),
-        SPARKOUT_FIELD(Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "From the first to the last part between two dressings.")),
+        SPARKOUT_FIELD(
+            Factor, measured, .label = SPARKOUT_NOOP("Input", "Measured"), .hard = {-1e6, 1e6},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Values of measured blanks, each as frequent as any "
+                                           "other; `sparkout-cli batch --measured` reads them "
+                                           "from a CSV.")),
+        SPARKOUT_FIELD(
+            Factor, grows, .label = SPARKOUT_NOOP("Input", "Grows"), .hard = {-1e6, 1e6},
+            .nullMeaning = SPARKOUT_NOOP("Input", "not this form"), .count = 2, .page = Page::batch,
+            .hint =
+                SPARKOUT_NOOP("Input", "From the first to the last part between two dressings.")),
         SPARKOUT_FIELD(
             Factor, parts_between_dressings,
             .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .hard = {1, 1e6},
-            .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"),
+            .nullMeaning = SPARKOUT_NOOP("Input", "the whole batch"), .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "How many parts are ground between two dressings.")),
     };
     static const StructInfo info = makeTable<Factor>(SPARKOUT_NOOP("Struct", "Factor"), rows);
@@ -57,23 +59,30 @@ template <>
 const StructInfo& tableOf<Factors>() {
     static const std::array rows{
         SPARKOUT_FIELD(Factors, stock_mm, .label = SPARKOUT_NOOP("Input", "Stock per side"),
-                       .unit = "mm", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter")),
+                       .unit = "mm", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch),
         SPARKOUT_FIELD(Factors, initial_runout_mm,
                        .label = SPARKOUT_NOOP("Input", "Initial runout"), .unit = "mm",
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter")),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch),
         SPARKOUT_FIELD(Factors, dullness, .label = SPARKOUT_NOOP("Input", "Dullness"),
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter")),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch),
         SPARKOUT_FIELD(Factors, wheel_diameter_mm,
                        .label = SPARKOUT_NOOP("Input", "Wheel diameter"), .unit = "mm",
-                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter")),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch),
         SPARKOUT_FIELD(Factors, flow_stress_mpa, .label = SPARKOUT_NOOP("Input", "Flow stress"),
-                       .unit = "MPa", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter")),
+                       .unit = "MPa", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch),
         SPARKOUT_FIELD(Factors, compliance, .label = SPARKOUT_NOOP("Input", "Compliance"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+                       .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Factor on every compliance.")),
         SPARKOUT_FIELD(
             Factors, contact_width_mm, .label = SPARKOUT_NOOP("Input", "Contact width"),
             .symbol = "b", .unit = "mm", .nullMeaning = SPARKOUT_NOOP("Input", "does not scatter"),
+            .page = Page::batch,
             .hint = SPARKOUT_NOOP("Input", "Traverse: the wheel's width, from which the widths of "
                                            "cut follow. Plunge: the ground length.")),
     };
@@ -85,22 +94,24 @@ template <>
 const StructInfo& tableOf<Batch>() {
     static const std::array rows{
         SPARKOUT_FIELD(Batch, parts, .label = SPARKOUT_NOOP("Input", "Parts"), .hard = {1, 1e6},
+                       .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "Number of parts simulated."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, seed, .label = SPARKOUT_NOOP("Input", "Seed"),
-                       .hard = {0, 2147483647},
+                       .hard = {0, 2147483647}, .page = Page::batch,
                        .hint = SPARKOUT_NOOP("Input", "The same seed gives the same batch."),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, scenarios, .label = SPARKOUT_NOOP("Input", "Scenarios"),
-                       .hint = SPARKOUT_NOOP("Input", "How the factors are sampled."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, scenarios, .label = SPARKOUT_NOOP("Input", "Scenarios"), .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "How the factors are sampled."), .source = "MODEL-8"),
         SPARKOUT_FIELD(Batch, factors, .label = SPARKOUT_NOOP("Input", "Factors"),
                        .source = "MODEL-8"),
-        SPARKOUT_FIELD(Batch, correlation, .label = SPARKOUT_NOOP("Input", "Correlation"),
-                       .hard = {-1, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "independent"),
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "Correlation matrix of the factors given, in their order."),
-                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, correlation, .label = SPARKOUT_NOOP("Input", "Correlation"), .hard = {-1, 1},
+            .nullMeaning = SPARKOUT_NOOP("Input", "independent"), .page = Page::batch,
+            .hint =
+                SPARKOUT_NOOP("Input", "Correlation matrix of the factors given, in their order."),
+            .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);
     return info;

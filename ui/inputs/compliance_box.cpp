@@ -49,7 +49,7 @@ double& valueAt(GivenCompliance& given, std::size_t index) {
 
 ComplianceBox::ComplianceBox(std::string path, const Field& field, Document& document,
                              QWidget* parent)
-    : SectionBox(1, parent)
+    : InputBox(1, parent)
     , m_path(std::move(path))
     , m_field(field)
     , m_document(document)

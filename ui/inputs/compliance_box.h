@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/form_page.h"
+#include "ui/inputs/input_box.h"
 #include "ui/inputs/number_field.h"
-#include "ui/inputs/section_box.h"
-#include "ui/session/outcome.h"
 
 #include <string>
 #include <vector>
@@ -22,24 +20,22 @@ class ValueSlider;
 /// The compliance: a field with its slider a zone (traverse) or a section (plunge), or a tick that
 /// leaves it to stiffness and shaft; what of these is not given yet gets usual values with the
 /// tick.
-class ComplianceBox : public SectionBox {
+class ComplianceBox : public InputBox {
     Q_OBJECT
 
 public:
     ComplianceBox(std::string path, const Field& field, Document& document,
                   QWidget* parent = nullptr);
 
-    void showProject(bool replaced);
-    void setIssues(const Issues& issues);
-    void setOutcome(const OutcomePtr& outcome); ///< the γ that was computed, to read
-    void retranslate();
-    [[nodiscard]] std::vector<Refusal> refusals() const;
-    bool dropRefusal(const std::string& path);
-    [[nodiscard]] bool holds(const std::string& path) const { return path.starts_with(m_path); }
-    void focusPath(const std::string& path);
-
-signals:
-    void refusalsChanged();
+    void showProject(bool replaced) override;
+    void setOutcome(const OutcomePtr& outcome) override; ///< the γ that was computed, to read
+    void retranslate() override;
+    [[nodiscard]] std::vector<Refusal> refusals() const override;
+    bool dropRefusal(const std::string& path) override;
+    [[nodiscard]] bool holds(const std::string& path) const override {
+        return path.starts_with(m_path);
+    }
+    void focusPath(const std::string& path) override;
 
 private:
     struct Line {
@@ -51,6 +47,7 @@ private:
         ReasonLabel* reason;
     };
 
+    void setIssues(const Issues& issues);
     void build(const std::vector<std::string>& keys);
     void addLine(const std::string& key);
     void place(const Line& line);

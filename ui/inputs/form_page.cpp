@@ -5,12 +5,15 @@
 #include "ui/help/help_topic.h"
 #include "ui/inputs/catalogue_bar.h"
 #include "ui/inputs/compliance_box.h"
+#include "ui/inputs/correlation_box.h"
+#include "ui/inputs/factor_box.h"
 #include "ui/inputs/form_row.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/inputs/row_helper.h"
 #include "ui/inputs/section_box.h"
 #include "ui/inputs/stage_table.h"
 #include "ui/metrics.h"
+#include "ui/session/batch_edits.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
 #include "ui/session/texts.h"
@@ -25,6 +28,8 @@
 namespace sparkout {
 
 namespace {
+
+constexpr const char* batchPath = "/batch";
 
 QGridLayout* newGrid(QVBoxLayout& into, int depth) {
     auto* grid = new QGridLayout;
@@ -109,7 +114,11 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
     for (const Field& field : table.fields) {
         const std::string at = path + "/" + field.key;
         const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
-        if (structure && shows(*field.nested)) {
+        if (field.nested == &tableOf<Factor>() && field.page == m_page) {
+            addInputBox(
+                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()),
+                into);
+        } else if (structure && shows(*field.nested)) {
             if (field.page == m_page) {
                 addBox(field, at, into);
             } else if (field.kind == Kind::object) {
@@ -127,10 +136,11 @@ void FormPage::addStruct(const StructInfo& table, const std::string& path, Place
 void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     QWidget* const parent = into.rows.parentWidget();
     if (field.kind == Kind::compliance) {
-        m_compliance = new ComplianceBox(path, field, m_document, parent);
-        into.rows.addWidget(m_compliance);
-        connect(m_compliance, &ComplianceBox::refusalsChanged, this, &FormPage::refusalsChanged);
-        m_grid = nullptr;
+        addInputBox(new ComplianceBox(path, field, m_document, parent), into);
+        return;
+    }
+    if (path == "/batch/correlation") {
+        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), into);
         return;
     }
     if (field.kind == Kind::objectList) {
@@ -148,6 +158,13 @@ void FormPage::addRow(const Field& field, const std::string& path, Place into) {
     row->setParent(this);
     connectRow(*row);
     addHelper(path, into);
+}
+
+void FormPage::addInputBox(InputBox* box, Place into) {
+    into.rows.addWidget(box);
+    connect(box, &InputBox::refusalsChanged, this, &FormPage::refusalsChanged);
+    m_inputBoxes.push_back(box);
+    m_grid = nullptr;
 }
 
 void FormPage::addList(const Field& field, const std::string& path, Place into) {
@@ -173,6 +190,7 @@ void FormPage::connectRow(FormRow& row) {
 }
 
 void FormPage::addBox(const Field& field, const std::string& path, Place into) {
+    addHelper(path, into);
     auto* box = new SectionBox(into.depth + 1, into.rows.parentWidget());
     into.rows.addWidget(box);
     auto* reason = new ReasonLabel(box);
@@ -208,7 +226,9 @@ void FormPage::toggleOptional(const Box& box, bool given) {
     if (!member) {
         return;
     }
-    if (given) {
+    if (given && box.path == batchPath) {
+        project = withUsualBatch(std::move(project));
+    } else if (given) {
         box.field->object(member.owner, true);
     } else {
         box.field->reset(member.owner);
@@ -223,16 +243,19 @@ void FormPage::showProject(bool replaced) {
     }
     for (const Box& box : m_boxes) {
         const ConstMember member = findMember(project, box.path);
-        box.box->setVisible(member && member.relevant(project));
+        const bool given =
+            member && box.field->kind == Kind::optionalObject && box.field->objectIn(member.owner);
+        const bool offered = box.path == batchPath && !given; // by its helper
+        box.box->setVisible(member && member.relevant(project) && !offered);
         if (box.field->kind == Kind::optionalObject && member) {
-            box.box->setChecked(box.field->objectIn(member.owner) != nullptr);
+            box.box->setChecked(given);
         }
     }
     for (ListTable* list : m_lists) {
         list->setVisible(findMember(project, list->path()).relevant(project));
     }
-    if (m_compliance) {
-        m_compliance->showProject(replaced);
+    for (InputBox* box : m_inputBoxes) {
+        box->showProject(replaced);
     }
     emit refusalsChanged();
 }
@@ -242,8 +265,8 @@ void FormPage::setOutcome(const OutcomePtr& outcome) {
     for (FormRow* row : m_rows) {
         row->setIssues(issues);
     }
-    if (m_compliance) {
-        m_compliance->setOutcome(outcome);
+    for (InputBox* box : m_inputBoxes) {
+        box->setOutcome(outcome);
     }
     for (ListTable* list : m_lists) {
         list->setIssues(issues);
@@ -275,8 +298,8 @@ void FormPage::retranslate() {
         m_projectBox->setTitle(structText(tableOf<Project>().name));
         m_projectBox->setAccessibleName(m_projectBox->title());
     }
-    if (m_compliance) {
-        m_compliance->retranslate();
+    for (InputBox* box : m_inputBoxes) {
+        box->retranslate();
     }
     for (ListTable* list : m_lists) {
         list->retranslate();
@@ -290,8 +313,8 @@ std::vector<Refusal> FormPage::refusals() const {
             list.push_back({row->editor().path(), reason});
         }
     }
-    if (m_compliance) {
-        const auto own = m_compliance->refusals();
+    for (const InputBox* box : m_inputBoxes) {
+        const auto own = box->refusals();
         list.insert(list.end(), own.begin(), own.end());
     }
     for (const ListTable* own : m_lists) {
@@ -310,7 +333,8 @@ bool FormPage::dropRefusal(const std::string& path) {
             return true;
         }
     }
-    return (m_compliance && m_compliance->dropRefusal(path))
+    return std::ranges::any_of(m_inputBoxes,
+                               [&path](InputBox* box) { return box->dropRefusal(path); })
            || std::any_of(m_lists.begin(), m_lists.end(),
                           [&path](ListTable* list) { return list->dropRefusal(path); });
 }
@@ -330,8 +354,14 @@ const FormPage::Box* FormPage::boxAt(const std::string& path) const {
     return found == m_boxes.end() ? nullptr : &*found;
 }
 
+InputBox* FormPage::inputBoxAt(const std::string& path) const {
+    const auto found =
+        std::ranges::find_if(m_inputBoxes, [&](const InputBox* box) { return box->holds(path); });
+    return found == m_inputBoxes.end() ? nullptr : *found;
+}
+
 bool FormPage::holds(const std::string& path) const {
-    return rowAt(path) || boxAt(path) || (m_compliance && m_compliance->holds(path))
+    return rowAt(path) || boxAt(path) || inputBoxAt(path)
            || std::ranges::any_of(m_lists,
                                   [&](const ListTable* list) { return list->holds(path); });
 }
@@ -349,10 +379,10 @@ void FormPage::showPath(const std::string& path, bool focus) {
         show(row->editor().widget(), row->editor().widget());
         return;
     }
-    if (m_compliance && m_compliance->holds(path)) {
-        show(m_compliance, nullptr);
+    if (InputBox* box = inputBoxAt(path)) {
+        show(box, nullptr);
         if (focus) {
-            m_compliance->focusPath(path);
+            box->focusPath(path);
         }
         return;
     }

@@ -3,6 +3,7 @@
 
 #include "core/field.h"
 #include "core/issue.h"
+#include "ui/inputs/refusal.h"
 #include "ui/session/outcome.h"
 
 #include <QScrollArea>
@@ -16,21 +17,15 @@ class QVBoxLayout;
 namespace sparkout {
 
 class CatalogueBar;
-class ComplianceBox;
 class Document;
 class FormRow;
+class InputBox;
 class ListTable;
 class ReasonLabel;
 class RowHelper;
 class SectionBox;
 class Settings;
 class StageTable;
-
-/// A text the forms did not take: where, and why.
-struct Refusal {
-    std::string path;
-    QString reason;
-};
 
 /// One page of the inputs, made from the tables: every row that names the page, structs as boxes.
 class FormPage : public QScrollArea {
@@ -74,12 +69,14 @@ private:
     void addHelper(const std::string& path, Place into);
     void addStruct(const StructInfo& table, const std::string& path, Place into);
     void addRow(const Field& field, const std::string& path, Place into);
+    void addInputBox(InputBox* box, Place into);
     void addList(const Field& field, const std::string& path, Place into);
     void addBox(const Field& field, const std::string& path, Place into);
     void addProjectTexts(Place into);
     void connectRow(FormRow& row);
     [[nodiscard]] FormRow* rowAt(const std::string& path) const;
     [[nodiscard]] const Box* boxAt(const std::string& path) const;
+    [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
     [[nodiscard]] bool shows(const StructInfo& table) const;
     void showProject(bool replaced);
     void toggleOptional(const Box& box, bool given);
@@ -91,7 +88,7 @@ private:
     std::vector<Box> m_boxes;
     CatalogueBar* m_catalogue = nullptr; ///< on pages that have one
     std::vector<RowHelper*> m_helpers;
-    ComplianceBox* m_compliance = nullptr;
+    std::vector<InputBox*> m_inputBoxes;
     std::vector<ListTable*> m_lists;
     StageTable* m_stages = nullptr; ///< one of them
     SectionBox* m_projectBox = nullptr;

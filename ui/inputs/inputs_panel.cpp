@@ -36,6 +36,7 @@ constexpr std::array pageEntries{
     PageEntry{Page::machine, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Machine"), u"machine"},
     PageEntry{Page::gauge, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Gauge"), u"gauge"},
     PageEntry{Page::cycle, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Cycle"), u"cycle"},
+    PageEntry{Page::batch, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Batch"), u"batch"},
 };
 
 } // namespace
@@ -95,7 +96,8 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
     });
     // A text just typed is not announced before a pause; it is noted when the focus goes on.
     connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
-    showPage(static_cast<int>(pageEntries.size()) - 1); // the cycle: what one works on most
+    const auto cycle = std::ranges::find(pageEntries, Page::cycle, &PageEntry::page);
+    showPage(static_cast<int>(cycle - pageEntries.begin())); // what one works on most
     retranslate();
 }
 

@@ -2,6 +2,7 @@
 #include "ui/inputs/row_helper.h"
 
 #include "ui/inputs/form_metrics.h"
+#include "ui/session/batch_edits.h"
 #include "ui/session/document.h"
 #include "ui/session/marking_text.h"
 #include "ui/session/size_field.h"
@@ -40,6 +41,9 @@ void sayWhatIsDone(QPushButton& button, const QString& text, const QString& tip)
 RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
     if (path == "/wheel/marking") {
         return new MarkingHelper(document, parent);
+    }
+    if (path == "/batch") {
+        return new BatchHelper(document, parent);
     }
     return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
 }
@@ -99,6 +103,35 @@ void MarkingHelper::retranslate() {
     sayWhatIsDone(*m_fill, tr("Fill in from the marking"),
                   tr("Take grain, grain share and sizes as far as the marking gives them"));
     showMarking();
+}
+
+BatchHelper::BatchHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_note(noteLabel(this, "noBatch"))
+    , m_add(new QPushButton(this)) {
+    m_add->setObjectName(QStringLiteral("addBatch"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
+    layout->setSpacing(metrics::gap);
+    layout->addWidget(m_note);
+    layout->addWidget(m_add, 0, Qt::AlignLeft);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        m_document.endMerge();
+        m_document.edit(withUsualBatch(m_document.project()),
+                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
+    });
+    const auto show = [this] { setVisible(!m_document.project().batch); };
+    connect(&document, &Document::changed, this, show);
+    show();
+    retranslate();
+}
+
+void BatchHelper::retranslate() {
+    m_note->setText(tr("A batch says which share of many parts keeps the drawing when stock, "
+                       "runout, dullness and other factors scatter. The view Batch runs it."));
+    sayWhatIsDone(*m_add, tr("Add a usual batch"),
+                  tr("50 parts whose stock, runout and dullness scatter about the present inputs"));
 }
 
 SizeHelper::SizeHelper(Document& document, QWidget* parent)

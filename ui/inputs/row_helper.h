@@ -44,6 +44,20 @@ private:
     QPushButton* m_fill;
 };
 
+/// Offers a usual batch to a project that describes none.
+class BatchHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    BatchHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    Document& m_document;
+    QLabel* m_note;
+    QPushButton* m_add;
+};
+
 /// Takes a size with its tolerance class, 30h6, and fills diameter and limits from it.
 class SizeHelper : public RowHelper {
     Q_OBJECT

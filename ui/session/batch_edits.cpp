@@ -2,9 +2,11 @@
 #include "ui/session/batch_edits.h"
 
 #include "core/batch/batch_check.h"
+#include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/project_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -72,7 +74,154 @@ Project batchOnly(Project project) {
     return project;
 }
 
+/// The law of a factor in the project's batch.
+std::optional<Factor>& lawOf(Batch& batch, FactorKind kind) {
+    const Field& field = tableOf<Factors>().fields[static_cast<std::size_t>(kind)];
+    return field.as<std::optional<Factor>>(&batch.factors);
+}
+
+/// The place of a kind among the given factors, or where it would be.
+std::size_t placeOf(FactorKind kind, const std::vector<GivenFactor>& given) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(given, [kind](const GivenFactor& f) { return f.kind < kind; }));
+}
+
+/// The correlations without those of laws over the batch, which have none; nothing when all are 0.
+void tidyCorrelation(Project& project) {
+    NumberRows& matrix = project.batch->correlation;
+    if (!matrix) {
+        return;
+    }
+    const std::vector<GivenFactor> given = givenFactors(project);
+    bool correlated = false;
+    for (std::size_t i = 0; i < matrix->size(); ++i) {
+        for (std::size_t j = 0; j < (*matrix)[i].size(); ++j) {
+            const bool law =
+                i < given.size() && j < given.size() && (given[i].isLaw() || given[j].isLaw());
+            double& value = (*matrix)[i][j];
+            value = i != j && law ? 0 : value;
+            correlated = correlated || (i != j && value != 0);
+        }
+    }
+    if (!correlated) {
+        matrix.reset();
+    }
+}
+
+/// Whether a law has its form with all its values; a file may hold one without.
+bool isWhole(const Factor& law) {
+    const auto holds = [](const std::optional<std::vector<double>>& values, std::size_t count) {
+        return values && values->size() == count;
+    };
+    return holds(law.uniform, 2) || holds(law.normal, 2) || holds(law.triangular, 3)
+           || holds(law.grows, 2) || (law.measured && !law.measured->empty());
+}
+
+/// A given factor of the batch, a usual one in place of a broken law.
+GivenFactor factorOf(const Project& project, FactorKind kind) {
+    const std::vector<GivenFactor> given = givenFactors(project);
+    GivenFactor found = *std::ranges::find(given, kind, &GivenFactor::kind);
+    if (!isWhole(found.law)) {
+        found.law = usualFactor(kind, project);
+    }
+    return found;
+}
+
 } // namespace
+
+FactorForm formOf(const Factor& factor) {
+    if (factor.normal) {
+        return FactorForm::normal;
+    }
+    if (factor.triangular) {
+        return FactorForm::triangular;
+    }
+    if (factor.measured) {
+        return FactorForm::measured;
+    }
+    if (factor.grows) {
+        return FactorForm::grows;
+    }
+    const auto& ends = factor.uniform;
+    return ends && ends->size() == 2 && (*ends)[0] == (*ends)[1] ? FactorForm::constant
+                                                                 : FactorForm::uniform;
+}
+
+Factor withForm(const Project& project, FactorKind kind, FactorForm form) {
+    const FactorEnds ends = cornerEnds(factorOf(project, kind));
+    double low = std::min(ends.low, ends.high), high = std::max(ends.low, ends.high);
+    const double middle = std::clamp(toTwoDigits((low + high) / 2), low, high);
+    if (low == high && form != FactorForm::constant) {
+        low *= leastShare;
+        high *= mostShare;
+    }
+    Factor made;
+    switch (form) {
+    case FactorForm::constant: made.uniform = {middle, middle}; break;
+    case FactorForm::uniform: made.uniform = {low, high}; break;
+    case FactorForm::normal:
+        made.normal = {middle, toTwoDigits((high - low) / 6)};
+        made.within = {low, high};
+        break;
+    case FactorForm::triangular: made.triangular = {low, middle, high}; break;
+    case FactorForm::measured: made.measured = {{middle}}; break;
+    case FactorForm::grows: made = growingFactor({low, high}, betweenDressings); break;
+    }
+    return made;
+}
+
+Factor withTruncation(const Project& project, FactorKind kind, bool truncated) {
+    GivenFactor factor = factorOf(project, kind);
+    factor.law.within.reset();
+    if (truncated) {
+        const FactorEnds ends = cornerEnds(factor);
+        factor.law.within = {ends.low, ends.high};
+    }
+    return factor.law;
+}
+
+Project withFactor(Project project, FactorKind kind, std::optional<Factor> law) {
+    const std::vector<GivenFactor> before = givenFactors(project);
+    const bool was = lawOf(*project.batch, kind).has_value(), is = law.has_value();
+    lawOf(*project.batch, kind) = std::move(law);
+    NumberRows& matrix = project.batch->correlation;
+    if (matrix && was != is && matrix->size() == before.size()) {
+        const auto at = static_cast<std::ptrdiff_t>(placeOf(kind, before));
+        if (is) {
+            for (std::vector<double>& row : *matrix) {
+                row.insert(row.begin() + at, 0);
+            }
+            std::vector<double> own(before.size() + 1);
+            own[static_cast<std::size_t>(at)] = 1;
+            matrix->insert(matrix->begin() + at, std::move(own));
+        } else {
+            matrix->erase(matrix->begin() + at);
+            for (std::vector<double>& row : *matrix) {
+                row.erase(row.begin() + at);
+            }
+        }
+    }
+    tidyCorrelation(project);
+    return project;
+}
+
+Project withCorrelation(Project project, std::size_t first, std::size_t second, double value) {
+    const std::size_t count = givenFactors(project).size();
+    NumberRows& matrix = project.batch->correlation;
+    const bool whole = matrix && matrix->size() == count
+                       && std::ranges::all_of(*matrix, [count](const std::vector<double>& row) {
+                              return row.size() == count;
+                          });
+    if (!whole) {
+        matrix.emplace(count, std::vector<double>(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        (*matrix)[i][i] = 1;
+    }
+    (*matrix)[first][second] = (*matrix)[second][first] = value;
+    tidyCorrelation(project);
+    return project;
+}
 
 Factor usualFactor(FactorKind kind, const Project& project) {
     switch (kind) {

@@ -231,7 +231,8 @@ QString BatchView::notice() const {
     if (!m_good->result.project.batch) {
         return tr("This project describes no batch. A batch is a number of parts whose stock, "
                   "runout, dullness and other factors scatter: it says which share of them keeps "
-                  "the drawing.");
+                  "the drawing. Choose the factors on the page Batch of the inputs, or start with "
+                  "usual ones.");
     }
     if (m_refused) {
         return tr("The batch cannot be run:") + QLatin1Char('\n')
@@ -304,7 +305,7 @@ void BatchView::retranslate() {
             "views; undo brings yours back"));
     name(*m_add, tr("Add a usual batch"),
          tr("50 parts whose stock, runout and dullness scatter about the present inputs; can be "
-            "undone"));
+            "undone and changed on the page Batch"));
     m_legend->retranslate();
     m_histograms->retranslate();
     m_sensitivity->retranslate();
