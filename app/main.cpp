@@ -44,12 +44,13 @@ constexpr const char* usage =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
-    "       sparkout --report OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --report card -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
-    "  --report OUT       write the cycle card of FILE, show nothing; the ending says as what:\n"
+    "  --report card      write the cycle card of FILE into OUT, show nothing\n"
+    "  -o OUT             the file of the report; its ending says as what it is written:\n"
     "                     .pdf, .html or .md (Markdown)\n"
     "  --lang en|ru       language of the window or the report, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
@@ -66,7 +67,8 @@ constexpr const char* usage =
 struct Options {
     QString file;
     QString picture;
-    QString report;
+    QString report; ///< the kind of report
+    QString output; ///< its file
     QString language;
     QString theme;
     QString view;
@@ -98,8 +100,13 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.picture = words[++i];
     } else if (word == u"--report") {
         options.report = words[++i];
-        if (!report::formatOf(options.report)) {
-            options.fault = QStringLiteral("--report ends in .pdf, .html or .md");
+        if (options.report != u"card") {
+            options.fault = QStringLiteral("--report is card, not “%1”").arg(options.report);
+        }
+    } else if (word == u"-o") {
+        options.output = words[++i];
+        if (!report::formatOf(options.output)) {
+            options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
         }
     } else if (word == u"--lang") {
         options.language = words[++i];
@@ -145,12 +152,15 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
+    if (!options.report.isEmpty() != !options.output.isEmpty() && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("--report and -o go together");
+    }
     if (!options.report.isEmpty() && options.fault.isEmpty()) {
         if (options.file.isEmpty()) {
             options.fault = QStringLiteral("--report needs a FILE");
         } else if (!options.picture.isEmpty()) {
             options.fault = QStringLiteral("--report and --picture do not go together");
-        } else if (const QString target = QFileInfo(options.report).canonicalFilePath();
+        } else if (const QString target = QFileInfo(options.output).canonicalFilePath();
                    !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()) {
             options.fault = QStringLiteral("the report would take the place of the project");
         }
@@ -265,12 +275,12 @@ int makeReport(const Options& options) {
         return exitRefused;
     }
     const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
-    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.report));
+    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.output));
     if (bytes.isEmpty()) {
         say(stderr, QStringLiteral("sparkout: the report could not be made"));
         return exitRefused;
     }
-    if (!writeBytes(bytes, options.report)) {
+    if (!writeBytes(bytes, options.output)) {
         return exitRefused;
     }
     return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;

@@ -243,7 +243,8 @@ void MainWindow::connectActions() {
         [this]() -> ReportCommands::Subject {
             OutcomePtr outcome = m_outcome;
             if (m_runs.running()) { // that one is of the inputs before
-                runAside([&] { outcome = runProject(m_document.project(), {}); });
+                runAside(
+                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
             }
             return {outcome, m_document.filePath()};
         },
@@ -252,7 +253,8 @@ void MainWindow::connectActions() {
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
           m_actions->undo, m_actions->redo, m_actions->keepRun, m_actions->printPreview,
-          m_actions->print, m_actions->exportPdf, m_actions->exportHtml, m_actions->exportMarkdown}) {
+          m_actions->print, m_actions->exportPdf, m_actions->exportHtml,
+          m_actions->exportMarkdown}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });

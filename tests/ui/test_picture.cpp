@@ -28,6 +28,12 @@ Run sparkout(const QStringList& arguments) {
 const QString example =
     QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/wheel-sharp.sparkout");
 
+Run report(const QString& path, const QString& project, const QStringList& more = {}) {
+    return sparkout(QStringList{QStringLiteral("--report"), QStringLiteral("card"), project,
+                                QStringLiteral("-o"), path}
+                    + more);
+}
+
 } // namespace
 
 class TestPicture : public QObject {
@@ -81,8 +87,7 @@ private slots:
         QFETCH(QByteArray, beginning);
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("card.") + ending);
-        const Run run = sparkout({QStringLiteral("--report"), path, QStringLiteral("--lang"),
-                                  QStringLiteral("ru"), example});
+        const Run run = report(path, example, {QStringLiteral("--lang"), QStringLiteral("ru")});
         QVERIFY2(run.status == 0, qPrintable(run.said));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -92,13 +97,18 @@ private slots:
     void aReportThatCannotBeIsRefused() {
         const QTemporaryDir folder;
         const QString text = folder.filePath(QStringLiteral("card.txt"));
-        QCOMPARE(sparkout({QStringLiteral("--report"), text, example}).status, 2);
+        QCOMPARE(report(text, example).status, 2);
         const QString card = folder.filePath(QStringLiteral("none/card.pdf"));
-        QCOMPARE(sparkout({QStringLiteral("--report"), card, example}).status, 1);
-        QCOMPARE(sparkout({QStringLiteral("--report"), folder.filePath(QStringLiteral("a.md")),
-                           QStringLiteral("/none.sparkout")})
+        QCOMPARE(report(card, example).status, 1);
+        QCOMPARE(report(folder.filePath(QStringLiteral("a.md")), QStringLiteral("/none.sparkout"))
                      .status,
                  1);
+        const QString other = folder.filePath(QStringLiteral("a.pdf"));
+        QCOMPARE(sparkout({QStringLiteral("--report"), QStringLiteral("map"), QStringLiteral("-o"),
+                           other, example})
+                     .status,
+                 2);
+        QCOMPARE(sparkout({QStringLiteral("--report"), QStringLiteral("card"), example}).status, 2);
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 };

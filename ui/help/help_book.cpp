@@ -32,20 +32,22 @@ constexpr std::array helpContents{
     HelpEntry{"inputs-part", inputPages},  HelpEntry{"inputs-material", inputPages},
     HelpEntry{"inputs-wheel", inputPages}, HelpEntry{"inputs-machine", inputPages},
     HelpEntry{"inputs-gauge", inputPages}, HelpEntry{"inputs-cycle", inputPages},
-    HelpEntry{"stages", inputPages},       HelpEntry{"inputs-file", inputPages},
-    HelpEntry{"verdict", viewPages},       HelpEntry{"feeds", viewPages},
-    HelpEntry{"profiles", viewPages},      HelpEntry{"constraints", viewPages},
-    HelpEntry{"compliance", viewPages},    HelpEntry{"layers", viewPages},
-    HelpEntry{"playback", viewPages},      HelpEntry{"step", viewPages},
-    HelpEntry{"messages", viewPages},      HelpEntry{"plots", viewPages},
-    HelpEntry{"model", modelPages},        HelpEntry{"limits", modelPages},
-    HelpEntry{"sources", modelPages},      HelpEntry{"shortcuts", workPages},
-    HelpEntry{"files", workPages},         HelpEntry{"look", workPages},
+    HelpEntry{"stages", inputPages},       HelpEntry{"inputs-batch", inputPages},
+    HelpEntry{"inputs-file", inputPages},  HelpEntry{"verdict", viewPages},
+    HelpEntry{"feeds", viewPages},         HelpEntry{"profiles", viewPages},
+    HelpEntry{"constraints", viewPages},   HelpEntry{"compliance", viewPages},
+    HelpEntry{"layers", viewPages},        HelpEntry{"batch", viewPages},
+    HelpEntry{"compare", viewPages},       HelpEntry{"playback", viewPages},
+    HelpEntry{"step", viewPages},          HelpEntry{"messages", viewPages},
+    HelpEntry{"plots", viewPages},         HelpEntry{"model", modelPages},
+    HelpEntry{"limits", modelPages},       HelpEntry{"sources", modelPages},
+    HelpEntry{"shortcuts", workPages},     HelpEntry{"files", workPages},
+    HelpEntry{"reports", workPages},       HelpEntry{"look", workPages},
     HelpEntry{"cli", workPages},
 };
 
 constexpr std::array formPages{Page::part,  Page::material, Page::wheel, Page::machine,
-                               Page::gauge, Page::cycle,    Page::none};
+                               Page::gauge, Page::cycle,    Page::batch, Page::none};
 
 QString writtenPage(const QString& id) {
     const QString language =

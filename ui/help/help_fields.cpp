@@ -177,6 +177,7 @@ QString fieldPageId(Page page) {
     case Page::machine: return QStringLiteral("inputs-machine");
     case Page::gauge: return QStringLiteral("inputs-gauge");
     case Page::cycle: return QStringLiteral("inputs-cycle");
+    case Page::batch: return QStringLiteral("inputs-batch");
     case Page::none: break;
     }
     return QStringLiteral("inputs-file");

@@ -2,6 +2,7 @@
 #include "ui/report/report_commands.h"
 
 #include "ui/dialogs/save_dialog.h"
+#include "ui/help/help_topic.h"
 #include "ui/report/cycle_card.h"
 #include "ui/report/pages.h"
 
@@ -51,6 +52,7 @@ void ReportCommands::preview() {
     setUp(printer, *report);
     QPrintPreviewDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
+    setHelpTopic(dialog, QStringLiteral("reports#print"));
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
             [&report](QPrinter* target) { report::printPages(*report, *target); });
     dialog.resize(m_window->size() * 0.9);
@@ -66,6 +68,7 @@ void ReportCommands::print() {
     setUp(printer, *report);
     QPrintDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print: %1").arg(report->title));
+    setHelpTopic(dialog, QStringLiteral("reports#print"));
     if (dialog.exec() == QDialog::Accepted) {
         report::printPages(*report, printer);
     }
