@@ -6,6 +6,7 @@
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 #include "tests/cli/cli_process.h"
+#include "tests/registry.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,6 +19,8 @@
 
 #include <sys/stat.h>
 #include <unistd.h>
+
+namespace test_cli {
 
 using namespace sparkout;
 using namespace cli;
@@ -739,5 +742,7 @@ private:
     QString m_stuck, m_strict;
 };
 
-QTEST_GUILESS_MAIN(TestCli)
+} // namespace test_cli
+
+SPARKOUT_TEST(test_cli, TestCli)
 #include "test_cli.moc"

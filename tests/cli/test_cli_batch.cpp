@@ -4,6 +4,7 @@
 #include "core/batch/batch_summary.h"
 #include "core/batch/sensitivity.h"
 #include "tests/cli/cli_process.h"
+#include "tests/registry.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -12,6 +13,8 @@
 #include <clocale>
 #include <csignal>
 #include <fstream>
+
+namespace test_cli_batch {
 
 using namespace sparkout;
 using namespace cli;
@@ -350,5 +353,7 @@ private:
     QString m_file;
 };
 
-QTEST_GUILESS_MAIN(TestCliBatch)
+} // namespace test_cli_batch
+
+SPARKOUT_TEST(test_cli_batch, TestCliBatch)
 #include "test_cli_batch.moc"

@@ -7,6 +7,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
 #include "tests/core/project_samples.h"
+#include "tests/registry.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +15,8 @@
 #include <clocale>
 #include <cmath>
 #include <csignal>
+
+namespace test_cli_optimise {
 
 using namespace sparkout;
 using namespace cli;
@@ -287,5 +290,7 @@ private:
     QString m_shaft;
 };
 
-QTEST_GUILESS_MAIN(TestCliOptimise)
+} // namespace test_cli_optimise
+
+SPARKOUT_TEST(test_cli_optimise, TestCliOptimise)
 #include "test_cli_optimise.moc"
