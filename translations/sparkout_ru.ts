@@ -42,7 +42,7 @@
         <message>
             <source>%1, seed %2</source>
             <comment>Latin hypercube, seed 1</comment>
-            <translation>%1, зерно %2</translation>
+            <translation>%1, начальное число %2</translation>
         </message>
         <message>
             <source>Stopped after %1 of %2 parts, %3.</source>
@@ -764,6 +764,10 @@
         <message>
             <source>Empty: %1.</source>
             <translation>Пусто: %1.</translation>
+        </message>
+        <message>
+            <source>Allowed: %1.</source>
+            <translation>Допускается: %1.</translation>
         </message>
     </context>
     <context>
@@ -3209,13 +3213,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
-        <name>NumberLines</name>
-        <message>
-            <source>Allowed: %1.</source>
-            <translation>Допускается: %1.</translation>
-        </message>
-    </context>
-    <context>
         <name>OperationNotice</name>
         <message>
             <source>A plunge grinds no more than the wheel covers. With the operation these inputs changed: %1.</source>
@@ -4089,16 +4086,8 @@ target, µm</source>
             <translation>Ступени цикла</translation>
         </message>
         <message>
-            <source>A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a cell; everything is computed again at once. The pages above hold part, material, wheel, machine and gauge.</source>
-            <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок и ПАК.</translation>
-        </message>
-        <message>
             <source>What is fed and what is cut</source>
             <translation>Что подано и что снято</translation>
-        </message>
-        <message>
-            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance and layers.</source>
-            <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость и слои.</translation>
         </message>
         <message>
             <source>Does it hold the drawing?</source>
@@ -4131,6 +4120,14 @@ target, µm</source>
         <message>
             <source>F1 explains the field or the view in focus. This tour can be started again from the menu Help.</source>
             <translation>F1 поясняет поле или вид, где стоит курсор. Это знакомство можно повторить из меню «Справка».</translation>
+        </message>
+        <message>
+            <source>A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a cell; everything is computed again at once. The pages above hold part, material, wheel, machine, gauge and batch.</source>
+            <translation>Строка — ступень: подачи, припуск, выхаживание и время, которое она занимает. Введите число в ячейку — всё сразу пересчитается. На страницах выше — деталь, материал, круг, станок, ПАК и партия.</translation>
+        </message>
+        <message>
+            <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance, layers, a batch and compared runs.</source>
+            <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
         </message>
     </context>
     <context>
@@ -4828,6 +4825,10 @@ target, µm</source>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
+        </message>
+        <message>
+            <source>What a batch is for</source>
+            <translation>Для чего партия</translation>
         </message>
     </context>
     <context>
@@ -6001,7 +6002,7 @@ target, µm</source>
         </message>
         <message>
             <source>growing part by part</source>
-            <translation>растёт от детали к детали</translation>
+            <translation>растёт по деталям</translation>
         </message>
         <message>
             <source>Read measured blanks</source>

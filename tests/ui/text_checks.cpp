@@ -94,6 +94,8 @@ QList<ShownText> textsOf(const QWidget& window) {
 }
 
 QString englishIn(QString text) {
+    // Names in angle quotes are keys of the file and columns of tables.
+    static const QRegularExpression keys(QStringLiteral("«[a-z_]+»"));
     static const QRegularExpression tags(QStringLiteral("<sub>[^<]*</sub>|<[^>]*>"));
     static const QRegularExpression word(QStringLiteral("(?<![\\w.])[A-Za-z]{3,}(?![\\w])"),
                                          QRegularExpression::UseUnicodePropertiesOption);
@@ -102,10 +104,11 @@ QString englishIn(QString text) {
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
             "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
             "Excel "
-            "HRC Cp Cpk MODEL ISO DIN cos sin tan exp log max min JSON CSV TSV PNG SVG PDF XLSX")
+            "HRC Cp Cpk Eigen Boost GCC MODEL ISO DIN cos sin tan exp log max min JSON HTML Markdown CSV TSV PNG "
+            "SVG PDF XLSX")
             .split(u' ');
     text.replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));
-    text.replace(tags, QStringLiteral(" ")).remove(u'&');
+    text.remove(keys).replace(tags, QStringLiteral(" ")).remove(u'&');
     QStringList found;
     for (auto it = word.globalMatch(text); it.hasNext();) {
         const QString one = it.next().captured();

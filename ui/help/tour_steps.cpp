@@ -43,7 +43,7 @@ void showDock(QMainWindow& window, const char* name) {
 
 StageTable* shownStages(QMainWindow& window, InputsPanel& inputs) {
     showDock(window, "inputs");
-    inputs.showPage(int(inputs.pages().size()) - 1);
+    inputs.showCycle();
     return inputs.findChild<StageTable*>();
 }
 
@@ -76,13 +76,13 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
              "Tour",
              "A row is a stage: feeds, stock, spark-out, and the time it takes. Type into a "
              "cell; everything is computed again at once. The pages above hold part, "
-             "material, wheel, machine and gauge."))},
+             "material, wheel, machine, gauge and batch."))},
         {[&] { return placeOfFirstView(tabs); },
          tourText(QT_TRANSLATE_NOOP("Tour", "What is fed and what is cut")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour", "Dashed: the feed of the program. Solid: what the part really gets, zone by "
                      "zone, because everything yields. The other tabs show form, limits, "
-                     "compliance and layers."))},
+                     "compliance, layers, a batch and compared runs."))},
         {[&] {
              showDock(window, "verdict");
              return namedPart(window, "verdict")();

@@ -26,11 +26,13 @@ Factor* lawIn(const Field& field, Project& project) {
 class FactorLines {
     Q_DECLARE_TR_FUNCTIONS(FactorLines)
 
+    using Line = NumberLines::Line;
+
 public:
     FactorLines(const std::string& path, const Field& field, const GivenFactor& factor)
         : m_path(path), m_field(field), m_allowed(factor.allowed) {}
 
-    std::vector<NumberLines::Line> of(FactorForm form, bool truncated) {
+    std::vector<Line> of(FactorForm form, bool truncated) {
         switch (form) {
         case FactorForm::constant: addConstant(); break;
         case FactorForm::uniform:
@@ -62,8 +64,8 @@ public:
     }
 
 private:
-    NumberLines::Line& addLine(const std::string& key, const char* label, const char* hintRow) {
-        NumberLines::Line line;
+    Line& addLine(const std::string& key, const char* label, const char* hintRow) {
+        Line line;
         line.path = m_path + "/" + key;
         line.spec.hard = m_allowed;
         line.spec.unit = m_field.unit;
@@ -78,8 +80,7 @@ private:
     }
 
     void add(Values Factor::*values, const char* key, std::size_t index, const char* label) {
-        NumberLines::Line& line =
-            addLine(std::string(key) + "/" + std::to_string(index), label, key);
+        Line& line = addLine(std::string(key) + "/" + std::to_string(index), label, key);
         line.get = [&field = m_field, values,
                     index](const Project& project) -> std::optional<double> {
             const Factor* law = lawIn(field, project);
@@ -107,7 +108,7 @@ private:
 
     void addBetweenDressings() {
         const Field& row = *tableOf<Factor>().find("parts_between_dressings");
-        NumberLines::Line& line = addLine(row.key, "", row.key);
+        Line& line = addLine(row.key, "", row.key);
         line.spec = NumberSpec::of(row);
         line.label = [&row] { return inputText(row.label); };
         line.hint = [&row] {
@@ -130,7 +131,7 @@ private:
     std::string m_path;
     const Field& m_field;
     Range m_allowed;
-    std::vector<NumberLines::Line> m_lines;
+    std::vector<Line> m_lines;
 };
 
 } // namespace

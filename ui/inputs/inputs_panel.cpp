@@ -43,12 +43,12 @@ constexpr std::array pageEntries{
 
 InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings)
     : QWidget(parent)
+    , m_strip(new QHBoxLayout)
     , m_group(new QButtonGroup(this))
     , m_stack(new QStackedWidget(this))
     , m_hint(new HintStrip(this)) {
-    auto* strip = new QHBoxLayout;
-    strip->setSpacing(0);
-    strip->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, 0);
+    m_strip->setSpacing(0);
+    m_strip->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, 0);
     for (const PageEntry& entry : pageEntries) {
         auto* button = new QToolButton(this);
         button->setIcon(themeIcon(entry.icon));
@@ -57,7 +57,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setCheckable(true);
         button->setAutoRaise(true);
-        strip->addWidget(button);
+        m_strip->addWidget(button);
         m_group->addButton(button, static_cast<int>(m_pages.size()));
         m_buttons.push_back(button);
         auto* page = new FormPage(entry.page, document, m_stack, settings);
@@ -84,7 +84,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addLayout(strip);
+    layout->addLayout(m_strip);
     layout->addWidget(rule());
     layout->addWidget(m_stack, 1);
     layout->addWidget(rule());
@@ -96,8 +96,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
     });
     // A text just typed is not announced before a pause; it is noted when the focus goes on.
     connect(qApp, &QApplication::focusChanged, this, &InputsPanel::noteRefusals);
-    const auto cycle = std::ranges::find(pageEntries, Page::cycle, &PageEntry::page);
-    showPage(static_cast<int>(cycle - pageEntries.begin())); // what one works on most
+    showCycle(); // what one works on most
     retranslate();
 }
 
@@ -113,6 +112,11 @@ void InputsPanel::showPage(int index) {
     m_stack->setCurrentIndex(index);
 }
 
+void InputsPanel::showCycle() {
+    const auto cycle = std::ranges::find(pageEntries, Page::cycle, &PageEntry::page);
+    showPage(static_cast<int>(cycle - pageEntries.begin()));
+}
+
 void InputsPanel::setOutcome(const OutcomePtr& outcome) {
     for (FormPage* page : m_pages) {
         page->setOutcome(outcome);
@@ -123,6 +127,10 @@ void InputsPanel::retranslate() {
     for (std::size_t i = 0; i < pageEntries.size(); ++i) {
         const QString name = tr(pageEntries[i].name);
         m_buttons[i]->setText(name);
+        // A style's margins beside the text are more than seven buttons have room for.
+        const int width = m_buttons[i]->fontMetrics().horizontalAdvance(name) + 2 * metrics::hair;
+        m_buttons[i]->setMinimumWidth(width);
+        m_strip->setStretch(static_cast<int>(i), width);
         m_buttons[i]->setAccessibleName(name);
         m_buttons[i]->setToolTip(tr("%1 (Alt+%2)").arg(name).arg(i + 1));
         m_buttons[i]->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_1 + int(i))));

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QButtonGroup;
+class QHBoxLayout;
 class QStackedWidget;
 class QToolButton;
 
@@ -29,6 +30,7 @@ public:
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();
     void showPage(int index);
+    void showCycle();
     void focusPath(const std::string& path);
     void endTyping(); ///< takes what stands in the field one types in
     /// Brings the field at a path into sight. The focus goes there only from another input.
@@ -46,6 +48,7 @@ private:
     void showPath(const std::string& path, bool focus);
     void noteRefusals(); ///< in the order in which they came
 
+    QHBoxLayout* m_strip; ///< the buttons of the pages
     QButtonGroup* m_group;
     QStackedWidget* m_stack;
     std::vector<QToolButton*> m_buttons;

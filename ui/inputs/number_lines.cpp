@@ -53,9 +53,9 @@ void NumberLines::setLines(std::vector<Line> lines) {
 
 void NumberLines::addRow(Line line) {
     const NumberSpec spec = line.spec;
-    Row& added = m_rows.emplace_back(Row{std::move(line), new QLabel(m_body),
-                                         new NumberField(spec, m_body), new QLabel(m_body),
-                                         new ReasonLabel(m_body)});
+    Row& added =
+        m_rows.emplace_back(Row{std::move(line), new QLabel(m_body), new NumberField(spec, m_body),
+                                new QLabel(m_body), new ReasonLabel(m_body)});
     added.label->setTextFormat(Qt::PlainText);
     added.label->setWordWrap(true);
     added.label->setBuddy(added.field);

@@ -128,6 +128,7 @@ BatchHelper::BatchHelper(Document& document, QWidget* parent)
 }
 
 void BatchHelper::retranslate() {
+    m_note->setAccessibleName(tr("What a batch is for"));
     m_note->setText(tr("A batch says which share of many parts keeps the drawing when stock, "
                        "runout, dullness and other factors scatter. The view Batch runs it."));
     sayWhatIsDone(*m_add, tr("Add a usual batch"),

@@ -23,7 +23,8 @@ constexpr double zoneLine = 34, lengthLine = 206, wholeLine = 230;
 constexpr double arrow = 7, centre = 26;
 constexpr double supportName = axis + mostHalf + 22; ///< under the body
 constexpr int fontPixels = 12;
-constexpr QColor ink(0, 0, 0), faint(110, 110, 110), body(225, 230, 236), ground(190, 205, 222);
+constexpr QColor ink(0, 0, 0), faint(110, 110, 110), paper(255, 255, 255), body(225, 230, 236),
+    ground(190, 205, 222);
 
 struct Sketch {
     Q_DECLARE_TR_FUNCTIONS(PartSketch)
@@ -185,7 +186,7 @@ void Drawing::drawSupports() {
     const bool bore = m_part.surface == Surface::internal;
     const bool chuck = bore || m_part.shaft.mounting == Mounting::chuck;
     m_painter.setPen(QPen(ink, 1));
-    m_painter.setBrush(Qt::white);
+    m_painter.setBrush(paper);
     if (chuck) {
         m_painter.drawRect(QRectF(left - centre, axis - mostHalf - 8, centre, 2 * mostHalf + 16));
     } else {
@@ -199,7 +200,7 @@ void Drawing::drawSupports() {
     for (const SteadyRest& rest : m_part.shaft.steady_rests) {
         const double at = x(rest.position_mm);
         m_painter.setPen(QPen(ink, 1));
-        m_painter.setBrush(Qt::white);
+        m_painter.setBrush(paper);
         m_painter.drawPolygon(QPolygonF{QPointF(at, axis + mostHalf),
                                         QPointF(at - 8, axis + mostHalf + 14),
                                         QPointF(at + 8, axis + mostHalf + 14)});

@@ -83,8 +83,9 @@ private:
         QString text = sum ? QStringLiteral("<tr class=\"sum\">") : QStringLiteral("<tr>");
         for (qsizetype c = 0; c < cells.size(); ++c) {
             const auto i = static_cast<std::size_t>(c);
-            const bool left = i < table.texts.size() && table.texts[i];
-            text += u'<' + name + (left ? QStringLiteral(" class=\"text\">") : QStringLiteral(">"))
+            const bool isText = i < table.texts.size() && table.texts[i];
+            text += u'<' + name
+                    + (isText ? QStringLiteral(" class=\"text\">") : QStringLiteral(">"))
                     + lines(cells[c]) + QStringLiteral("</") + name + u'>';
         }
         return text + QStringLiteral("</tr>\n");
@@ -120,8 +121,8 @@ public:
         m_text += row(table.head) + QStringLiteral("|");
         for (qsizetype c = 0; c < table.head.size(); ++c) {
             const auto i = static_cast<std::size_t>(c);
-            const bool left = i < table.texts.size() && table.texts[i];
-            m_text += left ? QStringLiteral(" :-- |") : QStringLiteral(" --: |");
+            const bool isText = i < table.texts.size() && table.texts[i];
+            m_text += isText ? QStringLiteral(" :-- |") : QStringLiteral(" --: |");
         }
         m_text += u'\n';
         for (const QStringList& cells : table.rows) {

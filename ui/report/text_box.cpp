@@ -22,9 +22,9 @@ QStringList wrapped(const QString& text, const QFont& font, double width) {
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
         layout.setTextOption(option);
         layout.beginLayout();
-        for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-            line.setLineWidth(width);
-            lines += paragraph.mid(line.textStart(), line.textLength()).trimmed();
+        for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
+            row.setLineWidth(width);
+            lines += paragraph.mid(row.textStart(), row.textLength()).trimmed();
         }
         layout.endLayout();
         if (paragraph.isEmpty()) {
