@@ -213,6 +213,18 @@ private slots:
         QVERIFY(!page.batch().correlation);
     }
 
+    void aMatrixOfUnequalRowsDoesNoHarm() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch->correlation = {{{1}, {0.5, 1}, {}}};
+        const Page page(project);
+        page.tick("/batch/factors/dullness");
+        QVERIFY(!page.batch().factors.dullness.has_value());
+        page.type("/batch/correlation/1/0", "0.4");
+        const std::vector<std::vector<double>> matrix{{1, 0.4}, {0.4, 1}};
+        QCOMPARE(*page.batch().correlation, matrix);
+        QVERIFY(checkBatch(page.project()).empty());
+    }
+
     void aLawOverTheBatchHasNoCorrelation() {
         Page page(fixtures::shaftBatch(50));
         page.type("/batch/correlation/2/0", "0.4");

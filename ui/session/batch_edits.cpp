@@ -86,6 +86,13 @@ std::size_t placeOf(FactorKind kind, const std::vector<GivenFactor>& given) {
         std::ranges::count_if(given, [kind](const GivenFactor& f) { return f.kind < kind; }));
 }
 
+/// Whether there is a matrix of so many factors; a file may hold another one.
+bool isMatrixOf(const NumberRows& matrix, std::size_t count) {
+    return matrix && matrix->size() == count
+           && std::ranges::all_of(
+               *matrix, [count](const std::vector<double>& row) { return row.size() == count; });
+}
+
 /// The correlations without those of laws over the batch, which have none; nothing when all are 0.
 void tidyCorrelation(Project& project) {
     NumberRows& matrix = project.batch->correlation;
@@ -185,7 +192,7 @@ Project withFactor(Project project, FactorKind kind, std::optional<Factor> law) 
     const bool was = lawOf(*project.batch, kind).has_value(), is = law.has_value();
     lawOf(*project.batch, kind) = std::move(law);
     NumberRows& matrix = project.batch->correlation;
-    if (matrix && was != is && matrix->size() == before.size()) {
+    if (was != is && isMatrixOf(matrix, before.size())) {
         const auto at = static_cast<std::ptrdiff_t>(placeOf(kind, before));
         if (is) {
             for (std::vector<double>& row : *matrix) {
@@ -208,11 +215,7 @@ Project withFactor(Project project, FactorKind kind, std::optional<Factor> law) 
 Project withCorrelation(Project project, std::size_t first, std::size_t second, double value) {
     const std::size_t count = givenFactors(project).size();
     NumberRows& matrix = project.batch->correlation;
-    const bool whole = matrix && matrix->size() == count
-                       && std::ranges::all_of(*matrix, [count](const std::vector<double>& row) {
-                              return row.size() == count;
-                          });
-    if (!whole) {
+    if (!isMatrixOf(matrix, count)) {
         matrix.emplace(count, std::vector<double>(count));
     }
     for (std::size_t i = 0; i < count; ++i) {
