@@ -97,12 +97,12 @@ struct Victim {
 };
 
 /// The last edit that had to be kept: idle time and writing were over, or the longest wait was.
-int due(const Victim& victim) {
-    const qint64 end = victim.killed - allowance_ms;
+int due(const Victim& victim, qint64 killed) {
+    const qint64 end = killed - allowance_ms;
     int found = 0;
     for (std::size_t i = 0; i < victim.edits.size(); ++i) {
         const bool last = i + 1 == victim.edits.size();
-        const qint64 next = last ? victim.killed : victim.edits[i + 1];
+        const qint64 next = last ? killed : victim.edits[i + 1];
         const bool rested = next - victim.edits[i] > times.idle.count() + allowance_ms;
         const bool old = end - victim.edits[i] > times.latest.count();
         if (rested || old) {
@@ -135,13 +135,12 @@ private slots:
             for (const Victim& victim : victims) {
                 for (int look = 0; look < 2; ++look) { // declined once: it must still be there
                     const auto content = offerOf(store, victim.file);
-                    // A kill before anything had to be kept would prove nothing.
-                    (look == 0 ? offered : stillThere) += content && due(victim) > 0;
+                    (look == 0 ? offered : stillThere) += content.has_value();
                     if (!content || look > 0) {
                         continue;
                     }
                     const int kept = editOf(*content);
-                    lost += kept < due(victim);
+                    lost += kept < due(victim, victim.killed);
                     const auto next = std::size_t(kept); // the first edit that is lost
                     if (next < victim.edits.size()) {
                         worst_ms = std::max(worst_ms, victim.killed - victim.edits[next]);
@@ -251,7 +250,9 @@ private:
                 }
                 victim.read();
                 const qint64 now = QDateTime::currentMSecsSinceEpoch();
-                if (!victim.edits.empty() && now - victim.edits.front() >= victim.killAt_ms) {
+                // On a busy machine edits come late; a kill before any was due would prove nothing.
+                if (!victim.edits.empty() && now - victim.edits.front() >= victim.killAt_ms
+                    && due(victim, now) > 0) {
                     victim.killed = now;
                     victim.process->kill();
                     victim.process->waitForFinished();
