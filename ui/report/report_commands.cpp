@@ -6,6 +6,7 @@
 #include "ui/report/cycle_card.h"
 #include "ui/report/pages.h"
 
+#include <QAction>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
@@ -21,6 +22,14 @@ void setUp(QPrinter& printer, const report::Report& report) {
     report::setUpPaper(printer);
     printer.setDocName(fileNameOf({report.title, report.subject}));
     printer.setCreator(report.program);
+}
+
+void hidePageSetup(QPrintPreviewDialog& dialog) {
+    for (QAction* action : dialog.findChildren<QAction*>()) {
+        if (action->text() == QPrintPreviewDialog::tr("Page setup")) {
+            action->setVisible(false);
+        }
+    }
 }
 
 } // namespace
@@ -55,6 +64,9 @@ void ReportCommands::preview() {
     setHelpTopic(dialog, QStringLiteral("reports#print"));
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
             [&report](QPrinter* target) { report::printPages(*report, *target); });
+    if (printer.outputFormat() != QPrinter::NativeFormat) {
+        hidePageSetup(dialog); // it is the printer's, and there is none
+    }
     dialog.resize(m_window->size() * 0.9);
     dialog.exec();
 }

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cycle card from the window: preview, printing into a file, export, and none without a result.
+#include "tests/registry.h"
+#include "tests/ui/dialog_answers.h"
+#include "tests/ui/text_checks.h"
+#include "tests/ui/window_bench.h"
+#include "ui/session/operation.h"
+
+#include <QAction>
+#include <QFile>
+#include <QPrintPreviewDialog>
+#include <QPrintPreviewWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace test_report_commands {
+
+using namespace sparkout;
+
+namespace {
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestReportCommands : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePreviewShowsEveryPageInTheWindowsLanguage() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        DialogAnswers answers({QStringLiteral("Escape")});
+        int pages = 0;
+        QString title, english;
+        answers.seen = [&](QDialog& dialog) {
+            pages = dialog.findChild<QPrintPreviewWidget*>()->pageCount();
+            title = dialog.windowTitle();
+            for (const QAction* action : dialog.findChildren<QAction*>()) {
+                english += action->isVisible() ? englishIn(action->text()) : QString();
+            }
+        };
+        bench.action("printPreview")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(pages >= 2, qPrintable(QString::number(pages)));
+        QCOMPARE(englishIn(title), QString());
+        QCOMPARE(english, QString());
+    }
+
+    void whatCannotBeChosenWithoutAPrinterIsNotOffered() {
+        WarningCatcher warnings;
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        DialogAnswers answers({QStringLiteral("Escape")});
+        answers.seen = [](QDialog& dialog) {
+            for (QAction* action : dialog.findChildren<QAction*>()) {
+                if (action->isVisible() && action->text() == QStringLiteral("Page setup")) {
+                    action->trigger();
+                }
+            }
+        };
+        bench.action("printPreview")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(warnings.take(), QStringList());
+    }
+
+    void theCardIsExportedAsItsEndingSays_data() {
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("beginning");
+        QTest::newRow("PDF") << "exportPdf"
+                             << "card.pdf" << QByteArray("%PDF-");
+        QTest::newRow("HTML") << "exportHtml"
+                              << "card.html" << QByteArray("<!DOCTYPE html>");
+        QTest::newRow("Markdown") << "exportMarkdown"
+                                  << "card.md" << QByteArray("# ");
+    }
+
+    void theCardIsExportedAsItsEndingSays() {
+        QFETCH(QString, action);
+        QFETCH(QString, name);
+        QFETCH(QByteArray, beginning);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(name);
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        bench.action(qPrintable(action))->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).startsWith(beginning));
+    }
+
+    void theCardIsOfTheInputsAsTheyAreNow() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("card.md"));
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        Project project = bench.window->document().project();
+        project.part.name = "Sleeve 4711";
+        bench.window->document().edit(project, {"Input", "Name"});
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        bench.action("exportMarkdown")->trigger(); // before the run has ended
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).contains("Sleeve 4711"));
+    }
+
+    void withoutAResultItSaysWhy() {
+        Bench bench(QStringLiteral("en"));
+        Project project = newProject(Operation::traverse);
+        project.part.diameter_mm = -2;
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        for (const char* name : {"printPreview", "print", "exportPdf"}) {
+            const DialogAnswers answers({QStringLiteral("Escape")});
+            bench.action(name)->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(answers.text().contains(QStringLiteral("There is no result")));
+        }
+    }
+};
+
+} // namespace test_report_commands
+
+SPARKOUT_TEST(test_report_commands, TestReportCommands)
+#include "test_report_commands.moc"
