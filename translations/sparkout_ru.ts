@@ -8016,6 +8016,14 @@ target, µm</source>
             <source>Markdown texts (*.md)</source>
             <translation>Тексты Markdown (*.md)</translation>
         </message>
+        <message>
+            <source>Not printed</source>
+            <translation>Не напечатано</translation>
+        </message>
+        <message>
+            <source>The printer or the file did not take the pages.</source>
+            <translation>Принтер или файл не принял страницы.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ResetMark</name>
@@ -8087,6 +8095,10 @@ target, µm</source>
         <message>
             <source>Show what differs</source>
             <translation>Показать различия</translation>
+        </message>
+        <message>
+            <source>The run was not kept: the inputs were changed before it was computed.</source>
+            <translation>Расчёт не запомнен: исходные данные изменились до его окончания.</translation>
         </message>
     </context>
     <context>

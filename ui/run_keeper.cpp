@@ -26,6 +26,11 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
         m_notices.remove(keepKey);
         m_notices.remove(changedKey);
     });
+    connect(&runs, &RunController::started, this, [this] {
+        if (std::exchange(m_waiting, false)) {
+            emit told(tr("The run was not kept: the inputs were changed before it was computed."));
+        }
+    });
     connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::tellChanged);
 }
 

@@ -10,6 +10,7 @@
 #include "ui/inputs/factor_box.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/number_field.h"
+#include "ui/session/operation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -179,6 +180,27 @@ private slots:
         const std::vector<double> ends{0.13, 0.13};
         QCOMPARE(*page.batch().factors.stock_mm->uniform, ends);
         QVERIFY(page.find<NumberField>("/batch/factors/stock_mm/uniform/1"));
+    }
+
+    void undoBringsTheConstantBack() {
+        Page page(fixtures::shaftBatch(50));
+        page.choose("/batch/factors/stock_mm/form", FactorForm::constant);
+        page.choose("/batch/factors/stock_mm/form", FactorForm::uniform);
+        page.undo();
+        auto* form = page.find<QComboBox>("/batch/factors/stock_mm/form");
+        QCOMPARE(form->currentIndex(), static_cast<int>(FactorForm::constant));
+    }
+
+    void theRangeOfAFactorIsThatOfTheOperation() {
+        Project project = fixtures::shaftBatch(50);
+        project.batch->factors.contact_width_mm = usualFactor(FactorKind::contactWidth, project);
+        Page page(project);
+        Project plunge = newProject(Operation::plunge);
+        plunge.batch = project.batch;
+        page.bench.window->document().startUntitled(plunge);
+        page.bench.settle();
+        page.type("/batch/factors/contact_width_mm/uniform/1", "1500"); // no wheel is that wide
+        QCOMPARE((*page.batch().factors.contact_width_mm->uniform)[1], 1500.0);
     }
 
     void aRefusedNumberStaysInSightAndUndoTakesItAway() {

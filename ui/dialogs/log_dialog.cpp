@@ -35,16 +35,14 @@ QString kindOf(QtMsgType type) {
 LogDialog::LogDialog(const ProgramLog* log, QWidget* parent)
     : QDialog(parent), m_log(log), m_text(new QPlainTextEdit(this)) {
     setHelpTopic(*this, QStringLiteral("look#log"));
-    setWindowTitle(tr("Log of this session"));
     m_text->setObjectName(QStringLiteral("logText"));
     m_text->setReadOnly(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_text->setAccessibleName(windowTitle());
     auto* buttons = new QDialogButtonBox(this);
-    auto* copy = buttons->addButton(tr("C&opy"), QDialogButtonBox::ActionRole);
-    copy->setObjectName(QStringLiteral("copyLog"));
-    buttons->addButton(tr("C&lose"), QDialogButtonBox::RejectRole);
-    connect(copy, &QPushButton::clicked, this,
+    m_copy = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
+    m_copy->setObjectName(QStringLiteral("copyLog"));
+    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
+    connect(m_copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(text()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
@@ -58,7 +56,22 @@ LogDialog::LogDialog(const ProgramLog* log, QWidget* parent)
         connect(
             m_log, &ProgramLog::changed, this, [this] { m_pause.start(); }, Qt::QueuedConnection);
     }
+    retranslate();
+}
+
+void LogDialog::retranslate() {
+    setWindowTitle(tr("Log of this session"));
+    m_text->setAccessibleName(windowTitle());
+    m_copy->setText(tr("C&opy"));
+    m_close->setText(tr("C&lose"));
     fill();
+}
+
+void LogDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
 }
 
 QString LogDialog::text() const {

@@ -5,6 +5,7 @@
 #include <QTimer>
 
 class QPlainTextEdit;
+class QPushButton;
 
 namespace sparkout {
 
@@ -20,11 +21,17 @@ public:
 
     [[nodiscard]] QString text() const;
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void retranslate();
     void fill();
 
     const ProgramLog* m_log;
     QPlainTextEdit* m_text;
+    QPushButton* m_copy = nullptr;
+    QPushButton* m_close = nullptr;
     QTimer m_pause; ///< gathers lines that come together
 };
 

@@ -101,6 +101,10 @@ void FactorBox::connectParts() {
     connect(this, &QGroupBox::clicked, this, [this](bool given) {
         edit(given ? std::optional(usualFactor(m_kind, m_document.project())) : std::nullopt);
     });
+    connect(&m_document, &Document::stepped, this, [this] {
+        m_shown.reset(); // undone with the edit that chose it
+        showProject(false);
+    });
     connect(m_form, &QComboBox::activated, this, &FactorBox::chooseForm);
     connect(m_truncated, &QCheckBox::clicked, this, &FactorBox::setTruncated);
     connect(m_read, &QPushButton::clicked, this, &FactorBox::askForFile);
@@ -122,7 +126,7 @@ FactorForm FactorBox::shownForm(const Factor& law) const {
 // --- editing ------------------------------------------------------------------------------------
 
 void FactorBox::edit(std::optional<Factor> law) {
-    m_fileFault.clear();
+    m_fileFault = {};
     m_document.endMerge();
     m_document.edit(withFactor(m_document.project(), m_kind, std::move(law)),
                     {"Input", m_field.label});
@@ -150,28 +154,30 @@ void FactorBox::askForFile() {
 }
 
 void FactorBox::readFrom(const QString& path) {
-    const auto refuse = [this, name = QFileInfo(path).fileName()](const QString& reason) {
-        m_fileFault = tr("“%1” was not taken: %2").arg(name, reason);
+    const auto refuse = [this, name = QFileInfo(path).fileName()](auto reason) {
+        m_fileFault = [name, reason] { return tr("“%1” was not taken: %2").arg(name, reason()); };
         showRemark();
     };
     const auto read = readFile({QFile::encodeName(path).toStdString()}, largestTable);
     if (const auto* error = std::get_if<FileError>(&read)) {
-        refuse(readErrorText(*error));
+        refuse([error = *error] { return readErrorText(error); });
         return;
     }
     const auto table = readMeasuredBlanks(std::get<std::string>(read));
     const QString key = QString::fromUtf8(m_field.key);
     if (const auto* fault = std::get_if<TableFault>(&table)) {
-        refuse(fault->text.empty() ? tr("no column is headed “%1”").arg(key)
-                                   : tr("line %1: “%2” is no number")
-                                         .arg(fault->line)
-                                         .arg(QString::fromStdString(fault->text)));
+        refuse([key, fault = *fault] {
+            return fault.text.empty() ? tr("no column is headed “%1”").arg(key)
+                                      : tr("line %1: “%2” is no number")
+                                            .arg(fault.line)
+                                            .arg(QString::fromStdString(fault.text));
+        });
         return;
     }
     const auto& columns = std::get<std::vector<MeasuredColumn>>(table);
     const auto own = std::ranges::find(columns, m_kind, &MeasuredColumn::kind);
     if (own == columns.end() || own->values.empty()) {
-        refuse(tr("no column is headed “%1”").arg(key));
+        refuse([key] { return tr("no column is headed “%1”").arg(key); });
         return;
     }
     Factor measured;
@@ -185,7 +191,7 @@ void FactorBox::showProject(bool replaced) {
     const std::optional<Factor>& law = this->law();
     if (replaced || !law) {
         m_shown.reset();
-        m_fileFault.clear();
+        m_fileFault = {};
     }
     setChecked(law.has_value());
     m_body->setVisible(law.has_value());
@@ -229,7 +235,7 @@ void FactorBox::setOutcome(const OutcomePtr& outcome) {
 }
 
 void FactorBox::showRemark() {
-    m_reason->showRemark(m_fileFault.isEmpty() ? m_issue : Remark{Mark::error, m_fileFault});
+    m_reason->showRemark(m_fileFault ? Remark{Mark::error, m_fileFault()} : m_issue);
 }
 
 void FactorBox::retranslate() {

@@ -5,6 +5,8 @@
 #include "ui/inputs/mark.h"
 #include "ui/session/batch_edits.h"
 
+#include <functional>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -61,7 +63,7 @@ private:
     ReasonLabel* m_reason;
     std::optional<FactorForm> m_shown; ///< two equal ends on the screen make no constant
     Remark m_issue;
-    QString m_fileFault; ///< why the last file was not taken; empty when it was
+    std::function<QString()> m_fileFault; ///< why the last file was not taken, if it was not
 };
 
 } // namespace sparkout

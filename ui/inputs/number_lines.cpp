@@ -28,7 +28,9 @@ void NumberLines::setOwner(std::function<QString()> owner) {
 
 void NumberLines::setLines(std::vector<Line> lines) {
     const bool same = std::ranges::equal(lines, m_rows, [](const Line& line, const Row& row) {
-        return line.path == row.line.path && line.label() == row.line.label();
+        return line.path == row.line.path && line.label() == row.line.label()
+               && line.spec.hard.low == row.line.spec.hard.low
+               && line.spec.hard.high == row.line.spec.hard.high;
     });
     if (same) {
         return;

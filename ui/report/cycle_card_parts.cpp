@@ -13,6 +13,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace sparkout::report {
@@ -129,9 +130,11 @@ Facts CycleCard::settings(const Outcome& outcome) {
         const auto section = static_cast<std::size_t>(gaugeSection(project));
         const SectionResult& at = outcome.result.sections.at(section);
         const double place = project.gauge.position_mm.value_or(at.position_mm);
-        control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
-                      .arg(Names::zone(at.zone, static_cast<int>(section)),
-                           withUnit(Names::significant(place), "mm"));
+        control =
+            tr("in-process gauge: %1, %2 from the headstock end of the ground length")
+                .arg(Names::zone(at.zone, static_cast<int>(section)),
+                     withUnit(project.gauge.position_mm ? number(place) : Names::significant(place),
+                              "mm"));
     }
     facts.facts.emplace_back(tr("Size control"), control);
     return facts;
@@ -179,7 +182,7 @@ Table CycleCard::stages(const Outcome& outcome) {
     if (traverse) {
         sum << cell({});
     }
-    sum << Names::significant(stock);
+    sum << number(std::round(stock * 1e6) / 1e6); // as exact as the rows
     rest(sum, outcome.shop.cycle, cell({}));
     table.lastIsSum = true;
     table.texts = {true};

@@ -83,13 +83,13 @@ bool paintPages(const Report& report, QPagedPaintDevice& device) {
     return paintRange(pages, device, 0, pages.count() - 1);
 }
 
-void printPages(const Report& report, QPrinter& printer) {
+bool printPages(const Report& report, QPrinter& printer) {
     const Pages pages(report, areaOf(printer));
     const bool some = printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0;
     const int first = some ? std::clamp(printer.fromPage() - 1, 0, pages.count() - 1) : 0;
     const int last =
         some ? std::clamp(printer.toPage() - 1, first, pages.count() - 1) : pages.count() - 1;
-    paintRange(pages, printer, first, last);
+    return paintRange(pages, printer, first, last);
 }
 
 QByteArray pdf(const Report& report) {

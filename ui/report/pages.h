@@ -36,7 +36,7 @@ private:
 void setUpPaper(QPagedPaintDevice& device);
 /// Paints the pages, of a printer those asked for; false when the device fails.
 bool paintPages(const Report& report, QPagedPaintDevice& device);
-void printPages(const Report& report, QPrinter& printer);
+[[nodiscard]] bool printPages(const Report& report, QPrinter& printer);
 
 /// With embedded fonts; empty when it could not be made.
 [[nodiscard]] QByteArray pdf(const Report& report);

@@ -7,6 +7,7 @@
 #include "ui/report/pages.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
@@ -24,9 +25,11 @@ void setUp(QPrinter& printer, const report::Report& report) {
     printer.setCreator(report.program);
 }
 
+constexpr const char* qtPageSetup = "Page setup"; ///< translated by Qt itself
+
 void hidePageSetup(QPrintPreviewDialog& dialog) {
     for (QAction* action : dialog.findChildren<QAction*>()) {
-        if (action->text() == QPrintPreviewDialog::tr("Page setup")) {
+        if (action->text() == QCoreApplication::translate("QPrintPreviewDialog", qtPageSetup)) {
             action->setVisible(false);
         }
     }
@@ -63,7 +66,7 @@ void ReportCommands::preview() {
     dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
     connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
-            [&report](QPrinter* target) { report::printPages(*report, *target); });
+            [&report](QPrinter* target) { (void)report::printPages(*report, *target); });
     if (printer.outputFormat() != QPrinter::NativeFormat) {
         hidePageSetup(dialog); // it is the printer's, and there is none
     }
@@ -81,8 +84,12 @@ void ReportCommands::print() {
     QPrintDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
-    if (dialog.exec() == QDialog::Accepted) {
-        report::printPages(*report, printer);
+    if (dialog.exec() == QDialog::Accepted && !report::printPages(*report, printer)) {
+        QMessageBox box(QMessageBox::Critical, tr("Not printed"),
+                        tr("The printer or the file did not take the pages."), QMessageBox::Ok,
+                        m_window);
+        box.setTextFormat(Qt::PlainText);
+        box.exec();
     }
 }
 

@@ -23,6 +23,9 @@ void BatchView::showOutcome() {
     if (latest() && latest()->ran()) {
         m_good = latest();
         noteStale();
+        if (!stale()) {
+            m_refused.reset(); // what is shown is of these inputs
+        }
         const Project& project = m_good->result.project;
         const bool runs = m_running && m_runner->running() && sameBatch(*m_running, project);
         if (!project.batch) {
@@ -117,7 +120,9 @@ void BatchView::takeIndices(const SobolIndicesPtr& indices) {
 void BatchView::takeWorst() {
     if (m_batch && !stale()) {
         const auto take = [batch = m_batch](Project project) {
-            return withPart(std::move(project), batch->result, batch->summary.worstPart);
+            return sameBatch(batch->result.project, project)
+                       ? withPart(std::move(project), batch->result, batch->summary.worstPart)
+                       : project; // edited meanwhile
         };
         emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Worst part of the batch")});
     }

@@ -210,7 +210,12 @@ void BatchView::connectParts() {
     }
     connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
     connect(m_add, &QPushButton::clicked, this, [this] {
-        emit editWanted(withUsualBatch, {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
+        // The view is of the inputs that were accepted last; those of now may have a batch.
+        emit editWanted(
+            [](Project project) {
+                return project.batch ? project : withUsualBatch(std::move(project));
+            },
+            {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
     });
     for (BatchRunner* runner : {m_runner, m_indexRunner}) {
         connect(runner, &BatchRunner::progressed, this,

@@ -19,12 +19,26 @@
 #include <QListView>
 #include <QPushButton>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace sparkout {
 
 namespace {
+
+/// Lets a name that is being typed be, unless the row itself gets another name.
+class RunDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        const QVariant name = index.data(Qt::EditRole);
+        if (editor->property("runName") != name) {
+            editor->setProperty("runName", name);
+            QStyledItemDelegate::setEditorData(editor, index);
+        }
+    }
+};
 
 constexpr int runsWidth = 184, curvesWidth = 500;
 constexpr int curvesHeight = 330, tableHeight = 170;
@@ -134,6 +148,7 @@ QWidget* CompareView::buildRuns() {
     column->addLayout(row);
     column->addWidget(m_list, 1);
     m_list->setModel(m_runs);
+    m_list->setItemDelegate(new RunDelegate(m_list));
     m_list->setIconSize(RunsModel::sample);
     m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
