@@ -234,6 +234,21 @@ private slots:
             QStringLiteral("."), QLocale().decimalPoint()))); // of this computer
     }
 
+    void aRunIsDeletedWhileItsNameIsTyped() {
+        Desk desk;
+        desk.keep();
+        auto* list = desk.view.list();
+        list->setCurrentIndex(list->model()->index(1, 0));
+        list->setFocus();
+        list->edit(list->currentIndex());
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral("half typed"));
+        desk.view.findChild<QAction*>(QStringLiteral("compareDelete"))->trigger();
+        QCoreApplication::processEvents();
+        QCOMPARE(list->model()->rowCount(), 1); // the present run
+    }
+
     void theEmptyStateSaysWhatToDoAndDoesIt() {
         Desk desk;
         QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("No run is kept yet")));

@@ -87,7 +87,8 @@ KeptRuns::Kept KeptRuns::keep(const Outcome& outcome) {
 
 void KeptRuns::rename(int index, const QString& name) {
     const std::string wanted = name.simplified().toStdString();
-    if (!wanted.empty()) {
+    // A list gives up the name that is being typed when its row goes, after the run has gone.
+    if (!wanted.empty() && index >= 0 && index < count()) {
         Project project = m_document.project();
         project.runs.at(static_cast<std::size_t>(index)).name = wanted;
         m_document.endMerge();
@@ -170,6 +171,9 @@ bool KeptRuns::isChosen(int index) const {
 }
 
 void KeptRuns::choose(int index, bool chosen) {
+    if (index < 0 || index >= static_cast<int>(m_entries.size())) {
+        return;
+    }
     Entry& entry = m_entries.at(static_cast<std::size_t>(index));
     if (entry.chosen != chosen) {
         entry.chosen = chosen;
