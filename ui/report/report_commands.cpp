@@ -35,6 +35,12 @@ void hidePageSetup(QPrintPreviewDialog& dialog) {
     }
 }
 
+void say(QMessageBox::Icon icon, const QString& title, const QString& text, QWidget* window) {
+    QMessageBox box(icon, title, text, QMessageBox::Ok, window);
+    box.setTextFormat(Qt::PlainText);
+    box.exec();
+}
+
 } // namespace
 
 ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& settings,
@@ -46,12 +52,10 @@ std::optional<report::Report> ReportCommands::card() {
     if (subject.outcome && subject.outcome->ran()) {
         return report::cycleCard(subject.outcome, subject.file, QDate::currentDate());
     }
-    QMessageBox box(QMessageBox::Information, tr("No report"),
-                    tr("There is no result of these inputs, so there is nothing to report. The "
-                       "messages say what is wrong with them."),
-                    QMessageBox::Ok, m_window);
-    box.setTextFormat(Qt::PlainText);
-    box.exec();
+    say(QMessageBox::Information, tr("No report"),
+        tr("There is no result of these inputs, so there is nothing to report. The "
+           "messages say what is wrong with them."),
+        m_window);
     return {};
 }
 
@@ -85,11 +89,8 @@ void ReportCommands::print() {
     dialog.setWindowTitle(tr("Print: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
     if (dialog.exec() == QDialog::Accepted && !report::printPages(*report, printer)) {
-        QMessageBox box(QMessageBox::Critical, tr("Not printed"),
-                        tr("The printer or the file did not take the pages."), QMessageBox::Ok,
-                        m_window);
-        box.setTextFormat(Qt::PlainText);
-        box.exec();
+        say(QMessageBox::Critical, tr("Not printed"),
+            tr("The printer or the file did not take the pages."), m_window);
     }
 }
 
