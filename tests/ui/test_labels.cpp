@@ -219,6 +219,7 @@ private slots:
     void englishWordsAreToldFromNamesAndUnits() {
         QCOMPARE(englishIn(QStringLiteral("Сохранить (Ctrl+S), 5 mm, E1…E5, PNG")), QString());
         QCOMPARE(englishIn(QStringLiteral("Сохранить Save &As")), QStringLiteral("Save"));
+        QCOMPARE(englishIn(QStringLiteral("Блок: SSE2, AVX2, AVX-512; Clang 14.0.6")), QString());
     }
 };
 
