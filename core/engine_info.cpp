@@ -17,9 +17,7 @@ std::string dotted(int major, int minor, int patch) {
 
 /// That of widestPassFunction().
 std::string vectorUnitInUse() {
-    return isSupported(VectorUnit::avx512) ? "AVX-512"
-           : isSupported(VectorUnit::avx2) ? "AVX2"
-                                           : "SSE2";
+    return isSupported(VectorUnit::avx2) ? "AVX2" : "SSE2";
 }
 
 } // namespace

@@ -45,7 +45,7 @@ double ContactCompliance::compliance(double force_n) const {
 
 double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients,
                               const PassFeed& feed, const PassRange& range) const {
-    double largest = 0;
+    double largest = 0, least = std::numeric_limits<double>::max();
     for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
         const double h = std::max(0.0, feed.at(lanes.share[lane]) - lanes.depth_mm[lane]);
         const Balance balance{.A = coefficients.A4[lane] / 4,
@@ -59,11 +59,12 @@ double ContactCompliance::cut(Lanes& lanes, const LaneCoefficients& coefficients
         lanes.rootSum[lane] += u;
         if (u > 0 && !lanes.lastRoot.empty()) {
             lanes.lastRoot[lane] = u;
-            lanes.lastPass[lane] = range.number;
         }
         lanes.peakForce_n[lane] = std::max(lanes.peakForce_n[lane], range.bks * a + range.bkr * u);
         largest = std::max(largest, u);
+        least = std::min(least, u);
     }
+    lanes.leastRoot = least;
     return largest;
 }
 

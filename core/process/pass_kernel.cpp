@@ -3,6 +3,8 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace sparkout {
 
@@ -18,16 +20,26 @@ void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bk
 namespace {
 
 enum class Root { multiplied, divided };
+enum class LastCuts { none, kept };
+
+/// u where the lane was cut, else what was before, by a mask: a choice would become a masked store,
+/// which takes thrice as long.
+[[gnu::always_inline]] inline double lastOf(double u, double before) {
+    const std::uint64_t uncut = u == 0 ? ~std::uint64_t{0} : 0;
+    return u + std::bit_cast<double>(std::bit_cast<std::uint64_t>(before) & uncut);
+}
 
 // The loop is written once; each wrapper compiles it for its vector unit. Every operation is an
 // IEEE one, contraction is off, so the units differ in speed alone.
-template <Root form>
+template <Root form, LastCuts cuts>
 [[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
                                                 const PassFeed& feed, const PassRange& range) {
     double* __restrict depth = lanes.depth_mm.data() + range.first;
     double* __restrict root = lanes.root.data() + range.first;
     double* __restrict rootSum = lanes.rootSum.data() + range.first;
     double* __restrict peakForce = lanes.peakForce_n.data() + range.first;
+    double* __restrict lastRoot =
+        lanes.lastRoot.data() + (cuts == LastCuts::kept ? range.first : 0);
     const double* __restrict share = lanes.share.data() + range.first;
     const double* __restrict C = coefficients.C.data() + range.first;
     const double* __restrict C2 = coefficients.C2.data() + range.first;
@@ -36,8 +48,8 @@ template <Root form>
     const double begin = feed.base + feed.offset, rate = feed.rate, most = feed.base + feed.cap;
     const double bks = range.bks, bkr = range.bkr;
     const std::size_t count = range.count;
-    double largest = 0;
-#pragma omp simd reduction(max : largest)
+    double largest = 0, least = std::numeric_limits<double>::max();
+#pragma omp simd reduction(max : largest) reduction(min : least)
     for (std::size_t i = 0; i < count; ++i) {
         const double ramp = begin + rate * share[i];
         const double lag = (ramp < most ? ramp : most) - depth[i];
@@ -52,37 +64,29 @@ template <Root form>
         rootSum[i] += u; // a sum a lane: the same in every unit
         peakForce[i] = force > peakForce[i] ? force : peakForce[i];
         largest = u > largest ? u : largest;
+        if constexpr (cuts == LastCuts::kept) {
+            lastRoot[i] = lastOf(u, lastRoot[i]);
+            least = u < least ? u : least;
+        }
+    }
+    if constexpr (cuts == LastCuts::kept) {
+        lanes.leastRoot = least;
     }
     return largest;
 }
 
-/// Keeps the pass as the last cut of the lanes that it cut.
-[[gnu::always_inline]] inline void keepLastCuts(Lanes& lanes, const PassRange& range) {
-    const double* __restrict root = lanes.root.data() + range.first;
-    double* __restrict lastRoot = lanes.lastRoot.data() + range.first;
-    std::uint64_t* __restrict lastPass = lanes.lastPass.data() + range.first;
-    const std::uint64_t number = range.number;
-    const std::size_t count = range.count;
-    // By masks: a choice would become a masked store, which takes thrice as long.
-#pragma omp simd
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint64_t cut = root[i] > 0 ? ~std::uint64_t{0} : 0;
-        const auto u = std::bit_cast<std::uint64_t>(root[i]);
-        const auto before = std::bit_cast<std::uint64_t>(lastRoot[i]);
-        lastRoot[i] = std::bit_cast<double>((u & cut) | (before & ~cut));
-        lastPass[i] = (number & cut) | (lastPass[i] & ~cut);
-    }
+template <LastCuts cuts>
+[[gnu::always_inline]] inline double cutLanesBy(Lanes& lanes, const LaneCoefficients& coefficients,
+                                                const PassFeed& feed, const PassRange& range) {
+    return range.bkr > multipliedFormLimit * range.bks
+               ? cutLanesBy<Root::divided, cuts>(lanes, coefficients, feed, range)
+               : cutLanesBy<Root::multiplied, cuts>(lanes, coefficients, feed, range);
 }
 
 [[gnu::always_inline]] inline double cutLanes(Lanes& lanes, const LaneCoefficients& coefficients,
                                               const PassFeed& feed, const PassRange& range) {
-    const double largest = range.bkr > multipliedFormLimit * range.bks
-                               ? cutLanesBy<Root::divided>(lanes, coefficients, feed, range)
-                               : cutLanesBy<Root::multiplied>(lanes, coefficients, feed, range);
-    if (!lanes.lastRoot.empty()) {
-        keepLastCuts(lanes, range);
-    }
-    return largest;
+    return lanes.lastRoot.empty() ? cutLanesBy<LastCuts::none>(lanes, coefficients, feed, range)
+                                  : cutLanesBy<LastCuts::kept>(lanes, coefficients, feed, range);
 }
 
 double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
@@ -95,41 +99,18 @@ double cutBaseline(Lanes& lanes, const LaneCoefficients& coefficients, const Pas
     return cutLanes(lanes, coefficients, feed, range);
 }
 
-[[gnu::target("avx512f,avx512vl,avx512dq,prefer-vector-width=512")]] double
-cutAvx512(Lanes& lanes, const LaneCoefficients& coefficients, const PassFeed& feed,
-          const PassRange& range) {
-    return cutLanes(lanes, coefficients, feed, range);
-}
-
 } // namespace
 
 bool isSupported(VectorUnit unit) {
-    switch (unit) {
-    case VectorUnit::baseline: return true;
-    case VectorUnit::avx2: return __builtin_cpu_supports("avx2");
-    case VectorUnit::avx512:
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")
-               && __builtin_cpu_supports("avx512dq");
-    }
-    return false;
+    return unit == VectorUnit::baseline || __builtin_cpu_supports("avx2");
 }
 
 PassFunction passFunction(VectorUnit unit) {
-    switch (unit) {
-    case VectorUnit::avx512: return cutAvx512;
-    case VectorUnit::avx2: return cutAvx2;
-    case VectorUnit::baseline: break;
-    }
-    return cutBaseline;
+    return unit == VectorUnit::avx2 ? cutAvx2 : cutBaseline;
 }
 
 PassFunction widestPassFunction() {
-    for (const VectorUnit unit : {VectorUnit::avx512, VectorUnit::avx2}) {
-        if (isSupported(unit)) {
-            return passFunction(unit);
-        }
-    }
-    return passFunction(VectorUnit::baseline);
+    return passFunction(isSupported(VectorUnit::avx2) ? VectorUnit::avx2 : VectorUnit::baseline);
 }
 
 } // namespace sparkout

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 /// One pass under the wheel for many independent lanes (a lane is one radius of one zone, section
@@ -28,17 +27,14 @@ struct Lanes {
     explicit Lanes(std::size_t count)
         : depth_mm(count), root(count), rootSum(count), peakForce_n(count), share(count) {}
     /// From now on each pass also keeps every lane's last cut.
-    void keepLastCuts() {
-        lastRoot.assign(root.size(), 0.0);
-        lastPass.assign(root.size(), 0);
-    }
+    void keepLastCuts() { lastRoot.assign(root.size(), 0.0); }
     std::vector<double> depth_mm;    ///< how far the radius stands below first touch
     std::vector<double> root;        ///< u = √a of the last pass [√mm]
     std::vector<double> rootSum;     ///< Σ√a since the owner last cleared it [√mm]
     std::vector<double> peakForce_n; ///< largest P_y so far
     std::vector<double> share;       ///< (k+1)/K, share of the revolution at which it is visited
     std::vector<double> lastRoot;    ///< u of its last pass with a > 0; empty: not kept [√mm]
-    std::vector<std::uint64_t> lastPass; ///< PassRange::number of that pass
+    double leastRoot = 0; ///< smallest u in the last pass, where last cuts are kept [√mm]
 };
 
 /// The balance's coefficients for each lane at one width of cut.
@@ -64,15 +60,16 @@ struct PassFeed {
 /// A range of lanes in one pass.
 struct PassRange {
     std::size_t first = 0, count = 0;
-    double bks = 0, bkr = 0;  ///< for the peak force P_y = bks·a + bkr·√a
-    std::uint64_t number = 0; ///< of the pass, for Lanes::lastPass
+    double bks = 0, bkr = 0; ///< for the peak force P_y = bks·a + bkr·√a
 };
 
 /// Cuts the lanes of the range once; returns the largest √a [√mm].
 using PassFunction = double (*)(Lanes& lanes, const LaneCoefficients& coefficients,
                                 const PassFeed& feed, const PassRange& range);
 
-enum class VectorUnit { baseline, avx2, avx512 };
+/// AVX-512 is left out: √ takes as long a lane, and its wide stores cross cache lines (a pass over
+/// 36 radii took 65 ns for AVX2's 47).
+enum class VectorUnit { baseline, avx2 };
 
 [[nodiscard]] bool isSupported(VectorUnit unit);
 [[nodiscard]] PassFunction passFunction(VectorUnit unit);

@@ -52,11 +52,6 @@ public:
     /// polynomial, off by less than 1e-6 of itself; nothing where none of its degree is that good.
     [[nodiscard]] std::optional<BurnStretch> over(double low_mm, double high_mm,
                                                   double totalInfeed_mm) const;
-    /// No lane of a pass can be worse: its largest √a at the least stock that t_П leaves, t_П that
-    /// of the pass's last radius.
-    [[nodiscard]] double bound(double largestRoot, double fed_mm, double totalInfeed_mm) const {
-        return usage(largestRoot, totalInfeed_mm - fed_mm);
-    }
 
 private:
     /// 1/√a over one step, f from 0 to 1: inverse + fall·f + bend·f².

@@ -2,33 +2,9 @@
 #include "core/simulation/limit_watch.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 namespace sparkout {
-
-namespace {
-
-// A pass number: double stroke or revolution, revolution within the step, whether the pass goes
-// over several zones, and the steps of up to three of them. No run has 2^24 passes (maxVisits).
-constexpr int cycleShift = 40, revolutionShift = 16, severalShift = 9, stepBits = 3;
-constexpr std::uint64_t revolutionMask = (1U << 24) - 1, stepMask = (1U << stepBits) - 1;
-constexpr std::size_t zones = 3;
-
-/// The stage that a double stroke or revolution belongs to, from 1. One that was not finished
-/// belongs to the stage that ran last.
-int stageOf(int cycleCount, const SimulationResult& result) {
-    int done = 0, last = 1;
-    for (std::size_t z = 0; z < result.countsByStage.size(); ++z) {
-        done += result.countsByStage[z];
-        if (done >= cycleCount) {
-            return static_cast<int>(z) + 1;
-        }
-        last = result.timeByStage_s[z] > 0 ? static_cast<int>(z) + 1 : last;
-    }
-    return last;
-}
-
-} // namespace
 
 LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     : m_radii(blank.depth_mm.size())
@@ -39,72 +15,71 @@ LimitWatch::LimitWatch(const Project& project, const Blank& blank)
     }
 }
 
-void LimitWatch::prepare(Lanes& lanes) const {
+void LimitWatch::prepare(Lanes& lanes) {
     if (m_keepsLast) {
         lanes.keepLastCuts();
+        m_laneLast.assign(lanes.root.size(), {});
+        m_sectionLast.assign(lanes.root.size() / m_radii, std::nullopt);
     }
 }
 
-std::uint64_t LimitWatch::pack(const Place* places, std::size_t count) {
-    if (!places) {
-        return 0;
+/// After a pass that did not cut every radius: their last cuts part.
+void LimitWatch::placeLanes(const Lanes& lanes, std::size_t first, std::size_t count,
+                            const Place* places) {
+    for (std::size_t section = first; section < first + count; ++section) {
+        const std::optional<Place> whole = std::exchange(m_sectionLast[section], std::nullopt);
+        for (std::size_t lane = section * m_radii; lane < (section + 1) * m_radii; ++lane) {
+            if (lanes.root[lane] > 0) {
+                m_laneLast[lane] = places[section - first];
+            } else if (whole) {
+                m_laneLast[lane] = *whole;
+            }
+        }
     }
-    std::uint64_t number = static_cast<std::uint64_t>(places->cycleCount) << cycleShift
-                           | static_cast<std::uint64_t>(places->revolution) << revolutionShift
-                           | static_cast<std::uint64_t>(count > 1) << severalShift;
-    for (std::size_t i = 0; i < std::min(count, zones); ++i) {
-        number |= static_cast<std::uint64_t>(places[i].step) << (i * stepBits);
-    }
-    return number;
-}
-
-Place LimitWatch::unpack(std::uint64_t number, const SimulationResult& result,
-                         std::size_t section) {
-    Place place;
-    place.zone = result.sections[section].zone;
-    place.section = static_cast<int>(section);
-    place.cycleCount = static_cast<int>(number >> cycleShift);
-    place.revolution = static_cast<int>(number >> revolutionShift & revolutionMask);
-    place.stage = stageOf(place.cycleCount, result);
-    if (place.zone != Zone::section) {
-        const bool several = number >> severalShift & 1;
-        place.step = static_cast<Step>(number >> (several ? section * stepBits : 0) & stepMask);
-    }
-    return place;
 }
 
 void LimitWatch::judge(const Lanes& lanes, const PassRange& range, double root,
                        const PassFeed& feed, const Place* places) {
-    const double fed = std::max(feed.at(0), feed.at(1));
-    if (m_burn->bound(root, fed, m_total) > m_usage) {
-        if (fed > m_stretchEnd) {
-            openStretch(lanes, fed);
-        }
-        const double most = worst(lanes, range);
-        if (most > m_usage) {
-            m_usage = most;
-            keep(lanes, range, places);
+    const double fed = mostFed(feed);
+    if (fed > m_quietEnd) {
+        constexpr double quietReach = 0.05; ///< of the whole infeed
+        m_quietEnd = fed + quietReach * m_total;
+        m_quietLimit = m_burn->limit(m_total - m_quietEnd);
+        m_quietRoot = m_usage * m_quietLimit;
+        if (root <= m_quietRoot) {
+            return;
         }
     }
-    constexpr double quietReach = 0.02; ///< of the whole infeed
-    m_quietEnd = mostFed(feed) + quietReach * m_total;
-    m_quietRoot = m_usage * m_burn->limit(m_total - m_quietEnd);
+    if (fed > m_stretchEnd) {
+        openStretch(lanes, fed);
+    }
+    const double most = worst(lanes, range);
+    if (most > m_usage) {
+        m_usage = most;
+        m_quietRoot = most * m_quietLimit;
+        keep(lanes, range, places);
+    }
 }
 
 /// From the most that is left anywhere to below what this pass may leave, as far as one polynomial
-/// reaches. Radii only grow deeper, so none leaves it at its upper end.
+/// reaches. Radii only grow deeper, so none leaves it at its upper end. The less is left the more
+/// the curve bends: what was too far once is not tried again.
 void LimitWatch::openStretch(const Lanes& lanes, double fed_mm) {
     constexpr double leastSpread = 1e-3; ///< of the whole infeed
     const double least = *std::min_element(lanes.depth_mm.begin(), lanes.depth_mm.end());
     const double left = std::max(0.0, m_total - fed_mm);
     const double high = std::max(m_total - least, left + leastSpread * m_total);
     const double spread = high - left;
-    for (const double further : {3.0, 1.0, 0.0}) {
-        const double low = std::max(0.0, left - further * spread);
+    for (;; m_reach /= 2) {
+        const double further = m_reach < leastReach ? 0 : m_reach * spread;
+        const double low = std::max(0.0, left - further);
         m_stretch = m_burn->over(low, high, m_total);
         if (m_stretch) {
             m_stretchEnd = low > 0 ? m_total - low : std::numeric_limits<double>::max();
             return;
+        }
+        if (further == 0) {
+            break;
         }
     }
     constexpr double tryAgain = 0.1;
@@ -159,7 +134,7 @@ void LimitWatch::put(SimulationResult& result, const Lanes& lanes) const {
             result.sections[section].lastCut =
                 LastCut{.depth_mm = *most * *most,
                         .radius = static_cast<int>(lane % m_radii),
-                        .at = unpack(lanes.lastPass[lane], result, section)};
+                        .at = m_sectionLast[section].value_or(m_laneLast[lane])};
         }
     }
 }

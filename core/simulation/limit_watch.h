@@ -6,10 +6,12 @@
 #include "core/quality/burn_table.h"
 #include "core/simulation/result.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace sparkout {
 
@@ -26,14 +28,16 @@ class LimitWatch {
 public:
     LimitWatch(const Project& project, const Blank& blank);
 
-    void prepare(Lanes& lanes) const;
-    /// The number of a pass of `count` zones or sections, for PassRange.
-    [[nodiscard]] std::uint64_t number(const Place* places, std::size_t count) const {
-        return m_keepsLast ? pack(places, count) : 0;
-    }
-    /// After a pass whose largest √a is `root`; `places[i]` is the place of the i-th zone.
+    void prepare(Lanes& lanes);
+    /// After a pass of `count` zones or sections from `first` on whose largest √a is `root`;
+    /// `places[i]` is the place of the i-th of them.
     void passDone(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
-                  const Place* places) {
+                  const Place* places, std::size_t first, std::size_t count) {
+        if (m_keepsLast && lanes.leastRoot > 0) {
+            std::copy_n(places, count, m_sectionLast.begin() + static_cast<std::ptrdiff_t>(first));
+        } else if (m_keepsLast) {
+            placeLanes(lanes, first, count, places);
+        }
         if (m_burn && (root > m_quietRoot || mostFed(feed) > m_quietEnd)) {
             judge(lanes, range, root, feed, places);
         }
@@ -41,6 +45,7 @@ public:
     /// Forgets the worst so far, for lanes from the start; their last cuts are the lanes'.
     void restart() {
         m_usage = m_quietRoot = 0;
+        m_reach = farReach;
         m_worst = {};
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
@@ -50,13 +55,11 @@ public:
     void put(SimulationResult& result, const Lanes& lanes) const;
 
 private:
-    [[nodiscard]] static std::uint64_t pack(const Place* places, std::size_t count);
-    [[nodiscard]] static Place unpack(std::uint64_t number, const SimulationResult& result,
-                                      std::size_t section);
     /// No radius stands deeper after a pass of this feed.
     [[nodiscard]] static double mostFed(const PassFeed& feed) { return feed.base + feed.cap; }
     void judge(const Lanes& lanes, const PassRange& range, double root, const PassFeed& feed,
                const Place* places);
+    void placeLanes(const Lanes& lanes, std::size_t first, std::size_t count, const Place* places);
     void openStretch(const Lanes& lanes, double fed_mm);
     [[nodiscard]] double usage(const Lanes& lanes, std::size_t lane) const;
     [[nodiscard]] double worst(const Lanes& lanes, const PassRange& range) const;
@@ -65,11 +68,16 @@ private:
     std::size_t m_radii;
     double m_total; ///< |R_first − R_t| [mm]
     bool m_keepsLast;
-    std::shared_ptr<const BurnTable> m_burn; ///< the same in copies of a run
-    std::optional<BurnStretch> m_stretch;    ///< of the stocks the passes are at
+    std::vector<std::optional<Place>> m_sectionLast; ///< where all radii were cut last, if at once
+    std::vector<Place> m_laneLast;                   ///< else where each of them was
+    std::shared_ptr<const BurnTable> m_burn;         ///< the same in copies of a run
+    std::optional<BurnStretch> m_stretch;            ///< of the stocks the passes are at
+    static constexpr double farReach = 3, leastReach = 0.3;
+    double m_reach = farReach; ///< of a stretch beyond the stocks that are left, of their spread
     double m_stretchEnd = std::numeric_limits<double>::lowest(); ///< its greatest t_П [mm]
-    double m_quietRoot = 0; ///< √a up to which no pass is a new worst, up to t_П = m_quietEnd
+    /// Up to this t_П no limit of √a is below m_quietLimit, no pass up to m_quietRoot a new worst.
     double m_quietEnd = std::numeric_limits<double>::lowest();
+    double m_quietLimit = 0, m_quietRoot = 0;
     double m_usage = 0;     ///< √a over its limit, of the worst visit
     std::size_t m_lane = 0; ///< of that visit
     BurnVisit m_worst;

@@ -70,8 +70,7 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
 void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const PassFeed& feed,
               const Place* places, const PassInfo& info) {
     const auto K = static_cast<std::size_t>(m_radii);
-    const PassRange range{first * K, count * K, width.bks, width.bkr,
-                          m_watch.number(places, count)};
+    const PassRange range{first * K, count * K, width.bks, width.bkr};
     if (places) {
         openStage(static_cast<std::size_t>(places->stage - 1));
     }
@@ -83,7 +82,7 @@ void Run::cut(std::size_t first, std::size_t count, const CutWidth& width, const
         return;
     }
     tally(root, first, count, width, places);
-    m_watch.passDone(m_lanes, range, root, feed, places);
+    m_watch.passDone(m_lanes, range, root, feed, places, first, count);
     if (m_trajectory) {
         for (std::size_t i = 0; i < count; ++i) {
             record(first + i, width, feed, places[i], info);

@@ -379,28 +379,6 @@ private slots:
         }
         QVERIFY(!table.over(0, 0.2, 0.2));
     }
-
-    // The bound of a pass spares its lanes only where none of them can be the worst.
-    void boundOfAPassIsNotBelowItsWorstLane() {
-        const Project p = hotSteel();
-        const fixtures::Traced run(p);
-        const Blank blank = makeBlank(p.part);
-        const BurnTable table(BurnModel(p), 700, blank.totalInfeed_mm);
-        std::vector<double> depths = blank.depth_mm;
-        QVERIFY(run.trajectory.passes.size() > 20);
-        for (const Pass& pass : run.trajectory.passes) {
-            double largest = 0, worst = 0, fed = 0;
-            for (int k = 0; k < run.trajectory.radii; ++k) {
-                const Visit& visit = run.visit(pass, k);
-                const double left =
-                    blank.totalInfeed_mm - blank.depth_mm[std::size_t(k)] - visit.accumulated_mm;
-                largest = std::max(largest, std::sqrt(visit.actual_mm));
-                worst = std::max(worst, table.usage(std::sqrt(visit.actual_mm), left));
-                fed = std::max(fed, visit.programmed_mm);
-            }
-            QVERIFY(table.bound(largest, fed, blank.totalInfeed_mm) >= worst);
-        }
-    }
 };
 
 } // namespace test_burn

@@ -7,8 +7,10 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -76,21 +78,15 @@ private slots:
     void baselineIsAlwaysSupportedAndTheWidestIsSupported() {
         QVERIFY(isSupported(VectorUnit::baseline));
         bool found = false;
-        for (const VectorUnit unit : {VectorUnit::baseline, VectorUnit::avx2, VectorUnit::avx512}) {
+        for (const VectorUnit unit : {VectorUnit::baseline, VectorUnit::avx2}) {
             found |= isSupported(unit) && passFunction(unit) == widestPassFunction();
         }
         QVERIFY(found);
     }
 
-    void vectorUnitsAgreeToTheLastBit_data() {
-        QTest::addColumn<VectorUnit>("unit");
-        QTest::newRow("AVX2") << VectorUnit::avx2;
-        QTest::newRow("AVX-512") << VectorUnit::avx512;
-    }
     void vectorUnitsAgreeToTheLastBit() {
-        QFETCH(VectorUnit, unit);
-        if (!isSupported(unit)) {
-            QSKIP("this processor has no such unit");
+        if (!isSupported(VectorUnit::avx2)) {
+            QSKIP("this processor has no AVX2");
         }
         std::mt19937_64 engine(1);
         for (int round = 0; round < 50; ++round) {
@@ -99,8 +95,8 @@ private slots:
                 RandomPass narrow = wide;
                 // Several passes in a row, so that a difference of a bit has time to grow.
                 for (int pass = 0; pass < 4; ++pass) {
-                    const double a =
-                        passFunction(unit)(wide.lanes, wide.coefficients, wide.feed, wide.range);
+                    const double a = passFunction(VectorUnit::avx2)(wide.lanes, wide.coefficients,
+                                                                    wide.feed, wide.range);
                     const double b = passFunction(VectorUnit::baseline)(
                         narrow.lanes, narrow.coefficients, narrow.feed, narrow.range);
                     QVERIFY(std::memcmp(&a, &b, sizeof a) == 0);
@@ -138,27 +134,26 @@ private slots:
             RandomPass keeping = plain;
             keeping.lanes.keepLastCuts();
             std::vector<double> root(plain.lanes.root.size());
-            std::vector<std::uint64_t> number(root.size());
             const PassRange whole = plain.range;
-            for (std::uint64_t pass = 1; pass < 12; ++pass) {
+            for (int pass = 1; pass < 12; ++pass) {
                 const std::size_t skipped = pass % 4 == 3 ? whole.count / 2 : 0; // others meanwhile
                 plain.range.first = whole.first + skipped;
                 plain.range.count = whole.count - skipped;
                 keeping.range = plain.range;
                 PassFeed feed = plain.feed; // forth and back
                 feed.base += (pass % 3 == 0 ? -0.02 : 0.005) * static_cast<double>(pass);
-                keeping.range.number = pass;
                 const double a = cut(plain, feed), b = cut(keeping, feed);
                 QVERIFY(std::memcmp(&a, &b, sizeof a) == 0);
                 const PassRange& range = plain.range;
+                double least = std::numeric_limits<double>::max();
                 for (std::size_t i = range.first; i < range.first + range.count; ++i) {
                     const double u = plain.lanes.root[i];
                     uncut += u == 0 && root[i] > 0;
                     root[i] = u > 0 ? u : root[i];
-                    number[i] = u > 0 ? pass : number[i];
+                    least = std::min(least, u);
                 }
+                QCOMPARE(keeping.lanes.leastRoot, least);
                 QVERIFY(sameBits(keeping.lanes.lastRoot, root));
-                QVERIFY(keeping.lanes.lastPass == number);
             }
             QVERIFY(sameBits(keeping.lanes.depth_mm, plain.lanes.depth_mm));
             QVERIFY(sameBits(keeping.lanes.rootSum, plain.lanes.rootSum));
@@ -353,7 +348,6 @@ private:
         QTest::addColumn<VectorUnit>("unit");
         QTest::newRow("baseline") << VectorUnit::baseline;
         QTest::newRow("AVX2") << VectorUnit::avx2;
-        QTest::newRow("AVX-512") << VectorUnit::avx512;
     }
 };
 
