@@ -41,6 +41,7 @@ private slots:
         const int rounds = longTest ? 2000 : 140, warmUps = longTest ? 200 : 60;
         constexpr double allowed_mb = 2;
         Bench bench(QStringLiteral("en"));
+        bench.window->setAnimated(false); // what glides is an object for a moment
         const QStringList examples = examplePaths();
         std::vector<Project> projects;
         for (const QString& path : {examples.first(), examples.last()}) {

@@ -5,34 +5,59 @@
 
 #include <QGuiApplication>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QPolygonF>
 
 namespace sparkout {
 
-QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
-    QPixmap pixmap(QSize(size, size) * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
+namespace {
+
+QColor lightColour(Light light) {
     const QPalette palette = QGuiApplication::palette();
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setOpacity(grey ? 0.4 : 1);
-    const QRectF box(1, 1, size - 2, size - 2);
     switch (light) {
-    case Light::holds:
-        painter.setBrush(tone(Tone::green, palette));
-        painter.drawEllipse(box);
-        break;
+    case Light::holds: return tone(Tone::green, palette);
+    case Light::close: return tone(Tone::orange, palette);
+    case Light::fails: break;
+    }
+    return tone(Tone::vermilion, palette);
+}
+
+void paintLight(QPainter& painter, Light light, const QRectF& box) {
+    switch (light) {
+    case Light::holds: painter.drawEllipse(box); break;
     case Light::close:
-        painter.setBrush(tone(Tone::orange, palette));
         painter.drawPolygon(
             QPolygonF({QPointF(box.center().x(), box.top()), box.bottomRight(), box.bottomLeft()}));
         break;
-    case Light::fails:
-        painter.setBrush(tone(Tone::vermilion, palette));
-        painter.drawRect(box.adjusted(1, 1, -1, -1));
-        break;
+    case Light::fails: painter.drawRect(box.adjusted(1, 1, -1, -1)); break;
+    }
+}
+
+} // namespace
+
+QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
+    const QColor colour = lightColour(light);
+    // Qt keeps what it draws of an icon by the identity of its picture: a new one for every result
+    // would fill that memory.
+    const QString key = QStringLiteral("sparkout-light %1 %2 %3 %4 %5")
+                            .arg(int(light))
+                            .arg(size)
+                            .arg(ratio)
+                            .arg(grey)
+                            .arg(colour.rgb());
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = QPixmap(QSize(size, size) * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setOpacity(grey ? 0.4 : 1);
+        painter.setBrush(colour);
+        paintLight(painter, light, QRectF(1, 1, size - 2, size - 2));
+        painter.end();
+        QPixmapCache::insert(key, pixmap);
     }
     return pixmap;
 }
