@@ -4078,10 +4078,6 @@ target, µm</source>
             <translation>Пример для начала</translation>
         </message>
         <message>
-            <source>The window shows a shipped example. You work on a copy: change what you like. The last button of the tool bar opens the other examples, the first one begins a project of your own.</source>
-            <translation>В окне открыт пример из поставки. Вы работаете с копией: меняйте что угодно. Последняя кнопка панели инструментов открывает другие примеры, первая начинает ваш собственный проект.</translation>
-        </message>
-        <message>
             <source>The stages of the cycle</source>
             <translation>Ступени цикла</translation>
         </message>
@@ -4128,6 +4124,10 @@ target, µm</source>
         <message>
             <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance, layers, a batch and compared runs.</source>
             <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
+        </message>
+        <message>
+            <source>The last button of the tool bar opens the shipped examples, each as a copy: change what you like. The first one begins a project of your own.</source>
+            <translation>Последняя кнопка панели инструментов открывает примеры из поставки, каждый копией: меняйте что угодно. Первая начинает ваш собственный проект.</translation>
         </message>
     </context>
     <context>

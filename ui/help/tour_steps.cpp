@@ -67,9 +67,8 @@ std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTa
          tourText(QT_TRANSLATE_NOOP("Tour", "An example to begin with")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour",
-             "The window shows a shipped example. You work on a copy: change what you like. "
-             "The last button of the tool bar opens the other examples, the first one "
-             "begins a project of your own."))},
+             "The last button of the tool bar opens the shipped examples, each as a copy: change "
+             "what you like. The first one begins a project of your own."))},
         {[&] { return placeOf(shownStages(window, inputs)); },
          tourText(QT_TRANSLATE_NOOP("Tour", "The stages of the cycle")),
          tourText(QT_TRANSLATE_NOOP(
