@@ -3,7 +3,9 @@
 
 #include "app/cli_io.h"
 #include "app/cli_optimise_report.h"
+#include "app/cli_report.h"
 #include "app/search_watch.h"
+#include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
 #include "core/project/project_file.h"
@@ -136,10 +138,11 @@ std::optional<std::string> refusal(const Project& project) {
     case GridFault::noDivision:
         return "/optimisation: the stock cannot be divided into these numbers of stages";
     }
-    if (project.optimisation->scenarios != OptimisationScenarios::nominal) {
-        return "/optimisation/scenarios: only nominal is searched; --robust varies the stock";
-    }
     return std::nullopt;
+}
+
+bool asksForABatch(const Project& project) {
+    return project.optimisation->scenarios != OptimisationScenarios::nominal;
 }
 
 OptimiseReport search(const Project& project, const OptimiseOptions& options) {
@@ -151,8 +154,8 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     search.stop = watch.token();
     OptimiseReport report;
     report.project = project;
-    if (options.robust) {
-        report.robust = optimiseRobustly(project, freshStockPhases, {.search = search});
+    if (options.robust || asksForABatch(project)) {
+        report.robust = optimiseRobustly(project, scenariosAskedFor(project), {.search = search});
         report.search = report.robust->search;
     } else {
         report.search = optimise(project, search);
@@ -186,6 +189,15 @@ int runOptimise(const std::vector<std::string>& arguments) {
     if (const auto reason = refusal(*project)) {
         print(stderr, options.file + ": " + *reason + '\n');
         return refused;
+    }
+    if (asksForABatch(*project)) {
+        const Issues issues = checkBatch(*project);
+        for (const Issue& issue : issues) {
+            print(stderr, issueLine(options.file, issue) + '\n');
+        }
+        if (!issues.empty()) {
+            return refused;
+        }
     }
     const OptimiseReport report = search(*project, options);
     if (options.json) {

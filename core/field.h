@@ -46,7 +46,7 @@ struct Choice {
 using Condition = bool (*)(const Project& project, const void* owner);
 
 /// The page of the input form that shows a struct's field.
-enum class Page { part, material, wheel, machine, gauge, cycle, batch, none };
+enum class Page { part, material, wheel, machine, gauge, cycle, batch, search, none };
 
 // --- value types a member may have beside double, int, bool, string, enum, lists and structs ----
 

@@ -36,6 +36,23 @@
         </message>
     </context>
     <context>
+        <name>OptimiseText</name>
+        <message numerus="yes">
+            <source>%n stage(s)</source>
+            <translation>
+                <numerusform>%n stage</numerusform>
+                <numerusform>%n stages</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
+            <translation>
+                <numerusform>It holds in the last sample of scenarios; %n of them had to be added.</numerusform>
+                <numerusform>It holds in the last sample of scenarios; %n of them had to be added.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message numerus="yes">
             <source>it holds %n values; needed: an even number, %1</source>
@@ -103,6 +120,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::NumbersEditor</name>
+        <message numerus="yes">
+            <source>%n number(s) with semicolons between them</source>
+            <translation>
+                <numerusform>%n number</numerusform>
+                <numerusform>%n numbers with semicolons between them</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::RadiiEditor</name>
         <message numerus="yes">
             <source>%n values, %1…%2 %3</source>
@@ -139,6 +166,16 @@
             <translation>
                 <numerusform>A kept run comes out differently with this version of the program than it was kept: %1.</numerusform>
                 <numerusform>%n kept runs come out differently with this version of the program than they were kept: %1.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StageCountPlot</name>
+        <message numerus="yes">
+            <source>%n stage(s)</source>
+            <translation>
+                <numerusform>%n stage</numerusform>
+                <numerusform>%n stages</numerusform>
             </translation>
         </message>
     </context>

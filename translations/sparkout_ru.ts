@@ -680,6 +680,14 @@
             <source>Restore the inputs of a kept run</source>
             <translation>Вернуть исходные данные запомненного расчёта</translation>
         </message>
+        <message>
+            <source>Add a search</source>
+            <translation>Добавить поиск</translation>
+        </message>
+        <message>
+            <source>Take the cycle found</source>
+            <translation>Взять найденный цикл</translation>
+        </message>
     </context>
     <context>
         <name>EstimateNames</name>
@@ -3229,6 +3237,129 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>section by section</source>
             <translation>по сечениям</translation>
+        </message>
+    </context>
+    <context>
+        <name>OptimiseText</name>
+        <message>
+            <source>more than 9·10¹⁸ cycles</source>
+            <translation>более 9·10¹⁸ циклов</translation>
+        </message>
+        <message>
+            <source>%1 cycles</source>
+            <translation>циклов: %1</translation>
+        </message>
+        <message>
+            <source>Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock per side, mm</source>
+            <translation>Для каждой ступени: радиальная подача, мм/дв.ход; осевая подача, мм/мин; припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Of every stage: radial feed, mm/min; stock per side, mm</source>
+            <translation>Для каждой ступени: радиальная подача, мм/мин; припуск на сторону, мм</translation>
+        </message>
+        <message>
+            <source>Begins</source>
+            <translation>Начало</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n stage(s)</source>
+            <translation>
+                <numerusform>%n ступень</numerusform>
+                <numerusform>%n ступени</numerusform>
+                <numerusform>%n ступеней</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>best %1 min</source>
+            <translation>лучший %1 мин</translation>
+        </message>
+        <message>
+            <source>none below %1 min</source>
+            <translation>нет быстрее %1 мин</translation>
+        </message>
+        <message>
+            <source>%1 judged</source>
+            <translation>проверено %1</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 с</translation>
+        </message>
+        <message>
+            <source>What is to be searched is not given.</source>
+            <translation>Не задано, что искать.</translation>
+        </message>
+        <message>
+            <source>Both feeds need levels: page Search of the inputs.</source>
+            <translation>Обеим подачам нужны уровни: страница «Поиск» исходных данных.</translation>
+        </message>
+        <message>
+            <source>The plunge feed needs levels: page Search of the inputs.</source>
+            <translation>Врезной подаче нужны уровни: страница «Поиск» исходных данных.</translation>
+        </message>
+        <message>
+            <source>A stage would have more than %1 settings of its feeds: take fewer levels.</source>
+            <translation>У ступени было бы более %1 сочетаний подач: задайте меньше уровней.</translation>
+        </message>
+        <message>
+            <source>The stock would have more than %1 steps: take a larger step.</source>
+            <translation>У припуска было бы более %1 шагов: увеличьте шаг.</translation>
+        </message>
+        <message>
+            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the last stage's stock.</source>
+            <translation>Припуск нельзя разделить на такое число ступеней: уменьшите шаг или измените пределы припуска последней ступени.</translation>
+        </message>
+        <message>
+            <source>The batch that the cycle is to hold for cannot be run:</source>
+            <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
+        </message>
+        <message>
+            <source>%1 (%2 times)</source>
+            <translation>%1 (%2 раз)</translation>
+        </message>
+        <message>
+            <source>What cut most: %1.</source>
+            <translation>Чаще всего мешают: %1.</translation>
+        </message>
+        <message>
+            <source>Stopped before a cycle was found that holds every requirement.</source>
+            <translation>Остановлено раньше, чем нашёлся цикл, который выдерживает все требования.</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid holds every requirement.</source>
+            <translation>Ни один цикл сетки не выдерживает всех требований.</translation>
+        </message>
+        <message>
+            <source>%1 min: the quickest of %2, proved.</source>
+            <translation>%1 мин: самый быстрый, доказано (%2).</translation>
+        </message>
+        <message>
+            <source>%1 min is the best so far; no cycle of the grid is quicker than %2 min.</source>
+            <translation>%1 мин — лучший найденный; быстрее %2 мин в сетке нет ни одного.</translation>
+        </message>
+        <message>
+            <source>That is %1 % less than the present cycle takes.</source>
+            <translation>Это на %1 % меньше, чем у текущего цикла.</translation>
+        </message>
+        <message>
+            <source>The present cycle takes %1 min.</source>
+            <translation>Текущий цикл занимает %1 мин.</translation>
+        </message>
+        <message>
+            <source>The stepless limit is %1 min, %2 % below it.</source>
+            <translation>Бесступенчатый предел %1 мин, на %2 % меньше.</translation>
+        </message>
+        <message>
+            <source>What keeps it from being quicker: %1.</source>
+            <translation>Быстрее не даёт: %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
+            <translation>
+                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
+                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
+                <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -6571,6 +6702,69 @@ mm/min</source>
         </message>
     </context>
     <context>
+        <name>sparkout::FoundModel</name>
+        <message>
+            <source>The quickest of all</source>
+            <translation>Самый быстрый из всех</translation>
+        </message>
+        <message>
+            <source>The quickest of its number of stages</source>
+            <translation>Самый быстрый для своего числа ступеней</translation>
+        </message>
+        <message>
+            <source>The best so far when it was found</source>
+            <translation>Лучший на тот момент, когда найден</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступеней</translation>
+        </message>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>To now, %</source>
+            <translation>К текущему, %</translation>
+        </message>
+        <message>
+            <source>Gap, %</source>
+            <translation>Разрыв, %</translation>
+        </message>
+        <message>
+            <source>Margin, %</source>
+            <translation>Запас, %</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>Number of stages</source>
+            <translation>Число ступеней</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>Against the time of the present cycle</source>
+            <translation>По сравнению с временем текущего цикла</translation>
+        </message>
+        <message>
+            <source>By how much a stepless cycle might at most be quicker</source>
+            <translation>На сколько бесступенчатый цикл мог бы быть самое большее быстрее</translation>
+        </message>
+        <message>
+            <source>The least margin of all requirements, of its limit</source>
+            <translation>Наименьший запас из всех требований, в долях предела</translation>
+        </message>
+        <message>
+            <source>Feeds and stocks of the stages</source>
+            <translation>Подачи и припуски ступеней</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::HelpWindow</name>
         <message>
             <source>Back</source>
@@ -6696,6 +6890,10 @@ mm/min</source>
         <message>
             <source>Batch</source>
             <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Поиск</translation>
         </message>
     </context>
     <context>
@@ -7304,6 +7502,180 @@ target, µm</source>
             <source>%1: %2</source>
             <comment>factor: number</comment>
             <translation>%1: %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::NumbersEditor</name>
+        <message>
+            <source>%1…%2 step %3</source>
+            <translation>%1…%2 шаг %3</translation>
+        </message>
+        <message>
+            <source>values with semicolons between them, as in 300; 500; 800, or from, to and step, as in 300…2400 step 100</source>
+            <translation>значения через точку с запятой, например 300; 500; 800, или пределы и шаг, например 300…2400 шаг 100</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n number(s) with semicolons between them</source>
+            <translation>
+                <numerusform>%n число через точку с запятой</numerusform>
+                <numerusform>%n числа через точку с запятой</numerusform>
+                <numerusform>%n чисел через точку с запятой</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>numbers with semicolons between them, as in 1; 2; 3</source>
+            <translation>числа через точку с запятой, например 1; 2; 3</translation>
+        </message>
+        <message>
+            <source>the second value is below the first</source>
+            <translation>второе значение меньше первого</translation>
+        </message>
+        <message>
+            <source>%1: allowed is %2</source>
+            <translation>%1: допускается %2</translation>
+        </message>
+        <message>
+            <source>the other inputs do not go with these values</source>
+            <translation>остальные данные не сочетаются с этими значениями</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::OptimiseView</name>
+        <message>
+            <source>Optimise</source>
+            <translation>Оптимизация</translation>
+        </message>
+        <message>
+            <source>Present cycle</source>
+            <translation>Текущий цикл</translation>
+        </message>
+        <message>
+            <source>Cycle found</source>
+            <translation>Найденный цикл</translation>
+        </message>
+        <message>
+            <source>Point at a curve to read its values beside those of the present cycle.</source>
+            <translation>Наведите указатель на кривую, чтобы прочитать её значения рядом со значениями текущего цикла.</translation>
+        </message>
+        <message>
+            <source>Point at a number of stages to read its time.</source>
+            <translation>Наведите указатель на число ступеней, чтобы прочитать время.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the search is that of the last accepted ones.</source>
+            <translation>Данные не приняты; поиск — по последним принятым.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата пока нет.</translation>
+        </message>
+        <message>
+            <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
+            <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с обычных.</translation>
+        </message>
+        <message>
+            <source>“Search” finds the quickest cycle of the grid that holds every requirement. It can be stopped at any time and keeps the best so far.</source>
+            <translation>«Найти» ищет самый быстрый цикл сетки, который выдерживает все требования. Поиск можно остановить в любой момент, лучший найденный цикл сохранится.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; those of now are being searched.</source>
+            <translation>По данным до последней правки; идёт поиск по текущим.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Search” for those of now.</source>
+            <translation>По данным до последней правки. Для текущих нажмите «Найти».</translation>
+        </message>
+        <message>
+            <source>Feeds and radii of the present cycle and of the one found</source>
+            <translation>Подачи и радиусы текущего и найденного цикла</translation>
+        </message>
+        <message>
+            <source>Machining time over the number of stages</source>
+            <translation>Время обработки в зависимости от числа ступеней</translation>
+        </message>
+        <message>
+            <source>Legend of the search</source>
+            <translation>Условные обозначения поиска</translation>
+        </message>
+        <message>
+            <source>What the search found</source>
+            <translation>Что нашёл поиск</translation>
+        </message>
+        <message>
+            <source>Size of the grid</source>
+            <translation>Размер сетки</translation>
+        </message>
+        <message>
+            <source>Values under the mouse</source>
+            <translation>Значения под указателем</translation>
+        </message>
+        <message>
+            <source>Progress of the search</source>
+            <translation>Ход поиска</translation>
+        </message>
+        <message>
+            <source>The best cycles found</source>
+            <translation>Лучшие найденные циклы</translation>
+        </message>
+        <message>
+            <source>Before and after</source>
+            <translation>До и после</translation>
+        </message>
+        <message>
+            <source>Time by stages</source>
+            <translation>Время по числу ступеней</translation>
+        </message>
+        <message>
+            <source>What is shown of the search</source>
+            <translation>Что показать из поиска</translation>
+        </message>
+        <message>
+            <source>Zone or section of the curves</source>
+            <translation>Зона или сечение кривых</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Найти</translation>
+        </message>
+        <message>
+            <source>Find the quickest cycle of the grid that holds every requirement</source>
+            <translation>Найти самый быстрый цикл сетки, который выдерживает все требования</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>End the search; the best so far is kept and shown</source>
+            <translation>Закончить поиск; лучший найденный цикл сохраняется и показывается</translation>
+        </message>
+        <message>
+            <source>Take this cycle</source>
+            <translation>Взять этот цикл</translation>
+        </message>
+        <message>
+            <source>Put the chosen cycle in the place of the present one; undo brings yours back</source>
+            <translation>Поставить выбранный цикл на место текущего; отмена вернёт ваш</translation>
+        </message>
+        <message>
+            <source>In every phase of the stock</source>
+            <translation>При любой фазе припуска</translation>
+        </message>
+        <message>
+            <source>The cycle must hold for stocks spread over one feed step of every stage too: where the last step falls decides on the size</source>
+            <translation>Цикл должен быть годен и для припусков, распределённых по одному шагу подачи каждой ступени: размер зависит от того, куда пришёлся последний шаг</translation>
+        </message>
+        <message>
+            <source>Add a usual search</source>
+            <translation>Добавить обычный поиск</translation>
+        </message>
+        <message>
+            <source>A dozen levels of each feed about the present cycle, and steps of stock; can be undone and changed on the page Search</source>
+            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
     </context>
     <context>
@@ -8148,6 +8520,25 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::SearchHelper</name>
+        <message>
+            <source>What a search is for</source>
+            <translation>Для чего нужен поиск</translation>
+        </message>
+        <message>
+            <source>A search finds the quickest cycle that holds every requirement, out of all feeds and stocks listed here. The view Optimise runs it.</source>
+            <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
+        </message>
+        <message>
+            <source>Add a usual search</source>
+            <translation>Добавить обычный поиск</translation>
+        </message>
+        <message>
+            <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
+            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::SensitivityPlot</name>
         <message>
             <source>%1, R² %2</source>
@@ -8402,6 +8793,65 @@ target, µm</source>
         <message>
             <source>%1: amplitude, µm</source>
             <translation>%1: амплитуда, мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StageCountPlot</name>
+        <message>
+            <source>quickest cycle</source>
+            <translation>самый быстрый цикл</translation>
+        </message>
+        <message>
+            <source>none is below</source>
+            <translation>быстрее нет</translation>
+        </message>
+        <message>
+            <source>present cycle</source>
+            <translation>текущий цикл</translation>
+        </message>
+        <message>
+            <source>stepless limit</source>
+            <translation>бесступенчатый предел</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступеней</translation>
+        </message>
+        <message>
+            <source>Quickest cycle, min</source>
+            <translation>Самый быстрый цикл, мин</translation>
+        </message>
+        <message>
+            <source>None is below, min</source>
+            <translation>Быстрее нет, мин</translation>
+        </message>
+        <message>
+            <source>Stepless limit, min</source>
+            <translation>Бесступенчатый предел, мин</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n stage(s)</source>
+            <translation>
+                <numerusform>%n ступень</numerusform>
+                <numerusform>%n ступени</numerusform>
+                <numerusform>%n ступеней</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2 min</source>
+            <translation>%1: %2 мин</translation>
+        </message>
+        <message>
+            <source>%1: no cycle was found that holds every requirement</source>
+            <translation>%1: цикл, который выдерживает все требования, не найден</translation>
+        </message>
+        <message>
+            <source>Number of stages</source>
+            <translation>Число ступеней</translation>
+        </message>
+        <message>
+            <source>Machining time, min</source>
+            <translation>Время обработки, мин</translation>
         </message>
     </context>
     <context>

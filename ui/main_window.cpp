@@ -24,6 +24,7 @@
 #include "ui/views/constraints_view.h"
 #include "ui/views/feeds_view.h"
 #include "ui/views/layers_view.h"
+#include "ui/views/optimise_view.h"
 #include "ui/views/profiles_view.h"
 #include "ui/views/step_sheet.h"
 #include "ui/views/verdict_panel.h"
@@ -119,10 +120,13 @@ void MainWindow::buildViews() {
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
     auto* batch = new BatchView(this, &m_settings);
-    connect(batch, &BatchView::editWanted, this, [this](const auto& edit, const EditText& text) {
+    auto* optimise = new OptimiseView(this, &m_settings);
+    const auto edit = [this](const auto& change, const EditText& text) {
         m_document.endMerge();
-        m_document.edit(edit(m_document.project()), text);
-    });
+        m_document.edit(change(m_document.project()), text);
+    };
+    connect(batch, &BatchView::editWanted, this, edit);
+    connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
@@ -131,7 +135,7 @@ void MainWindow::buildViews() {
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, batch, compare}) {
+                                                   layers, batch, optimise, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
+#include "core/batch/scenario_source.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 
@@ -74,6 +75,30 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
         }
     }
     return spread;
+}
+
+FreshScenarios scenariosAskedFor(const Project& project) {
+    const OptimisationScenarios asked = project.optimisation->scenarios;
+    if (asked == OptimisationScenarios::nominal || !project.batch) {
+        return freshStockPhases;
+    }
+    return [asked](const Project& best, int round) {
+        std::vector<Project> scenarios = freshStockPhases(best, round);
+        Project sampled = best;
+        if (asked == OptimisationScenarios::corners) {
+            sampled.batch->scenarios = Scenarios::corners;
+        } else {
+            constexpr unsigned mostSeed = std::numeric_limits<int>::max();
+            const unsigned seed =
+                static_cast<unsigned>(sampled.batch->seed) + static_cast<unsigned>(round);
+            sampled.batch->seed = static_cast<int>(seed & mostSeed);
+        }
+        const ScenarioSource source(std::move(sampled));
+        for (std::int64_t part = 0; part < source.parts(); ++part) {
+            scenarios.push_back(source.project(part));
+        }
+        return scenarios;
+    };
 }
 
 // Multiples of the golden section, without their whole part, fill the unit evenly.

@@ -41,4 +41,10 @@ struct RobustSummary {
 /// Stock phases that differ from round to round, evenly over many rounds.
 [[nodiscard]] std::vector<Project> freshStockPhases(const Project& best, int round);
 
+/// The scenarios that the project's optimisation asks for, each round with fresh stock phases of
+/// the part: with `corners` all corners of its batch's factors, with `batch` its batch with another
+/// seed each round. Of a project whose batch checkBatch() passes; with `nominal` the stock phases
+/// alone.
+[[nodiscard]] FreshScenarios scenariosAskedFor(const Project& project);
+
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/optimisation.h"
 
+#include "core/project/conditions.h"
 #include "core/text.h"
 
 namespace sparkout {
@@ -17,24 +18,26 @@ template <>
 const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
         SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"),
-                       .hard = {1, 5},
+                       .hard = {1, 5}, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Numbers of stages the search tries."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stock_step_mm, .label = SPARKOUT_NOOP("Input", "Stock step"),
                        .unit = "mm", .hard = {0, 5, true}, .soft = {0.001, 0.1},
+                       .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Stage stocks are multiples of it."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, last_stock_mm, .label = SPARKOUT_NOOP("Input", "Stock of the last stage"),
             .unit = "mm", .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-            .count = 2,
+            .count = 2, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "Least and most, in cycles of several stages."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, non_increasing,
-                       .label = SPARKOUT_NOOP("Input", "Feeds never rise"),
+                       .label = SPARKOUT_NOOP("Input", "Feeds never rise"), .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Neither feed rises from stage to stage."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, scenarios, .label = SPARKOUT_NOOP("Input", "Must hold for"),
+                       .page = Page::search,
                        .hint =
                            SPARKOUT_NOOP("Input", "The parts the cycle must hold the drawing for."),
                        .source = "MODEL-8"),
@@ -42,17 +45,20 @@ const StructInfo& tableOf<Optimisation>() {
             Optimisation, radial_feed_mm,
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
             .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .relevant = conditions::traverse, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, axial_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Levels of the axial feed"), .unit = "mm/min",
             .hard = {0, 1e5, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .relevant = conditions::traverse, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Levels of the plunge feed"), .unit = "mm/min",
             .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
+            .relevant = conditions::plunge, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
     };
     static const StructInfo info =

@@ -109,8 +109,8 @@ private slots:
         row("nothing to share",
             R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
             "/optimisation: ");
-        row("other parts", R"({"optimisation": {"scenarios": "corners"}})",
-            "/optimisation/scenarios: ");
+        row("corners of no batch", R"({"optimisation": {"scenarios": "corners"}, "batch": null})",
+            "/batch: ");
         row("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");
     }
     void whatCannotBeSearchedIsRefused() {

@@ -178,6 +178,7 @@ QString fieldPageId(Page page) {
     case Page::gauge: return QStringLiteral("inputs-gauge");
     case Page::cycle: return QStringLiteral("inputs-cycle");
     case Page::batch: return QStringLiteral("inputs-batch");
+    case Page::search: return QStringLiteral("inputs-search");
     case Page::none: break;
     }
     return QStringLiteral("inputs-file");

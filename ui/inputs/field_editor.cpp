@@ -3,6 +3,7 @@
 
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/number_editor.h"
+#include "ui/inputs/numbers_editor.h"
 #include "ui/inputs/radii_editor.h"
 #include "ui/inputs/range_editor.h"
 #include "ui/inputs/rows_editor.h"
@@ -103,7 +104,9 @@ std::unique_ptr<FieldEditor> makeEditor(const std::string& path, const Field& fi
         if (field.count == 3) {
             return std::make_unique<RangeEditor>(path, field, document, parent);
         }
-        return nullptr;
+        return std::make_unique<NumbersEditor>(path, field, document, parent);
+    case Kind::numberList:
+    case Kind::levels: return std::make_unique<NumbersEditor>(path, field, document, parent);
     case Kind::numberRows: return std::make_unique<RowsEditor>(path, field, document, parent);
     default: return nullptr;
     }

@@ -16,6 +16,7 @@
 #include "ui/session/batch_edits.h"
 #include "ui/session/document.h"
 #include "ui/session/member.h"
+#include "ui/session/search_edits.h"
 #include "ui/session/texts.h"
 
 #include <QGridLayout>
@@ -30,6 +31,7 @@ namespace sparkout {
 namespace {
 
 constexpr const char* batchPath = "/batch";
+constexpr const char* searchPath = "/optimisation";
 
 QGridLayout* newGrid(QVBoxLayout& into, int depth) {
     auto* grid = new QGridLayout;
@@ -228,6 +230,8 @@ void FormPage::toggleOptional(const Box& box, bool given) {
     }
     if (given && box.path == batchPath) {
         project = withUsualBatch(std::move(project));
+    } else if (given && box.path == searchPath) {
+        project = withUsualSearch(std::move(project));
     } else if (given) {
         box.field->object(member.owner, true);
     } else {
@@ -245,7 +249,8 @@ void FormPage::showProject(bool replaced) {
         const ConstMember member = findMember(project, box.path);
         const bool given =
             member && box.field->kind == Kind::optionalObject && box.field->objectIn(member.owner);
-        const bool offered = box.path == batchPath && !given; // by its helper
+        const bool offered =
+            (box.path == batchPath || box.path == searchPath) && !given; // by its helper
         box.box->setVisible(member && member.relevant(project) && !offered);
         if (box.field->kind == Kind::optionalObject && member) {
             box.box->setChecked(given);

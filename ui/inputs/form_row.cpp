@@ -68,8 +68,14 @@ void FormRow::addTo(QGridLayout& grid) {
     const int row = grid.rowCount();
     QWidget* const field = m_editor->widget();
     if (m_editor->tall()) {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(metrics::gap);
+        line->addWidget(field, 1);
+        if (!m_editor->wide()) {
+            line->addWidget(m_unit);
+        }
         grid.addWidget(m_head, row, 0, 1, 3);
-        grid.addWidget(field, row + 1, 0, 1, 3);
+        grid.addLayout(line, row + 1, 0, 1, 3);
     } else if (m_editor->wide()) {
         head->setSpacing(metrics::gap);
         head->addWidget(field);

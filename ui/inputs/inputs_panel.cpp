@@ -37,6 +37,7 @@ constexpr std::array pageEntries{
     PageEntry{Page::gauge, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Gauge"), u"gauge"},
     PageEntry{Page::cycle, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Cycle"), u"cycle"},
     PageEntry{Page::batch, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Batch"), u"batch"},
+    PageEntry{Page::search, QT_TRANSLATE_NOOP("sparkout::InputsPanel", "Search"), u"search"},
 };
 
 } // namespace

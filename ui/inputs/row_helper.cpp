@@ -5,6 +5,7 @@
 #include "ui/session/batch_edits.h"
 #include "ui/session/document.h"
 #include "ui/session/marking_text.h"
+#include "ui/session/search_edits.h"
 #include "ui/session/size_field.h"
 
 #include <QHBoxLayout>
@@ -44,6 +45,9 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
     }
     if (path == "/batch") {
         return new BatchHelper(document, parent);
+    }
+    if (path == "/optimisation") {
+        return new SearchHelper(document, parent);
     }
     return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
 }
@@ -133,6 +137,36 @@ void BatchHelper::retranslate() {
                        "runout, dullness and other factors scatter. The view Batch runs it."));
     sayWhatIsDone(*m_add, tr("Add a usual batch"),
                   tr("50 parts whose stock, runout and dullness scatter about the present inputs"));
+}
+
+SearchHelper::SearchHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_note(noteLabel(this, "noSearch"))
+    , m_add(new QPushButton(this)) {
+    m_add->setObjectName(QStringLiteral("addSearch"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
+    layout->setSpacing(metrics::gap);
+    layout->addWidget(m_note);
+    layout->addWidget(m_add, 0, Qt::AlignLeft);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        m_document.endMerge();
+        m_document.edit(withUsualSearch(m_document.project()),
+                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
+    });
+    const auto show = [this] { setVisible(!m_document.project().optimisation); };
+    connect(&document, &Document::changed, this, show);
+    show();
+    retranslate();
+}
+
+void SearchHelper::retranslate() {
+    m_note->setAccessibleName(tr("What a search is for"));
+    m_note->setText(tr("A search finds the quickest cycle that holds every requirement, out of all "
+                       "feeds and stocks listed here. The view Optimise runs it."));
+    sayWhatIsDone(*m_add, tr("Add a usual search"),
+                  tr("A dozen levels of each feed about the present cycle, and steps of stock"));
 }
 
 SizeHelper::SizeHelper(Document& document, QWidget* parent)

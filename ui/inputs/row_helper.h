@@ -58,6 +58,20 @@ private:
     QPushButton* m_add;
 };
 
+/// Offers a usual grid to a project that says nothing of a search.
+class SearchHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    SearchHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    Document& m_document;
+    QLabel* m_note;
+    QPushButton* m_add;
+};
+
 /// Takes a size with its tolerance class, 30h6, and fills diameter and limits from it.
 class SizeHelper : public RowHelper {
     Q_OBJECT

@@ -1,35 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/rows_editor.h"
 
-#include "ui/session/document.h"
 #include "ui/session/number_text.h"
-#include "ui/session/texts.h"
 
-#include <QLineEdit>
 #include <QLocale>
 
 namespace sparkout {
-
-RowsEditor::RowsEditor(const std::string& path, const Field& field, Document& document,
-                       QWidget* parent)
-    : FieldEditor(path, field, document), m_line(new QLineEdit(parent)) {
-    m_line->installEventFilter(this);
-    connect(m_line, &QLineEdit::textEdited, this, &RowsEditor::take);
-    connect(m_line, &QLineEdit::editingFinished, this, [this] {
-        this->document().endMerge();
-        emit remarkChanged();
-    });
-}
-
-QWidget* RowsEditor::widget() const {
-    return m_line;
-}
 
 const NumberRows& RowsEditor::stored() const {
     return field().as<NumberRows>(owner());
 }
 
-QString RowsEditor::text(const NumberRows& rows) const {
+QString RowsEditor::storedText() const {
+    const NumberRows& rows = stored();
     QStringList lines;
     for (std::size_t i = 0; rows && i < rows->size(); ++i) {
         QStringList numbers;
@@ -63,49 +46,23 @@ std::optional<NumberRows> RowsEditor::rowsOf(const QString& text) const {
     return NumberRows(std::move(rows));
 }
 
-void RowsEditor::take() {
-    const std::optional<NumberRows> rows = rowsOf(m_line->text());
+bool RowsEditor::isStored(const QString& text) const {
+    const std::optional<NumberRows> rows = rowsOf(text);
+    return rows && *rows == stored();
+}
+
+QString RowsEditor::accept(const QString& text) {
+    const std::optional<NumberRows> rows = rowsOf(text);
     const auto set = [this, &rows](void* to) { field().as<NumberRows>(to) = *rows; };
     if (!rows) {
-        refuse(tr("rows of %n number(s), a semicolon between them, as in 0 50; 200 80", nullptr,
-                  static_cast<int>(field().count)));
-    } else if (!fits(set)) {
-        refuse(tr("the forces must rise from row to row, the stiffnesses lie above 0"));
-    } else {
-        refuse({});
-        change(set);
+        return tr("rows of %n number(s), a semicolon between them, as in 0 50; 200 80", nullptr,
+                  static_cast<int>(field().count));
     }
-}
-
-void RowsEditor::refuse(const QString& reason) {
-    m_kept = stored();
-    m_refused = reason;
-    emit remarkChanged();
-}
-
-void RowsEditor::show(bool replaced) {
-    if (!m_refused.isEmpty() && !replaced && stored() == m_kept) {
-        return; // the refused text stays in sight
+    if (!fits(set)) {
+        return tr("the forces must rise from row to row, the stiffnesses lie above 0");
     }
-    refuse({});
-    const std::optional<NumberRows> shown = rowsOf(m_line->text());
-    if (replaced || !shown || *shown != stored()) { // else as it was typed
-        m_line->setText(text(stored()));
-    }
-}
-
-void RowsEditor::retranslate() {
-    m_line->setPlaceholderText(inputText(field().nullMeaning));
-    if (m_refused.isEmpty()) {
-        m_line->setText(text(stored()));
-    } else {
-        take();
-    }
-}
-
-Remark RowsEditor::remark() const {
-    return m_refused.isEmpty() || m_line->hasFocus() ? FieldEditor::remark()
-                                                     : Remark{Mark::error, m_refused};
+    change(set);
+    return {};
 }
 
 } // namespace sparkout

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
+// edit, and it says when it is of other inputs.
+#include "tests/registry.h"
+#include "tests/ui/search_fixtures.h"
+#include "tests/ui/window_bench.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/session/search_edits.h"
+#include "ui/view_tabs.h"
+#include "ui/views/compare_plot.h"
+#include "ui/views/copy_table.h"
+#include "ui/views/found_model.h"
+#include "ui/views/optimise_text.h"
+#include "ui/views/optimise_view.h"
+#include "ui/views/stage_count_plot.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+
+namespace test_optimise_view {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int patience_ms = 120'000;
+constexpr int searchPage = 7;
+
+/// A window with the view in sight.
+struct Desk {
+    explicit Desk(const Project& project) : bench(QStringLiteral("en")) {
+        bench.window->document().startUntitled(project);
+        bench.window->showView(QStringLiteral("optimise"));
+        bench.window->inputs().showPage(searchPage);
+        bench.settle();
+        view = bench.window->findChild<OptimiseView*>();
+    }
+    template <typename Widget>
+    [[nodiscard]] Widget& part(const char* name) const {
+        return *view->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    void click(const char* button) const {
+        QTest::mouseClick(&part<QPushButton>(button), Qt::LeftButton);
+    }
+    /// Searches, and waits until the best cycle is drawn.
+    [[nodiscard]] bool searched() const {
+        click("optimiseRun");
+        return QTest::qWaitFor(
+            [this] {
+                return view->search() && !view->busy() && view->curves()->runs().size() == 2;
+            },
+            patience_ms);
+    }
+    [[nodiscard]] QString cell(int row, FoundModel::Column column) const {
+        const QAbstractItemModel* model = part<CopyTable>("optimiseFound").model();
+        return model->index(row, column).data().toString();
+    }
+    [[nodiscard]] QString told() const { return part<QLabel>("optimiseNotice").text(); }
+    [[nodiscard]] const Project& project() const { return bench.window->document().project(); }
+    /// Types a text into a line of the page "Search" and leaves it.
+    void type(const char* path, const QString& text) const {
+        const FormPage& page = *bench.window->inputs().pages()[searchPage];
+        auto* line = page.findChild<QLineEdit*>(QString::fromLatin1(path));
+        QVERIFY2(line, path);
+        line->setFocus();
+        QTest::keyClick(line, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(line, text);
+        QTest::keyClick(line, Qt::Key_Return);
+        bench.settle();
+    }
+    Bench bench;
+    OptimiseView* view;
+};
+
+} // namespace
+
+class TestOptimiseView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theQuickestCycleOfTheEngineIsFirstAndIsDrawnBesideThePresentOne() {
+        const Project project = fixtures::searchedShaft();
+        const SearchSummary engine = optimise(project);
+        const Desk desk(project);
+        QVERIFY(desk.searched());
+        QCOMPARE(desk.cell(0, FoundModel::time),
+                 OptimiseText::minutes(double(engine.best->time_us) * 1e-6));
+        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
+        QVERIFY(desk.told().contains(desk.cell(0, FoundModel::time)));
+        const ComparedFeeds& found = desk.view->curves()->runs().back();
+        QVERIFY(std::abs(found.feeds->end_s - double(engine.best->time_us) * 1e-6) < 1e-5);
+        const QCPGraph& times = *desk.view->times()->curve(StageCountPlot::quickest);
+        QCOMPARE(times.data()->size(), 2);
+        QCOMPARE(times.data()->at(1)->value, double(engine.best->time_us) * 1e-6 / 60);
+    }
+
+    void aCycleIsTakenByOneEditAndUndone() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        const Cycle before = desk.project().cycle;
+        const Cycle best = desk.view->search()->best()->cycle;
+        desk.click("optimiseTake");
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(best));
+        QVERIFY(!desk.view->stale()); // another cycle is no other search
+        QVERIFY(std::abs(desk.bench.window->findChildren<FoundModel*>()
+                             .front()
+                             ->index(0, FoundModel::change)
+                             .data()
+                             .toString()
+                             .toDouble())
+                < 0.05);
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(before));
+    }
+
+    void anotherRowIsDrawnAndTakenByEnter() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        QVERIFY(desk.view->search()->found.size() > 1);
+        auto& table = desk.part<CopyTable>("optimiseFound");
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_Down);
+        const FoundCycle second = desk.view->search()->found[1];
+        QTRY_VERIFY(std::abs(desk.view->curves()->runs().back().feeds->end_s - second.time_s)
+                    < 1e-5);
+        QTest::keyClick(&table, Qt::Key_Return);
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(second.cycle));
+    }
+
+    void afterAnEditTheAnswerIsOfOtherInputsAndCannotBeTaken() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        Project duller = desk.project();
+        duller.wheel.dullness *= 1.5;
+        desk.bench.window->document().edit(duller, {"Edit", ""});
+        desk.bench.settle();
+        QVERIFY(desk.view->stale());
+        QVERIFY(!desk.part<QPushButton>("optimiseTake").isEnabled());
+        QVERIFY(desk.told().contains(QStringLiteral("before the last edit")));
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QVERIFY(!desk.view->stale());
+        QVERIFY(desk.part<QPushButton>("optimiseTake").isEnabled());
+    }
+
+    void aSearchIsStoppedAndAnEditDropsIt() {
+        const Desk desk(fixtures::endlessSearch());
+        desk.click("optimiseRun");
+        QVERIFY(desk.view->busy());
+        QTest::qWait(300);
+        desk.click("optimiseStop");
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+        QVERIFY(desk.view->search() && desk.view->search()->stopped);
+        desk.click("optimiseRun");
+        QVERIFY(desk.view->busy());
+        Project edited = desk.project();
+        edited.wheel.dullness *= 1.5;
+        desk.bench.window->document().edit(edited, {"Edit", ""});
+        desk.bench.settle();
+        QVERIFY(!desk.view->busy());
+    }
+
+    void whenNothingHoldsTheRequirementThatCutMostIsNamed() {
+        Project project = fixtures::searchedShaft();
+        project.part.tolerance.radial_runout_um = 1e-6;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
+        QVERIFY(!desk.view->search()->best());
+        QVERIFY2(desk.told().contains(QStringLiteral("unout")), qPrintable(desk.told()));
+        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
+    }
+
+    void aProjectWithoutAGridIsOfferedAUsualOne() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation.reset();
+        const Desk desk(project);
+        QVERIFY(!desk.part<QPushButton>("optimiseRun").isEnabled());
+        desk.click("optimiseAdd");
+        desk.bench.settle();
+        QVERIFY(desk.project().optimisation.has_value());
+        QVERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
+        QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
+    }
+
+    void levelsAreTypedAsAListOrAsFromToAndStep() {
+        const Desk desk(fixtures::searchedShaft());
+        const auto axial = [&desk] { return desk.project().optimisation->axial_feed_mm_min; };
+        desk.type("/optimisation/axial_feed_mm_min", QStringLiteral("300; 1200,5"));
+        QVERIFY(axial() == Levels(std::vector<double>{300, 1200.5}));
+        for (const char* text : {"300…2400 step 100", "300..2400/100", "300 to 2400; 100",
+                                 "300 - 2400 шаг 100", "300 до 2400 step 100"}) {
+            desk.type("/optimisation/axial_feed_mm_min", QStringLiteral("500"));
+            desk.type("/optimisation/axial_feed_mm_min", QString::fromUtf8(text));
+            QVERIFY2(axial() == Levels(SteppedLevels{300, 2400, 100}), text);
+        }
+        desk.type("/optimisation/stages", QStringLiteral("1; 3"));
+        QVERIFY((desk.project().optimisation->stages == std::vector<double>{1, 3}));
+        desk.type("/optimisation/last_stock_mm", QStringLiteral("0.01; 0.05"));
+        QVERIFY((desk.project().optimisation->last_stock_mm == std::vector<double>{0.01, 0.05}));
+        desk.type("/optimisation/last_stock_mm", QString());
+        QVERIFY(!desk.project().optimisation->last_stock_mm);
+    }
+
+    void levelsThatCannotBeReadStayInSightWithTheirReason_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("reason"); ///< a part of it
+        const QString axial = QStringLiteral("/optimisation/axial_feed_mm_min");
+        QTest::newRow("words") << axial << "fast; slow"
+                               << "semicolons";
+        QTest::newRow("zero") << axial << "0; 300"
+                              << "0: allowed is above 0";
+        QTest::newRow("no step") << axial << "300…2400"
+                                 << "semicolons";
+        QTest::newRow("falling") << axial << "2400…300 step 100"
+                                 << "below the first";
+        QTest::newRow("half a stage") << "/optimisation/stages"
+                                      << "1; 2.5"
+                                      << "do not go";
+        QTest::newRow("six stages") << "/optimisation/stages"
+                                    << "6"
+                                    << "6: allowed is 1 to 5";
+        QTest::newRow("one end") << "/optimisation/last_stock_mm"
+                                 << "0.01"
+                                 << "2 numbers";
+    }
+    void levelsThatCannotBeReadStayInSightWithTheirReason() {
+        QFETCH(QString, path);
+        QFETCH(QString, text);
+        QFETCH(QString, reason);
+        const Desk desk(fixtures::searchedShaft());
+        const Project before = desk.project();
+        desk.type(path.toUtf8().constData(), text);
+        const FormPage& page = *desk.bench.window->inputs().pages()[searchPage];
+        QCOMPARE(page.findChild<QLineEdit*>(path)->text(), text);
+        QVERIFY(sameSearch(desk.project(), before));
+        const std::vector<Refusal> refusals = desk.bench.window->inputs().refusals();
+        QCOMPARE(refusals.size(), std::size_t{1});
+        QVERIFY2(refusals.front().reason.contains(reason), qPrintable(refusals.front().reason));
+    }
+};
+
+} // namespace test_optimise_view
+
+SPARKOUT_TEST(test_optimise_view, TestOptimiseView)
+#include "test_optimise_view.moc"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+/// Edits of a project that have to do with the search for its quickest cycle.
+namespace sparkout {
+
+/// The project with a usual grid: a dozen levels of each feed up to half above the fastest stage of
+/// its cycle and within the machine's range, as many steps of stock, up to two stages or as many as
+/// the cycle has, feeds that never rise.
+[[nodiscard]] Project withUsualSearch(Project project);
+
+/// Whether a search of two projects has the same answer: nothing but their cycles, names, notes and
+/// kept runs differ.
+[[nodiscard]] bool sameSearch(const Project& a, const Project& b);
+
+} // namespace sparkout

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/optimisation/grid.h"
+#include "core/optimisation/robust.h"
+#include "ui/session/newest_job.h"
+#include "ui/session/outcome.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+namespace sparkout {
+
+/// A feasible cycle that a search came upon: each was the best so far when it was found.
+struct FoundCycle {
+    Cycle cycle;
+    double time_s = 0;
+    double leastRelativeMargin = 0;
+    bool isBest = false;            ///< of all that were searched
+    bool isBestOfItsNumber = false; ///< of stages
+};
+
+/// The search of the cycles of one number of stages.
+struct SearchedNumber {
+    int stages = 0;
+    SearchSummary search;
+    int scenariosAdded = 0;
+    bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
+};
+
+/// All that one search gives the window: an immutable value. With a fault nothing was searched.
+struct SearchOutcome {
+    Project project; ///< as searched
+    GridFault fault = GridFault::none;
+    Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
+    bool robust = false;
+    std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
+    std::vector<FoundCycle> found;       ///< the quickest first
+    double limit_s = 0;                  ///< of the stepless cycle
+    double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
+    std::vector<ConstraintKind> binding;
+    bool stopped = false;
+
+    [[nodiscard]] bool ran() const { return fault == GridFault::none && batchIssues.empty(); }
+    [[nodiscard]] const FoundCycle* best() const {
+        return found.empty() ? nullptr : &found.front();
+    }
+    [[nodiscard]] bool proved() const { return best() && !stopped; }
+    /// How often each requirement cut, over all numbers of stages.
+    [[nodiscard]] std::array<long long, constraintKinds> cuts() const;
+};
+
+using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
+
+/// How far a search is.
+struct SearchState {
+    int stages = 0;               ///< the number that is searched now
+    std::optional<double> best_s; ///< quickest so far
+    double bound_s = 0;           ///< no cycle with so many stages is quicker
+    long long evaluations = 0;    ///< of these
+    double took_s = 0;
+};
+
+/// Searches a project's grid off the window's thread, one search at a time: a newer one drops the
+/// older. Destroying it ends what runs and waits for it.
+class SearchRunner : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SearchRunner(QObject* parent = nullptr);
+
+    /// With `phases` the cycle must hold in every phase of the stock too; scenarios that the
+    /// project asks for are searched whatever it says.
+    void start(const Project& project, bool phases);
+    void stop(); ///< ends it; the best so far is the outcome
+    void drop(); ///< ends it without an outcome
+    [[nodiscard]] bool running() const { return m_progress.isActive(); }
+
+signals:
+    void progressed(const sparkout::SearchState& state);
+    void finished(sparkout::SearchOutcomePtr outcome);
+
+private:
+    struct Shared {
+        std::mutex mutex;
+        SearchState state;
+    };
+    void tell();
+
+    QTimer m_progress;
+    QElapsedTimer m_took;
+    std::shared_ptr<Shared> m_shared; ///< with the search that is running
+    std::stop_source m_stop;
+    NewestJob m_job; ///< the last member: gone before what its search uses
+};
+
+} // namespace sparkout

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/optimise_text.h"
+
+#include "core/optimisation/limit.h"
+#include "core/units.h"
+#include "ui/session/number_text.h"
+#include "ui/views/names.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+QString OptimiseText::minutes(double time_s) {
+    return Names::significant(time_s / units::secondsPerMinute, 4);
+}
+
+QString OptimiseText::percent(double share) {
+    QLocale numbers;
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double tenths = std::round(share * 1000) + 0.0; // never −0
+    return numbers.toString(tenths / 10, 'f', 1).replace(u'-', u'−');
+}
+
+QString OptimiseText::gridSize(std::int64_t size) {
+    return size == std::numeric_limits<std::int64_t>::max()
+               ? tr("more than 9·10¹⁸ cycles")
+               : tr("%1 cycles").arg(QLocale().toString(qlonglong(size)));
+}
+
+QString OptimiseText::cycle(const Cycle& cycle) {
+    QStringList stages;
+    for (const Stage& stage : cycle.stages) {
+        QStringList numbers;
+        for (const std::optional<double>& feed :
+             {stage.radial_feed_mm, stage.axial_feed_mm_min, stage.radial_feed_mm_min}) {
+            if (feed) {
+                numbers << showNumber(*feed, QLocale());
+            }
+        }
+        constexpr double perMillimetre = 1e6; // the last stage's is what remains, rounded
+        numbers << showNumber(std::round(stage.stock_mm * perMillimetre) / perMillimetre,
+                              QLocale());
+        stages << numbers.join(QStringLiteral(" · "));
+    }
+    return stages.join(QStringLiteral(" → "));
+}
+
+QString OptimiseText::cycleHint(Operation operation) {
+    return operation == Operation::traverse
+               ? tr("Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock "
+                    "per side, mm")
+               : tr("Of every stage: radial feed, mm/min; stock per side, mm");
+}
+
+QString OptimiseText::names(const std::vector<ConstraintKind>& kinds) {
+    QStringList names;
+    for (const ConstraintKind kind : kinds) {
+        names << Names::constraint(kind);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QString OptimiseText::state(const SearchState& state) {
+    if (state.stages == 0) {
+        return tr("Begins");
+    }
+    QStringList parts{tr("%n stage(s)", nullptr, state.stages)};
+    if (state.best_s) {
+        parts << tr("best %1 min").arg(minutes(*state.best_s));
+    }
+    if (state.bound_s > 0) {
+        parts << tr("none below %1 min").arg(minutes(state.bound_s));
+    }
+    parts << tr("%1 judged").arg(QLocale().toString(qlonglong(state.evaluations)))
+          << tr("%1 s").arg(QLocale().toString(state.took_s, 'f', 0));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString OptimiseText::fault(const SearchOutcome& outcome) {
+    switch (outcome.fault) {
+    case GridFault::none: break;
+    case GridFault::notGiven: return tr("What is to be searched is not given.");
+    case GridFault::noLevels:
+        return outcome.project.operation == Operation::traverse
+                   ? tr("Both feeds need levels: page Search of the inputs.")
+                   : tr("The plunge feed needs levels: page Search of the inputs.");
+    case GridFault::tooManyLevels:
+        return tr("A stage would have more than %1 settings of its feeds: take fewer levels.")
+            .arg(QLocale().toString(mostSettings, 'f', 0));
+    case GridFault::tooManySteps:
+        return tr("The stock would have more than %1 steps: take a larger step.")
+            .arg(QLocale().toString(mostStockSteps, 'f', 0));
+    case GridFault::noDivision:
+        return tr("The stock cannot be divided into these numbers of stages: take a smaller step, "
+                  "or other limits of the last stage's stock.");
+    }
+    return tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
+           + Names::refusal(outcome.batchIssues, 2);
+}
+
+QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
+    std::vector<std::pair<long long, ConstraintKind>> cuts;
+    const auto counts = outcome.cuts();
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] > 0) {
+            cuts.emplace_back(counts[kind], static_cast<ConstraintKind>(kind));
+        }
+    }
+    std::ranges::stable_sort(cuts, std::greater(), [](const auto& cut) { return cut.first; });
+    constexpr std::size_t most = 4;
+    cuts.resize(std::min(cuts.size(), most));
+    QStringList names;
+    for (const auto& [count, kind] : cuts) {
+        names << tr("%1 (%2 times)")
+                     .arg(Names::constraint(kind), QLocale().toString(qlonglong(count)));
+    }
+    return names.isEmpty() ? QString()
+                           : tr("What cut most: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> present_s) {
+    QStringList lines;
+    const FoundCycle* best = outcome.best();
+    if (!best) {
+        lines << (outcome.stopped ? tr("Stopped before a cycle was found that holds every "
+                                       "requirement.")
+                                  : tr("No cycle of the grid holds every requirement."))
+              << cutsOf(outcome);
+        lines.removeAll(QString());
+        return lines.join(u' ');
+    }
+    lines << (outcome.proved()
+                  ? tr("%1 min: the quickest of %2, proved.")
+                        .arg(minutes(best->time_s), gridSize(Grid(outcome.project).size()))
+                  : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
+                        .arg(minutes(best->time_s), minutes(outcome.bound_s)));
+    if (present_s && *present_s > 0) {
+        constexpr double noticed = 5e-4;
+        const double change = best->time_s / *present_s - 1;
+        lines << (change < -noticed
+                      ? tr("That is %1 % less than the present cycle takes.").arg(percent(-change))
+                      : tr("The present cycle takes %1 min.").arg(minutes(*present_s)));
+    }
+    if (outcome.limit_s > 0 && std::isfinite(outcome.limit_s)) {
+        lines << tr("The stepless limit is %1 min, %2 % below it.")
+                     .arg(minutes(outcome.limit_s),
+                          percent(gapToLimit(best->time_s, outcome.limit_s)));
+    }
+    if (!outcome.binding.empty()) {
+        lines << tr("What keeps it from being quicker: %1.").arg(names(outcome.binding));
+    }
+    if (outcome.robust) {
+        int added = 0;
+        for (const SearchedNumber& number : outcome.numbers) {
+            added += number.scenariosAdded;
+        }
+        lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
+                    nullptr, added);
+    }
+    return lines.join(u' ');
+}
+
+} // namespace sparkout

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/search_runner.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace sparkout {
+
+/// What the view of the search says of grids, cycles and answers.
+class OptimiseText {
+    Q_DECLARE_TR_FUNCTIONS(OptimiseText)
+public:
+    static QString minutes(double time_s); ///< "5.71", without unit
+    static QString percent(double share);  ///< "−70.2", without unit
+    /// "290 304 cycles".
+    static QString gridSize(std::int64_t size);
+    /// Radial feed, axial feed and stock of every stage: "0.004 · 1800 · 0.11 → …".
+    static QString cycle(const Cycle& cycle);
+    static QString cycleHint(Operation operation); ///< what the numbers of cycle() are
+
+    static QString state(const SearchState& state);
+    static QString fault(const SearchOutcome& outcome); ///< why nothing could be searched
+    /// What came out, against the time of the present cycle if that ends by itself.
+    static QString answer(const SearchOutcome& outcome, std::optional<double> present_s);
+
+private:
+    static QString names(const std::vector<ConstraintKind>& kinds);
+    static QString cutsOf(const SearchOutcome& outcome);
+};
+
+} // namespace sparkout

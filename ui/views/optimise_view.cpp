@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/optimise_view.h"
+
+#include "ui/session/search_edits.h"
+#include "ui/views/compare_plot.h"
+#include "ui/views/copy_table.h"
+#include "ui/views/found_model.h"
+#include "ui/views/legend_strip.h"
+#include "ui/views/names.h"
+#include "ui/views/optimise_text.h"
+#include "ui/views/plot_tools.h"
+#include "ui/views/stage_count_plot.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace sparkout {
+
+QString OptimiseView::title() const {
+    return tr("Optimise");
+}
+
+const OptimiseView::Page& OptimiseView::page() const {
+    return m_pages[static_cast<std::size_t>(m_content->currentIndex())];
+}
+
+PlotTools* OptimiseView::tools() const {
+    return page().tools;
+}
+
+const FoundCycle* OptimiseView::chosen() const {
+    const int row = m_table->currentIndex().row();
+    return m_search && row >= 0 && row < static_cast<int>(m_search->found.size())
+               ? &m_search->found[static_cast<std::size_t>(row)]
+               : nullptr;
+}
+
+std::optional<double> OptimiseView::present_s() const {
+    return m_good && m_good->result.status == RunStatus::completed
+               ? std::optional(m_good->result.time_s)
+               : std::nullopt;
+}
+
+// --- searching ----------------------------------------------------------------------------------
+
+void OptimiseView::showOutcome() {
+    if (latest() && latest()->ran() && m_good != latest()) {
+        const bool same = m_good
+                          && m_good->result.project.operation == latest()->result.project.operation
+                          && m_good->result.sections.size() == latest()->result.sections.size();
+        m_good = latest();
+        if (!same) { // the gauge's zone, or the middle section
+            m_wanted = m_good->result.sections.size() / 2;
+            fillZones();
+        }
+        if (m_searching && busy() && !sameSearch(*m_searching, m_good->result.project)) {
+            m_runner->drop();
+        }
+        noteStale();
+        m_found->show(m_search, present_s());
+        m_times->setSearch(m_search, present_s());
+        if (m_search && !chosen() && m_search->best()) {
+            m_table->selectRow(0);
+        }
+        showCurves();
+    }
+    showState();
+    emit updated();
+}
+
+void OptimiseView::noteStale() {
+    m_stale = !m_search || !m_good || !sameSearch(m_search->project, m_good->result.project);
+}
+
+void OptimiseView::runSearch() {
+    if (!m_good) {
+        return;
+    }
+    m_searching = m_good->result.project;
+    m_progress->setValue(0);
+    m_progress->setFormat(OptimiseText::state({}));
+    m_runner->start(*m_searching, m_phases->isChecked());
+    showState();
+}
+
+void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
+    m_search = outcome;
+    noteStale();
+    showSearch();
+    emit searchShown();
+}
+
+void OptimiseView::showSearch() {
+    m_found->show(m_search, present_s());
+    m_times->setSearch(m_search, present_s());
+    m_trial.reset();
+    if (m_search && m_search->best()) {
+        m_table->selectRow(0);
+    }
+    for (const Page& page : m_pages) {
+        page.tools->navigation().forgetViews();
+    }
+    tryCycle();
+    showCurves();
+    showState();
+}
+
+void OptimiseView::tryCycle() {
+    if (const FoundCycle* cycle = chosen()) {
+        Project project = m_search->project;
+        project.cycle = cycle->cycle;
+        m_trials->request(std::move(project));
+    }
+    showState();
+}
+
+void OptimiseView::takeTrial(const OutcomePtr& outcome) {
+    m_trial = outcome && outcome->ran() ? outcome : nullptr;
+    showCurves();
+    emit curvesShown();
+}
+
+void OptimiseView::takeCycle() {
+    const FoundCycle* cycle = chosen();
+    if (!cycle || m_stale) {
+        return;
+    }
+    const auto take = [searched = m_search->project, found = cycle->cycle](Project project) {
+        if (sameSearch(searched, project)) { // else edited meanwhile
+            project.cycle = found;
+        }
+        return project;
+    };
+    emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the cycle found")});
+}
+
+// --- showing ------------------------------------------------------------------------------------
+
+void OptimiseView::chooseContent() {
+    m_stack->setCurrentWidget(page().plot);
+    for (const Page& other : m_pages) {
+        other.buttons->setVisible(&other == &page());
+    }
+    m_zone->setVisible(page().plot == m_curves);
+    showLegend();
+    showState();
+    page().plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void OptimiseView::chooseZone() {
+    m_wanted = static_cast<std::size_t>(std::max(m_zone->currentIndex(), 0));
+    showCurves();
+}
+
+void OptimiseView::fillZones() {
+    const QSignalBlocker blocker(m_zone);
+    m_zone->clear();
+    if (m_good) {
+        for (const SectionResult& section : m_good->result.sections) {
+            const auto number = static_cast<int>(&section - m_good->result.sections.data());
+            m_zone->addItem(Names::zoneFull(section.zone, number));
+        }
+        m_zone->setCurrentIndex(static_cast<int>(m_wanted));
+    }
+}
+
+void OptimiseView::showCurves() {
+    std::vector<ComparedFeeds> runs;
+    if (m_good && m_wanted < m_good->feeds.columns.size()) {
+        runs.push_back({tr("Present cycle"), {m_good, &m_good->feeds}, m_wanted});
+        if (m_trial && m_wanted < m_trial->feeds.columns.size()) {
+            runs.push_back({tr("Cycle found"), {m_trial, &m_trial->feeds}, m_wanted, 1});
+        }
+    }
+    m_curves->setRuns(std::move(runs));
+    m_curves->setDimmed(m_stale && m_trial);
+    m_times->setDimmed(m_stale);
+    for (const Page& page : m_pages) {
+        page.tools->navigation().amendView();
+        page.plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+    showLegend();
+}
+
+void OptimiseView::showLegend() {
+    m_legend->setEntries(page().legend());
+}
+
+void OptimiseView::showState() {
+    const bool given = m_good && m_good->result.project.optimisation;
+    const QString text = notice();
+    m_notice->setText(text);
+    m_notice->setVisible(!text.isEmpty());
+    m_add->setVisible(m_good && !given);
+    m_progress->setVisible(busy());
+    m_stop->setVisible(busy());
+    m_run->setVisible(!busy());
+    m_run->setEnabled(given);
+    m_phases->setEnabled(given && !busy());
+    m_state->setText(given && !busy() ? OptimiseText::gridSize(Grid(m_good->result.project).size())
+                                      : QString());
+    m_state->setVisible(!busy());
+    const bool found = m_search && m_search->best();
+    m_table->setVisible(found);
+    m_take->setEnabled(chosen() && !m_stale && !busy());
+    const bool drawn = page().plot == m_times ? found : !m_curves->runs().empty();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_stack, m_legend, m_values}) {
+        part->setVisible(drawn && (given || found));
+    }
+    page().tools->setEnabled(drawn);
+    m_values->setText(hint());
+}
+
+QString OptimiseView::hint() const {
+    return page().plot == m_curves
+               ? tr("Point at a curve to read its values beside those of the present cycle.")
+               : tr("Point at a number of stages to read its time.");
+}
+
+QString OptimiseView::notice() const {
+    if (latest() && !latest()->ran()) {
+        return (m_search ? tr("The inputs are refused; the search is that of the last accepted "
+                              "ones.")
+                         : tr("The inputs are refused:"))
+               + u'\n' + Names::refusal(latest()->issues, 2);
+    }
+    if (!m_good) {
+        return tr("No result yet.");
+    }
+    if (!m_good->result.project.optimisation) {
+        return tr("This project does not say what may be changed. A search takes every listed feed "
+                  "and stock of the stages and finds the quickest cycle that holds every "
+                  "requirement. Choose them on the page Search of the inputs, or start with usual "
+                  "ones.");
+    }
+    if (!m_search) {
+        return busy() ? QString()
+                      : tr("“Search” finds the quickest cycle of the grid that holds every "
+                           "requirement. It can be stopped at any time and keeps the best so far.");
+    }
+    if (!m_search->ran()) {
+        return OptimiseText::fault(*m_search);
+    }
+    if (m_stale) {
+        return busy() ? tr("Of the inputs before the last edit; those of now are being searched.")
+                      : tr("Of the inputs before the last edit. Press “Search” for those of now.");
+    }
+    return OptimiseText::answer(*m_search, present_s());
+}
+
+QStringList OptimiseView::heading() const {
+    QStringList heading{title()};
+    if (m_good) {
+        heading << QString::fromStdString(m_good->result.project.title).simplified();
+        if (page().plot == m_curves) {
+            heading << m_zone->currentText();
+        }
+    }
+    heading.removeAll(QString());
+    return heading;
+}
+
+void OptimiseView::retranslate() {
+    nameParts();
+    m_legend->retranslate();
+    m_curves->retranslate();
+    m_times->retranslate();
+    m_found->retranslate();
+    m_table->retranslate();
+    fillZones();
+    for (const Page& page : m_pages) {
+        page.tools->retranslate();
+    }
+    showCurves();
+    showState();
+}
+
+void OptimiseView::changeEvent(QEvent* event) {
+    View::changeEvent(event);
+    if (m_pages.empty()) {
+        return;
+    }
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        showLegend();
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/document.h"
+#include "ui/session/run_controller.h"
+#include "ui/session/search_runner.h"
+#include "ui/views/view.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QCustomPlot;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSplitter;
+class QStackedWidget;
+
+namespace sparkout {
+
+class ComparePlot;
+class CopyTable;
+class FoundModel;
+class LegendStrip;
+class PlotTools;
+class Settings;
+class StageCountPlot;
+struct LegendEntry;
+struct PlotSubject;
+
+/// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
+/// requirement. The best cycles as they were found; the one chosen beside the present cycle, curve
+/// by curve; the time over the number of stages; what keeps it from being quicker. A cycle is taken
+/// by one edit. Results of other inputs are drawn faint.
+class OptimiseView : public View {
+    Q_OBJECT
+public:
+    explicit OptimiseView(QWidget* parent = nullptr, Settings* settings = nullptr);
+
+    [[nodiscard]] ComparePlot* curves() const { return m_curves; }
+    [[nodiscard]] StageCountPlot* times() const { return m_times; }
+    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
+    [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
+    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
+    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+
+    [[nodiscard]] QString title() const override;
+    void retranslate() override;
+
+signals:
+    /// The document is to be changed so.
+    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
+                    const sparkout::EditText& text);
+    void searchShown(); ///< the outcome of a search has been drawn
+    void curvesShown(); ///< the chosen cycle has been drawn
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showOutcome() override;
+
+private:
+    /// One of the plots with its tools, in the order of the box of contents.
+    struct Page {
+        QCustomPlot* plot = nullptr;
+        PlotTools* tools = nullptr;
+        QWidget* buttons = nullptr;
+        std::function<std::vector<LegendEntry>()> legend;
+        std::function<void(int)> toggle, showOnly; ///< by the key of the legend
+    };
+    void build(Settings* settings);
+    QWidget* buildRunBar();
+    QWidget* buildTools(Settings* settings);
+    QWidget* buildTable();
+    template <typename Plot>
+    void addPage(Plot& plot, PlotSubject subject, Settings* settings);
+    [[nodiscard]] const Page& page() const; ///< in sight
+    void connectParts();
+    void nameParts();
+
+    void chooseContent();
+    void chooseZone();
+    void fillZones();
+    void runSearch();
+    void takeSearch(const SearchOutcomePtr& outcome);
+    void tryCycle(); ///< runs the chosen one for its curves
+    void takeTrial(const OutcomePtr& outcome);
+    void takeCycle(); ///< into the document
+    void noteStale();
+    [[nodiscard]] const FoundCycle* chosen() const;
+    [[nodiscard]] std::optional<double> present_s() const;
+
+    void showSearch();
+    void showCurves();
+    void showLegend();
+    void showState();
+    [[nodiscard]] QString notice() const;
+    [[nodiscard]] QString hint() const; ///< below the plot, while nothing is pointed at
+    [[nodiscard]] QStringList heading() const;
+
+    ComparePlot* m_curves;
+    StageCountPlot* m_times;
+    QStackedWidget* m_stack;
+    QSplitter* m_splitter;
+    LegendStrip* m_legend;
+    FoundModel* m_found;
+    CopyTable* m_table = nullptr;
+    QComboBox* m_content;
+    QComboBox* m_zone;
+    QPushButton* m_run;
+    QPushButton* m_stop;
+    QPushButton* m_take;
+    QPushButton* m_add;
+    QCheckBox* m_phases;
+    QProgressBar* m_progress;
+    QLabel* m_state;
+    QLabel* m_notice;
+    QLabel* m_values;
+    std::vector<Page> m_pages;
+    OutcomePtr m_good;         ///< the inputs that were accepted last
+    SearchOutcomePtr m_search; ///< what is shown
+    OutcomePtr m_trial;        ///< the run of the chosen cycle
+    std::optional<Project> m_searching;
+    std::size_t m_wanted = 1; ///< zone or section the user chose
+    bool m_stale = true;
+    SearchRunner* m_runner;
+    RunController* m_trials;
+};
+
+} // namespace sparkout

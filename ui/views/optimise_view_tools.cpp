@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The widgets of the view of the search: building, connecting and naming.
+#include "ui/metrics.h"
+#include "ui/session/search_edits.h"
+#include "ui/views/compare_plot.h"
+#include "ui/views/copy_table.h"
+#include "ui/views/found_model.h"
+#include "ui/views/legend_strip.h"
+#include "ui/views/optimise_text.h"
+#include "ui/views/optimise_view.h"
+#include "ui/views/plot_tools.h"
+#include "ui/views/stage_count_plot.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr int plotShare = 260, foundShare = 140; ///< of the height at first
+constexpr int progressSteps = 1000;
+} // namespace
+
+OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
+    : View(parent)
+    , m_curves(new ComparePlot(this))
+    , m_times(new StageCountPlot(this))
+    , m_stack(new QStackedWidget(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_legend(new LegendStrip(this))
+    , m_found(new FoundModel(this))
+    , m_content(new QComboBox(this))
+    , m_zone(new QComboBox(this))
+    , m_run(new QPushButton(this))
+    , m_stop(new QPushButton(this))
+    , m_take(new QPushButton(this))
+    , m_add(new QPushButton(this))
+    , m_phases(new QCheckBox(this))
+    , m_progress(new QProgressBar(this))
+    , m_state(new QLabel(this))
+    , m_notice(new QLabel(this))
+    , m_values(new QLabel(this))
+    , m_runner(new SearchRunner(this))
+    , m_trials(new RunController(this)) {
+    setObjectName(QStringLiteral("optimise"));
+    build(settings);
+    connectParts();
+    retranslate();
+    chooseContent();
+}
+
+void OptimiseView::build(Settings* settings) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    layout->setSpacing(metrics::tight);
+    QWidget* tools = buildTools(settings);
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
+    for (const Page& page : m_pages) {
+        page.plot->setMinimumSize(240, 120);
+        m_stack->addWidget(page.plot);
+    }
+    m_splitter->addWidget(m_stack);
+    m_splitter->addWidget(buildTable());
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setSizes({plotShare, foundShare});
+    m_splitter->setStretchFactor(0, plotShare);
+    m_splitter->setStretchFactor(1, foundShare);
+    layout->addWidget(buildRunBar());
+    layout->addWidget(m_notice);
+    layout->addWidget(m_add, 0, Qt::AlignLeft);
+    layout->addWidget(tools);
+    layout->addWidget(m_legend);
+    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_values);
+    layout->addStretch(0);
+    const std::pair<QWidget*, const char*> names[] = {
+        {m_curves, "optimiseCurves"},     {m_times, "optimiseTimes"},
+        {m_legend, "optimiseLegend"},     {m_content, "optimiseContent"},
+        {m_zone, "optimiseZone"},         {m_run, "optimiseRun"},
+        {m_stop, "optimiseStop"},         {m_take, "optimiseTake"},
+        {m_add, "optimiseAdd"},           {m_phases, "optimisePhases"},
+        {m_progress, "optimiseProgress"}, {m_state, "optimiseState"},
+        {m_notice, "optimiseNotice"},     {m_values, "optimiseValues"},
+        {m_table, "optimiseFound"},
+    };
+    for (const auto& [widget, name] : names) {
+        widget->setObjectName(QLatin1String(name));
+    }
+}
+
+QWidget* OptimiseView::buildRunBar() {
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    m_state->setTextFormat(Qt::PlainText);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(true);
+    row->addWidget(m_run);
+    row->addWidget(m_stop);
+    row->addWidget(m_phases);
+    row->addWidget(m_state, 1);
+    row->addWidget(m_progress, 1);
+    row->addWidget(m_take);
+    return bar;
+}
+
+template <typename Plot>
+void OptimiseView::addPage(Plot& plot, PlotSubject subject, Settings* settings) {
+    subject.heading = [this] { return heading(); };
+    subject.legend = [&plot] { return plot.legendEntries(); };
+    subject.table = [&plot] { return plot.table(); };
+    subject.restyle = [&plot] { plot.restyle(); };
+    subject.navigation.fit = [&plot] { plot.fit(); };
+    Page page;
+    page.plot = &plot;
+    page.legend = subject.legend;
+    page.toggle = [&plot](int key) { plot.toggleCurve(key); };
+    page.showOnly = [&plot](int key) { plot.showOnly(key); };
+    page.tools = new PlotTools(plot, std::move(subject));
+    page.tools->setSettings(settings);
+    page.buttons = new QWidget(this);
+    auto* row = new QHBoxLayout(page.buttons);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    row->addWidget(PlotTools::button(page.tools->fit, page.buttons));
+    row->addWidget(page.tools->exportButton(page.buttons));
+    connect(&plot, &Plot::contentChanged, this, [this] {
+        if (!m_pages.empty()) {
+            showLegend();
+        }
+    });
+    connect(&plot, &Plot::pointed, this,
+            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
+    m_content->addItem(QString());
+    m_pages.push_back(std::move(page));
+}
+
+QWidget* OptimiseView::buildTools(Settings* settings) {
+    PlotSubject curves;
+    curves.navigation.axes = ComparePlot::movedAxes;
+    addPage(*m_curves, std::move(curves), settings);
+    addPage(*m_times, {}, settings);
+    for (QComboBox* box : {m_content, m_zone}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    row->addWidget(m_content);
+    row->addWidget(m_zone);
+    row->addStretch(1);
+    for (const Page& page : m_pages) {
+        row->addWidget(page.buttons);
+    }
+    return bar;
+}
+
+QWidget* OptimiseView::buildTable() {
+    m_table = new CopyTable([this] { return tabSeparated(m_found->table(), QLocale()); }, this);
+    m_table->setModel(m_found);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    return m_table;
+}
+
+void OptimiseView::connectParts() {
+    connect(m_content, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseContent);
+    connect(m_zone, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseZone);
+    connect(m_legend, &LegendStrip::toggled, this, [this](int key) { page().toggle(key); });
+    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) { page().showOnly(key); });
+    connect(m_run, &QPushButton::clicked, this, &OptimiseView::runSearch);
+    connect(m_stop, &QPushButton::clicked, m_runner, &SearchRunner::stop);
+    connect(m_take, &QPushButton::clicked, this, &OptimiseView::takeCycle);
+    connect(m_table, &CopyTable::rowEntered, this, &OptimiseView::takeCycle);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &OptimiseView::tryCycle);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        // The view is of the inputs that were accepted last; those of now may have a grid.
+        emit editWanted(
+            [](Project project) {
+                return project.optimisation ? project : withUsualSearch(std::move(project));
+            },
+            {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
+    });
+    connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
+        const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
+        m_progress->setValue(static_cast<int>(share * progressSteps));
+        m_progress->setFormat(OptimiseText::state(state));
+        m_progress->setToolTip(m_progress->format());
+    });
+    connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
+    connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
+}
+
+void OptimiseView::nameParts() {
+    setAccessibleName(title());
+    m_curves->setAccessibleName(tr("Feeds and radii of the present cycle and of the one found"));
+    m_times->setAccessibleName(tr("Machining time over the number of stages"));
+    m_legend->setAccessibleName(tr("Legend of the search"));
+    m_notice->setAccessibleName(tr("What the search found"));
+    m_state->setAccessibleName(tr("Size of the grid"));
+    m_values->setAccessibleName(tr("Values under the mouse"));
+    m_progress->setAccessibleName(tr("Progress of the search"));
+    m_table->setAccessibleName(tr("The best cycles found"));
+    m_content->setItemText(0, tr("Before and after"));
+    m_content->setItemText(1, tr("Time by stages"));
+    m_content->setAccessibleName(tr("What is shown of the search"));
+    m_content->setToolTip(m_content->accessibleName());
+    m_zone->setAccessibleName(tr("Zone or section of the curves"));
+    m_zone->setToolTip(m_zone->accessibleName());
+    const auto name = [](QAbstractButton& button, const QString& text, const QString& tip) {
+        button.setText(text);
+        button.setAccessibleName(text);
+        button.setAccessibleDescription(tip);
+        button.setToolTip(tip);
+    };
+    name(*m_run, tr("Search"),
+         tr("Find the quickest cycle of the grid that holds every requirement"));
+    name(*m_stop, tr("Stop"), tr("End the search; the best so far is kept and shown"));
+    name(*m_take, tr("Take this cycle"),
+         tr("Put the chosen cycle in the place of the present one; undo brings yours back"));
+    name(*m_phases, tr("In every phase of the stock"),
+         tr("The cycle must hold for stocks spread over one feed step of every stage too: where "
+            "the last step falls decides on the size"));
+    name(*m_add, tr("Add a usual search"),
+         tr("A dozen levels of each feed about the present cycle, and steps of stock; can be "
+            "undone and changed on the page Search"));
+}
+
+} // namespace sparkout
