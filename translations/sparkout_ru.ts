@@ -6582,6 +6582,11 @@ mm/min</source>
             <source>How to read the feeds: the steps E1…E5 and the curves</source>
             <translation>Как читать графики подач: этапы Э1…Э5 и кривые</translation>
         </message>
+        <message>
+            <source>Feeds</source>
+            <comment>the view's tab</comment>
+            <translation>Подачи</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FileCommands</name>
@@ -8227,10 +8232,6 @@ target, µm</source>
             <translation>нужны наименьшее, наибольшее и шаг либо ничего из них</translation>
         </message>
         <message>
-            <source>the lowest value is not below the highest</source>
-            <translation>наименьшее значение не меньше наибольшего</translation>
-        </message>
-        <message>
             <source>lowest</source>
             <translation>мин.</translation>
         </message>
@@ -8262,6 +8263,10 @@ target, µm</source>
             <source>step</source>
             <comment>after from and to</comment>
             <translation>шаг</translation>
+        </message>
+        <message>
+            <source>the lowest value is above the highest</source>
+            <translation>наименьшее значение больше наибольшего</translation>
         </message>
     </context>
     <context>

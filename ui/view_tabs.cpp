@@ -11,7 +11,6 @@
 #include <QMenu>
 #include <QTabBar>
 #include <QTimer>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -168,7 +167,8 @@ void ViewTabs::showTexts() {
     for (const View* view : m_views) {
         const int index = indexOf(view);
         if (index >= 0) {
-            setTabText(index, view->title());
+            setTabText(index, view->brief());
+            setTabToolTip(index, view->title());
         }
     }
     for (Window* window : m_windows) {

@@ -8,6 +8,12 @@
 
 namespace sparkout {
 
+double asWritten(double value) {
+    constexpr double decimals = 1e10, lastBits = 1e-9;
+    const double written = std::round(value * decimals) / decimals;
+    return std::abs(written - value) <= lastBits * std::abs(value) ? written : value;
+}
+
 std::vector<double> levelValues(const Levels& levels) {
     if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
         return *list;
@@ -19,7 +25,7 @@ std::vector<double> levelValues(const Levels& levels) {
         }
         const double count = std::floor((stepped->to - stepped->from) / stepped->step + 1e-6);
         for (int i = 0; i <= count; ++i) {
-            values.push_back(stepped->from + i * stepped->step);
+            values.push_back(asWritten(stepped->from + i * stepped->step));
         }
     }
     return values;
@@ -204,7 +210,7 @@ Cycle Grid::cycle(const GridCycle& cycle) const {
             stage.radial_feed_mm_min = setting.radial;
         }
         const bool last = stated.stages.size() + 1 == cycle.size();
-        stage.stock_mm = last ? remainder(taken) : each.steps * m_step_mm;
+        stage.stock_mm = last ? remainder(taken) : asWritten(each.steps * m_step_mm);
         taken += each.steps;
         stated.stages.push_back(stage);
     }

@@ -9,6 +9,9 @@
 
 namespace sparkout {
 
+/// The number as one would write it, with ten decimals at most: 0.15 − 6·0.01 is 0.09.
+[[nodiscard]] double asWritten(double value);
+
 /// A setting of a stage's feeds in the grid.
 struct FeedSetting {
     double radial = 0;           ///< traverse: per double stroke [mm]; plunge: [mm/min]
@@ -59,7 +62,7 @@ public:
     [[nodiscard]] bool mayFollow(std::size_t first, std::size_t second) const;
     /// Stock left [mm] when so many steps of it have been taken.
     [[nodiscard]] double remainder(int stepsTaken) const {
-        return m_stock_mm - stepsTaken * m_step_mm;
+        return asWritten(m_stock_mm - stepsTaken * m_step_mm);
     }
 
     /// The number of cycles, 2^63 − 1 when there are more.

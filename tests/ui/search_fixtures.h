@@ -3,7 +3,7 @@
 
 #include "tests/core/project_fixtures.h"
 
-namespace sparkout::fixtures {
+namespace fixtures {
 
 /// The shaft with a small grid, of which some cycles hold.
 inline Project searchedShaft() {
@@ -27,4 +27,4 @@ inline Project endlessSearch() {
     return project;
 }
 
-} // namespace sparkout::fixtures
+} // namespace fixtures

@@ -58,8 +58,8 @@ QString RangeEditor::fault() const {
     if (given != 0 && given != 3) {
         return tr("lowest, highest and step are needed, or none of them");
     }
-    return given == 3 && *m_fields[0]->value() >= *m_fields[1]->value()
-               ? tr("the lowest value is not below the highest")
+    return given == 3 && *m_fields[0]->value() > *m_fields[1]->value()
+               ? tr("the lowest value is above the highest")
                : QString();
 }
 

@@ -317,6 +317,10 @@ void FeedsView::fillSections() {
     m_section->setVisible(m_section->count() > 0);
 }
 
+QString FeedsView::brief() const {
+    return tr("Feeds", "the view's tab");
+}
+
 QString FeedsView::title() const {
     return tr("Feeds by stage");
 }

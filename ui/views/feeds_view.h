@@ -35,6 +35,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString brief() const override;
     void retranslate() override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
 

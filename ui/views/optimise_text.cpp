@@ -42,9 +42,7 @@ QString OptimiseText::cycle(const Cycle& cycle) {
                 numbers << showNumber(*feed, QLocale());
             }
         }
-        constexpr double perMillimetre = 1e6; // the last stage's is what remains, rounded
-        numbers << showNumber(std::round(stage.stock_mm * perMillimetre) / perMillimetre,
-                              QLocale());
+        numbers << showNumber(stage.stock_mm, QLocale());
         stages << numbers.join(QStringLiteral(" · "));
     }
     return stages.join(QStringLiteral(" → "));

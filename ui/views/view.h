@@ -18,7 +18,8 @@ class View : public QWidget {
 public:
     explicit View(QWidget* parent = nullptr);
 
-    [[nodiscard]] virtual QString title() const = 0; ///< of the tab, in the present language
+    [[nodiscard]] virtual QString title() const = 0;                ///< in the present language
+    [[nodiscard]] virtual QString brief() const { return title(); } ///< of the tab
     void setOutcome(sparkout::OutcomePtr outcome);
     /// Of the window's views, in place of its own; it is given the outcomes first.
     void shareCycle(CycleCursor* cycle);
@@ -35,10 +36,10 @@ protected:
     [[nodiscard]] const CycleCursor* cycleIn(const OutcomePtr& shown) const;
     /// What was given last, maybe refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
-    static void setUpNotice(QLabel& label);  ///< plain text, selectable, wrapped
+    static void setUpNotice(QLabel& label); ///< plain text, selectable, wrapped
     /// The same for the values under the mouse.
     static void setUpReadout(QLabel& label, int lines = 2);
-    void redraw();                           ///< now, if there is something new
+    void redraw(); ///< now, if there is something new
     void showEvent(QShowEvent* event) override;
 
 private:
