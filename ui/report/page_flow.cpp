@@ -108,6 +108,7 @@ void PageFlow::operator()(const Heading& heading) {
     const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
     m_y += m_y > m_top ? gap : 0;
     need(box.height());
+    m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
     add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
     m_y += box.height() + gap / 3;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report.h"
+#include "ui/report/pages.h"
 
 #include <QColor>
 #include <QFont>
@@ -17,7 +17,8 @@ class PageFlow {
 public:
     using Paint = std::function<void(QPainter&)>;
     PageFlow(const Report& report, QSizeF area);
-    [[nodiscard]] std::vector<std::vector<Paint>> take() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
 
     void operator()(const Heading& heading);
     void operator()(const Paragraph& paragraph);
@@ -44,6 +45,7 @@ private:
     double m_top, m_bottom;
     double m_y = 0;
     std::vector<std::vector<Paint>> m_pages;
+    std::vector<Pages::Mark> m_marks;
 };
 
 } // namespace sparkout::report
