@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/report/pages.h"
+#include "ui/report/text_box.h"
 
 #include <QColor>
 #include <QFont>
@@ -36,8 +37,11 @@ private:
     [[nodiscard]] double room() const { return m_bottom - m_y; }
     void add(Paint paint) { m_pages.back().push_back(std::move(paint)); }
     void addTitle();
-    void addRow(const QStringList& cells, const std::vector<double>& widths, const Table& table,
-                const QFont& font, const QColor& ground);
+    [[nodiscard]] static std::vector<TextBox> boxesOf(const QStringList& cells,
+                                                      const std::vector<double>& widths,
+                                                      const Table& table, const QFont& font);
+    void addRow(const std::vector<TextBox>& boxes, const std::vector<double>& widths,
+                const QColor& ground);
     void addMargins(); ///< head and foot of every page
 
     const Report& m_report;
