@@ -5,6 +5,7 @@
 #include "ui/session/batch_runner.h"
 #include "ui/session/outcome.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -20,6 +21,7 @@ struct Subject {
     OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
     QString file;          ///< path of the project, or empty
     QDate date;
+    std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
 };
 
 struct KindRow {
