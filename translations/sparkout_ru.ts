@@ -3616,11 +3616,11 @@ target, µm</source>
         </message>
         <message>
             <source>Nominal part</source>
-            <translation>Номинальная деталь</translation>
+            <translation>Номинал</translation>
         </message>
         <message>
             <source>Smallest</source>
-            <translation>Наименьшее</translation>
+            <translation>Наим.</translation>
         </message>
         <message>
             <source>Mean</source>
@@ -3628,7 +3628,7 @@ target, µm</source>
         </message>
         <message>
             <source>Largest</source>
-            <translation>Наибольшее</translation>
+            <translation>Наиб.</translation>
         </message>
         <message>
             <source>s</source>
