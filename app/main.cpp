@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/safe_file.h"
+#include "app/report_command.h"
+#include "app/window_io.h"
 #include "core/version.h"
 #include "ui/dialogs/examples_dialog.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
-#include "ui/report/cycle_card.h"
 #include "ui/report/report_text.h"
 #include "ui/session/operation.h"
 #include "ui/session/program_log.h"
 #include "ui/session/recovery_store.h"
-#include "ui/session/texts.h"
 #include "ui/theme.h"
 #include "ui/views/batch_view.h"
 
@@ -33,23 +31,21 @@ using namespace sparkout;
 
 namespace {
 
-constexpr int exitRefused = 1;
-constexpr int exitUsage = 2;
-constexpr int exitCannotReachSize = 3;
 constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
-constexpr const char* usage =
+constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
-    "       sparkout --report card -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
-    "  --report card      write the cycle card of FILE into OUT, show nothing\n"
+    "  --report KIND      write a report of FILE into OUT, show nothing; KIND is\n"
+    "%1"
     "  -o OUT             the file of the report; its ending says as what it is written:\n"
     "                     .pdf, .html or .md (Markdown)\n"
     "  --lang en|ru       language of the window or the report, this time only\n"
@@ -61,8 +57,13 @@ constexpr const char* usage =
     "  --help             print this text\n"
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (the report is written). sparkout-cli does without\n"
-    "a display.\n";
+    "no display, 3 the cycle cannot reach size (the report is written), 130 ended by Ctrl+C "
+    "(nothing\n"
+    "is written). sparkout-cli does without a display.\n";
+
+QString usage() {
+    return QString::fromUtf8(usageText).arg(reportUsage());
+}
 
 struct Options {
     QString file;
@@ -100,8 +101,9 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.picture = words[++i];
     } else if (word == u"--report") {
         options.report = words[++i];
-        if (options.report != u"card") {
-            options.fault = QStringLiteral("--report is card, not “%1”").arg(options.report);
+        if (!report::kindOf(options.report)) {
+            options.fault = QStringLiteral("there is no report “%1”; there are: %2")
+                                .arg(options.report, reportKeys());
         }
     } else if (word == u"-o") {
         options.output = words[++i];
@@ -168,10 +170,6 @@ Options readOptions(const QStringList& words) {
     return options;
 }
 
-void say(std::FILE* stream, const QString& text) {
-    std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
-}
-
 bool displayMissing() {
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
     return !set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM");
@@ -202,15 +200,6 @@ QImage settledPicture(MainWindow& window) {
     return picture;
 }
 
-bool writeBytes(const QByteArray& bytes, const QString& path) {
-    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
-                                       {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    if (error) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
-    }
-    return !error;
-}
-
 bool writePicture(MainWindow& window, const QString& path) {
     QByteArray png;
     QBuffer buffer(&png);
@@ -219,19 +208,6 @@ bool writePicture(MainWindow& window, const QString& path) {
         return false;
     }
     return writeBytes(png, path);
-}
-
-/// Reads a project; what is wrong with it is said.
-bool openOrSay(Document& document, const QString& path) {
-    const OpenResult result = document.open(path);
-    if (result.error) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
-    } else if (!result.opened()) {
-        for (const QString& line : FaultsDialog::lines(result.issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
-    }
-    return result.opened();
 }
 
 int makePicture(QApplication& app, MainWindow& window, const Options& options) {
@@ -260,30 +236,6 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
         return exitRefused;
     }
     return app.exec();
-}
-
-int makeReport(const Options& options) {
-    Document document;
-    if (!openOrSay(document, options.file)) {
-        return exitRefused;
-    }
-    const OutcomePtr outcome = runProject(document.project(), {});
-    if (!outcome->ran()) {
-        for (const QString& line : FaultsDialog::lines(outcome->issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
-        return exitRefused;
-    }
-    const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
-    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.output));
-    if (bytes.isEmpty()) {
-        say(stderr, QStringLiteral("sparkout: the report could not be made"));
-        return exitRefused;
-    }
-    if (!writeBytes(bytes, options.output)) {
-        return exitRefused;
-    }
-    return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
@@ -321,12 +273,11 @@ int main(int argc, char** argv) {
     }
     const Options options = readOptions(words);
     if (!options.fault.isEmpty()) {
-        say(stderr,
-            QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, QString::fromUtf8(usage)));
+        say(stderr, QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, usage()));
         return exitUsage;
     }
     if (options.help || options.version) {
-        say(stdout, options.help ? QString::fromUtf8(usage).trimmed()
+        say(stdout, options.help ? usage().trimmed()
                                  : QStringLiteral("sparkout %1").arg(QString::fromUtf8(version)));
         return 0;
     }
@@ -355,7 +306,7 @@ int main(int argc, char** argv) {
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
     if (!options.report.isEmpty()) {
-        return makeReport(options);
+        return writeReport(*report::kindOf(options.report), options.file, options.output);
     }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {

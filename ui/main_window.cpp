@@ -119,13 +119,13 @@ void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
-    auto* batch = new BatchView(this, &m_settings);
+    m_batch = new BatchView(this, &m_settings);
     auto* optimise = new OptimiseView(this, &m_settings);
     const auto edit = [this](const auto& change, const EditText& text) {
         m_document.endMerge();
         m_document.edit(change(m_document.project()), text);
     };
-    connect(batch, &BatchView::editWanted, this, edit);
+    connect(m_batch, &BatchView::editWanted, this, edit);
     connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
@@ -135,7 +135,7 @@ void MainWindow::buildViews() {
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, batch, optimise, compare}) {
+                                                   layers, m_batch, optimise, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -243,22 +243,10 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
-    auto* reports = new ReportCommands(
-        [this]() -> ReportCommands::Subject {
-            OutcomePtr outcome = m_outcome;
-            if (m_runs.running()) { // that one is of the inputs before
-                runAside(
-                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
-            }
-            return {outcome, m_document.filePath()};
-        },
-        m_settings, this);
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo, m_actions->keepRun, m_actions->printPreview,
-          m_actions->print, m_actions->exportPdf, m_actions->exportHtml,
-          m_actions->exportMarkdown}) {
+          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -269,11 +257,6 @@ void MainWindow::connectActions() {
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
-    on(m_actions->printPreview, [reports] { reports->preview(); });
-    on(m_actions->print, [reports] { reports->print(); });
-    on(m_actions->exportPdf, [reports] { reports->exportReport(report::Format::pdf); });
-    on(m_actions->exportHtml, [reports] { reports->exportReport(report::Format::html); });
-    on(m_actions->exportMarkdown, [reports] { reports->exportReport(report::Format::markdown); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] {
         if (!m_inputs->dropNewestRefusal()) {
@@ -291,6 +274,37 @@ void MainWindow::connectActions() {
     on(m_actions->nextPanel, [this] { movePanel(1); });
     on(m_actions->previousPanel, [this] { movePanel(-1); });
     on(m_actions->resetLayout, [this] { resetLayout(); });
+    connectReports();
+}
+
+void MainWindow::connectReports() {
+    auto* commands = new ReportCommands(
+        [this]() -> ReportCommands::Subject {
+            OutcomePtr outcome = m_outcome;
+            if (m_runs.running()) { // that one is of the inputs before
+                runAside(
+                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
+            }
+            return {outcome, m_document.filePath(), m_batch->batch()};
+        },
+        m_settings, this);
+    const auto on = [this](QAction* action, const std::function<void()>& command) {
+        connect(action, &QAction::triggered, this, [this, command] {
+            m_inputs->endTyping(); // first
+            command();
+        });
+    };
+    for (const ReportActions& report : m_actions->reports) {
+        const report::Kind kind = report.kind;
+        const auto writes = [commands, kind](report::Format format) {
+            return [commands, kind, format] { commands->exportReport(kind, format); };
+        };
+        on(report.preview, [commands, kind] { commands->preview(kind); });
+        on(report.print, [commands, kind] { commands->print(kind); });
+        on(report.pdf, writes(report::Format::pdf));
+        on(report.html, writes(report::Format::html));
+        on(report.markdown, writes(report::Format::markdown));
+    }
 }
 
 void MainWindow::connectDocument() {

@@ -28,23 +28,30 @@ public:
     static QString number(int page, int count) { return tr("page %1 of %2").arg(page).arg(count); }
 };
 
-/// Widths of the columns that fill the page: each at least its longest word, the rest by need.
-std::vector<double> columnWidths(const Table& table, double width) {
+/// Widths of the columns that fill the page: each at least its longest word, or its longest number
+/// with all that belongs to it, the rest by need.
+std::vector<double> columnWidths(const Table& table, double width, bool wholeNumbers = true) {
     const auto columns = static_cast<std::size_t>(table.head.size());
     std::vector<double> least(columns), wanted(columns);
-    const auto measure = [&](const QStringList& cells, const QFont& font) {
+    const auto measure = [&](const QStringList& cells, const QFont& font, bool head) {
         for (std::size_t c = 0; c < columns; ++c) {
             const QString& text = cells[static_cast<qsizetype>(c)];
-            least[c] = std::max(least[c], TextBox::widestWord(text, font) + 2 * cellPad);
-            wanted[c] = std::max(wanted[c], TextBox::widestLine(text, font) + 2 * cellPad);
+            const bool isText = head || (c < table.texts.size() && table.texts[c]);
+            const double whole = TextBox::widestLine(text, font);
+            const double word = wholeNumbers && !isText ? whole : TextBox::widestWord(text, font);
+            least[c] = std::max(least[c], word + 2 * cellPad);
+            wanted[c] = std::max(wanted[c], whole + 2 * cellPad);
         }
     };
     for (const QStringList& row : table.rows) {
-        measure(row, reportFont(bodySize, table.lastIsSum && &row == &table.rows.back()));
+        measure(row, reportFont(bodySize, table.lastIsSum && &row == &table.rows.back()), false);
     }
-    measure(table.head, reportFont(smallSize, true));
+    measure(table.head, reportFont(smallSize, true), true);
     const double sumLeast = std::accumulate(least.begin(), least.end(), 0.0);
     const double sumWanted = std::accumulate(wanted.begin(), wanted.end(), 0.0);
+    if (wholeNumbers && sumLeast > width) {
+        return columnWidths(table, width, false);
+    }
     std::vector<double> widths(columns);
     for (std::size_t c = 0; c < columns; ++c) {
         if (sumLeast >= width) {
@@ -108,6 +115,7 @@ void PageFlow::operator()(const Heading& heading) {
     const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
     m_y += m_y > m_top ? gap : 0;
     need(box.height());
+    m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
     add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
     m_y += box.height() + gap / 3;
 }
@@ -161,15 +169,22 @@ void PageFlow::operator()(const Facts& facts) {
     m_y += gap / 2;
 }
 
-void PageFlow::addRow(const QStringList& cells, const std::vector<double>& widths,
-                      const Table& table, const QFont& font, const QColor& ground) {
+std::vector<TextBox> PageFlow::boxesOf(const QStringList& cells, const std::vector<double>& widths,
+                                       const Table& table, const QFont& font) {
     std::vector<TextBox> boxes;
-    double height = 0;
     for (std::size_t c = 0; c < widths.size(); ++c) {
         const bool left = c < table.texts.size() && table.texts[c];
         boxes.emplace_back(cells[static_cast<qsizetype>(c)], font, widths[c] - 2 * cellPad,
                            left ? Qt::AlignLeft : Qt::AlignRight);
-        height = std::max(height, boxes.back().height());
+    }
+    return boxes;
+}
+
+void PageFlow::addRow(const std::vector<TextBox>& boxes, const std::vector<double>& widths,
+                      const QColor& ground) {
+    double height = 0;
+    for (const TextBox& box : boxes) {
+        height = std::max(height, box.height());
     }
     height += 2 * rowPad;
     add([boxes, widths, y = m_y, height, ground](QPainter& p) {
@@ -186,22 +201,36 @@ void PageFlow::addRow(const QStringList& cells, const std::vector<double>& width
     m_y += height;
 }
 
+/// A row that no page can hold goes on over the next ones, line by line.
 void PageFlow::operator()(const Table& table) {
     const std::vector<double> widths = columnWidths(table, m_area.width());
     const QFont headFont = reportFont(smallSize, true);
     const double head = rowHeight(table.head, widths, headFont);
+    const double wholePage = m_bottom - m_top - head;
     bool begun = false;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const bool sum = table.lastIsSum && r + 1 == table.rows.size();
-        const QFont font = reportFont(bodySize, sum);
-        const double height = rowHeight(table.rows[r], widths, font);
-        const std::size_t pages = m_pages.size();
-        need(begun ? height : head + height);
-        if (!begun || m_pages.size() > pages) {
-            addRow(table.head, widths, table, headFont, shade);
-            begun = true;
+        const std::vector<TextBox> boxes =
+            boxesOf(table.rows[r], widths, table, reportFont(bodySize, sum));
+        const int lines = std::ranges::max_element(boxes, {}, &TextBox::lines)->lines();
+        const double lineHeight = boxes.front().height() / boxes.front().lines();
+        for (int first = 0; first < lines;) {
+            const double rest = lineHeight * (lines - first) + 2 * rowPad;
+            const double least = rest > wholePage ? leastLines * lineHeight : rest;
+            const std::size_t pages = m_pages.size();
+            need(begun ? least : head + least);
+            if (!begun || m_pages.size() > pages) {
+                addRow(boxesOf(table.head, widths, table, headFont), widths, shade);
+                begun = true;
+            }
+            const int fitting = std::max(1, static_cast<int>((room() - 2 * rowPad) / lineHeight));
+            std::vector<TextBox> piece;
+            for (const TextBox& box : boxes) {
+                piece.push_back(box.part(first, fitting));
+            }
+            addRow(piece, widths, sum ? shade : QColor());
+            first += fitting;
         }
-        addRow(table.rows[r], widths, table, font, sum ? shade : QColor());
     }
     m_y += gap / 2;
 }

@@ -3,11 +3,15 @@
 
 #include "ui/dialogs/save_dialog.h"
 #include "ui/help/help_topic.h"
-#include "ui/report/cycle_card.h"
+#include "ui/report/batch_wait.h"
 #include "ui/report/pages.h"
+#include "ui/session/background.h"
+#include "ui/session/batch_edits.h"
+#include "ui/views/names.h"
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
@@ -47,20 +51,46 @@ ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& setti
                                QWidget* window)
     : QObject(window), m_subject(std::move(subject)), m_settings(settings), m_window(window) {}
 
-std::optional<report::Report> ReportCommands::card() {
-    const Subject subject = m_subject();
-    if (subject.outcome && subject.outcome->ran()) {
-        return report::cycleCard(subject.outcome, subject.file, QDate::currentDate());
+std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
+    const Subject now = m_subject();
+    if (!now.outcome || !now.outcome->ran()) {
+        say(QMessageBox::Information, tr("No report"),
+            tr("There is no result of these inputs, so there is nothing to report. The "
+               "messages say what is wrong with them."),
+            m_window);
+        return {};
     }
-    say(QMessageBox::Information, tr("No report"),
-        tr("There is no result of these inputs, so there is nothing to report. The "
-           "messages say what is wrong with them."),
-        m_window);
-    return {};
+    const report::KindRow& row = report::rowOf(kind);
+    report::Subject subject{now.outcome, nullptr, nullptr, now.file, QDate::currentDate(), {}};
+    const bool wantsBatch = row.takesBatch && now.outcome->result.project.batch;
+    if (wantsBatch && !addBatch(subject, now.batch)) {
+        return {};
+    }
+    subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
+    return row.make(subject);
 }
 
-void ReportCommands::preview() {
-    const auto report = card();
+bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& shown) {
+    const Project& project = subject.outcome->result.project;
+    const bool fits = shown && shown->ran() && shown->result.status == BatchStatus::completed
+                      && sameBatch(shown->result.project, project);
+    subject.batch = fits ? shown : BatchWait(project, tr("Batch of the report"), m_window).wait();
+    if (!subject.batch) {
+        return false;
+    }
+    if (!subject.batch->ran()) {
+        say(QMessageBox::Information, tr("No report"),
+            tr("The batch cannot be run:") + QLatin1Char('\n')
+                + Names::refusal(subject.batch->issues),
+            m_window);
+        return false;
+    }
+    runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
+    return true;
+}
+
+void ReportCommands::preview(report::Kind kind) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
@@ -69,8 +99,16 @@ void ReportCommands::preview() {
     QPrintPreviewDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
-    connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
-            [&report](QPrinter* target) { (void)report::printPages(*report, *target); });
+    std::optional<report::Pages> pages;
+    QSizeF area = report::areaOf(printer);
+    runAside([&] { pages.emplace(*report, area); });
+    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, [&](QPrinter* target) {
+        if (report::areaOf(*target) != area) {
+            area = report::areaOf(*target);
+            pages.emplace(*report, area);
+        }
+        (void)report::printPages(*pages, *target);
+    });
     if (printer.outputFormat() != QPrinter::NativeFormat) {
         hidePageSetup(dialog); // it is the printer's, and there is none
     }
@@ -78,8 +116,8 @@ void ReportCommands::preview() {
     dialog.exec();
 }
 
-void ReportCommands::print() {
-    const auto report = card();
+void ReportCommands::print(report::Kind kind) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
@@ -88,18 +126,26 @@ void ReportCommands::print() {
     QPrintDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
-    if (dialog.exec() == QDialog::Accepted && !report::printPages(*report, printer)) {
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    bool printed = false;
+    runAside([&] {
+        const report::Pages pages(*report, report::areaOf(printer));
+        printed = report::printPages(pages, printer);
+    });
+    if (!printed) {
         say(QMessageBox::Critical, tr("Not printed"),
             tr("The printer or the file did not take the pages."), m_window);
     }
 }
 
-void ReportCommands::exportReport(report::Format format) {
-    const auto report = card();
+void ReportCommands::exportReport(report::Kind kind, report::Format format) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
-    SaveRequest request{tr("Export the cycle card"),
+    SaveRequest request{tr("Export: %1").arg(report->title),
                         fileNameOf({report->title, report->subject}),
                         {},
                         {},

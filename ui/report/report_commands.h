@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/report_kinds.h"
 #include "ui/report/report_text.h"
-#include "ui/session/outcome.h"
 
 #include <QObject>
 
@@ -16,26 +16,30 @@ namespace sparkout {
 
 class Settings;
 
-/// The commands that print the cycle card, show it before, or write it into a file.
+/// The commands that print a report, show it before, or write it into a file.
 class ReportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// What is to be reported: an outcome and the path of its project.
+    /// What is to be reported: an outcome, the path of its project, and the batch that the window
+    /// shows, if any: it may be of other inputs.
     struct Subject {
         OutcomePtr outcome;
         QString file;
+        BatchOutcomePtr batch;
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
 
-    void preview();
-    void print();
-    void exportReport(report::Format format);
+    void preview(report::Kind kind);
+    void print(report::Kind kind);
+    void exportReport(report::Kind kind, report::Format format);
 
 private:
-    /// The card of now; nothing when there is no result, which is said.
-    [[nodiscard]] std::optional<report::Report> card();
+    /// The report of now; nothing when there is no result, which is said, or its batch was stopped.
+    [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
+    /// Takes the batch that is shown, or runs one; false: none, and the user knows.
+    [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
 
     std::function<Subject()> m_subject;
     Settings& m_settings;
