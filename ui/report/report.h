@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/formula_node.h"
+
 #include <QDate>
 #include <QSizeF>
 #include <QString>
@@ -47,7 +49,16 @@ struct Figure {
     std::function<void(QPainter&)> paint;
 };
 
-using Block = std::variant<Heading, Paragraph, Facts, Table, Figure>;
+/// An equation: its left side, then what that is equal to: symbols, numbers put in, the result.
+struct Formula {
+    std::vector<FormulaNode> sides;
+    QString label; ///< its number, at the edge
+};
+
+/// What follows begins on a page of its own.
+struct PageBreak {};
+
+using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak>;
 
 struct Report {
     QString title;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_text.h"
 
+#include "ui/report/formula_markup.h"
 #include "ui/report/pages.h"
 #include "ui/views/svg_device.h"
 
@@ -23,7 +24,9 @@ const char* const styleSheet =
     "tr.sum td{font-weight:bold;background:#eee}dl{display:grid;"
     "grid-template-columns:repeat(auto-fill,minmax(16em,1fr));gap:.4em 1em}dt{font-size:.8em;"
     "color:#555}dd{margin:0;font-weight:bold}figure{margin:1em 0}figure svg{width:100%;"
-    "height:auto}figcaption,footer{font-size:.8em;color:#555;text-align:center}";
+    "height:auto}div.formula{display:flex;align-items:center;gap:1em;overflow-x:auto;"
+    "margin:.4em 0 .4em 1.5em}div.formula math{margin:0}div.formula span{margin-left:auto;"
+    "color:#555}@media print{div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:center}";
 
 /// A drawing as an element of its page; the names in it are its own.
 QString svgOf(const Figure& figure, int number) {
@@ -72,6 +75,11 @@ public:
         m_text += QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
                       .arg(svgOf(figure, ++m_figures), figure.caption.toHtmlEscaped());
     }
+    void operator()(const Formula& formula) {
+        m_text += QStringLiteral("<div class=\"formula\">%1<span>%2</span></div>\n")
+                      .arg(mathMarkup(formula), formula.label.toHtmlEscaped());
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("<div class=\"page\"></div>\n"); }
     [[nodiscard]] const QString& text() const { return m_text; }
 
 private:
@@ -133,6 +141,16 @@ public:
     void operator()(const Figure& figure) {
         m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.told)) + end();
     }
+    /// In one line, with indices and powers as HTML has them, which Markdown takes.
+    void operator()(const Formula& formula) {
+        static const QRegularExpression index(QStringLiteral("\\\\_(\\w+)"),
+                                              QRegularExpression::UseUnicodePropertiesOption);
+        static const QRegularExpression power(QStringLiteral("\\^\\(([0-9/]+)\\)"));
+        QString text = plain(inOneLine(formula)).replace(index, QStringLiteral("<sub>\\1</sub>"));
+        text.replace(power, QStringLiteral("<sup>\\1</sup>"));
+        m_text += text + QStringLiteral(" ") + plain(formula.label) + end();
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
     [[nodiscard]] const QString& text() const { return m_text; }
     /// Signs that mean something to Markdown or HTML stand for themselves.
     static QString plain(const QString& text) {
