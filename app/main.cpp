@@ -7,7 +7,7 @@
 #include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
-#include "ui/report/cycle_card.h"
+#include "ui/report/report_kinds.h"
 #include "ui/report/report_text.h"
 #include "ui/session/operation.h"
 #include "ui/session/program_log.h"
@@ -40,16 +40,17 @@ constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 
-constexpr const char* usage =
+constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
-    "       sparkout --report card -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
-    "  --report card      write the cycle card of FILE into OUT, show nothing\n"
+    "  --report KIND      write a report of FILE into OUT, show nothing; KIND is\n"
+    "%1"
     "  -o OUT             the file of the report; its ending says as what it is written:\n"
     "                     .pdf, .html or .md (Markdown)\n"
     "  --lang en|ru       language of the window or the report, this time only\n"
@@ -63,6 +64,23 @@ constexpr const char* usage =
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
     "no display, 3 the cycle cannot reach size (the report is written). sparkout-cli does without\n"
     "a display.\n";
+
+QString kindKeys() {
+    QStringList keys;
+    for (const report::KindRow& row : report::kinds()) {
+        keys += QString::fromLatin1(row.key);
+    }
+    return keys.join(QStringLiteral(", "));
+}
+
+QString usage() {
+    QString kinds;
+    for (const report::KindRow& row : report::kinds()) {
+        kinds += QStringLiteral("                     %1: %2\n")
+                     .arg(QString::fromLatin1(row.key), QString::fromUtf8(row.told));
+    }
+    return QString::fromUtf8(usageText).arg(kinds);
+}
 
 struct Options {
     QString file;
@@ -100,8 +118,9 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.picture = words[++i];
     } else if (word == u"--report") {
         options.report = words[++i];
-        if (options.report != u"card") {
-            options.fault = QStringLiteral("--report is card, not “%1”").arg(options.report);
+        if (!report::kindOf(options.report)) {
+            options.fault = QStringLiteral("there is no report “%1”; there are: %2")
+                                .arg(options.report, kindKeys());
         }
     } else if (word == u"-o") {
         options.output = words[++i];
@@ -274,8 +293,9 @@ int makeReport(const Options& options) {
         }
         return exitRefused;
     }
-    const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
-    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.output));
+    const report::KindRow& kind = report::rowOf(*report::kindOf(options.report));
+    const report::Report made = kind.make({outcome, nullptr, options.file, QDate::currentDate()});
+    const QByteArray bytes = report::bytesOf(made, *report::formatOf(options.output));
     if (bytes.isEmpty()) {
         say(stderr, QStringLiteral("sparkout: the report could not be made"));
         return exitRefused;
@@ -321,12 +341,11 @@ int main(int argc, char** argv) {
     }
     const Options options = readOptions(words);
     if (!options.fault.isEmpty()) {
-        say(stderr,
-            QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, QString::fromUtf8(usage)));
+        say(stderr, QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, usage()));
         return exitUsage;
     }
     if (options.help || options.version) {
-        say(stdout, options.help ? QString::fromUtf8(usage).trimmed()
+        say(stdout, options.help ? usage().trimmed()
                                  : QStringLiteral("sparkout %1").arg(QString::fromUtf8(version)));
         return 0;
     }

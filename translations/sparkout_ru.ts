@@ -3532,6 +3532,13 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>ReportKind</name>
+        <message>
+            <source>Cycle car&amp;d</source>
+            <translation>Операционная &amp;карта</translation>
+        </message>
+    </context>
+    <context>
         <name>RunTable</name>
         <message>
             <source>until size</source>
@@ -4621,22 +4628,6 @@ target, µm</source>
             <translation>Пе&amp;чать…</translation>
         </message>
         <message>
-            <source>Export repor&amp;t</source>
-            <translation>&amp;Экспорт отчёта</translation>
-        </message>
-        <message>
-            <source>&amp;PDF…</source>
-            <translation>&amp;PDF…</translation>
-        </message>
-        <message>
-            <source>&amp;HTML…</source>
-            <translation>&amp;HTML…</translation>
-        </message>
-        <message>
-            <source>&amp;Markdown…</source>
-            <translation>&amp;Markdown…</translation>
-        </message>
-        <message>
             <source>&amp;Help on what is in focus</source>
             <translation>&amp;Справка по месту курсора</translation>
         </message>
@@ -4655,6 +4646,18 @@ target, µm</source>
         <message>
             <source>&amp;Log</source>
             <translation>&amp;Журнал</translation>
+        </message>
+        <message>
+            <source>Export P&amp;DF…</source>
+            <translation>Экспорт P&amp;DF…</translation>
+        </message>
+        <message>
+            <source>Export &amp;HTML…</source>
+            <translation>Экспорт &amp;HTML…</translation>
+        </message>
+        <message>
+            <source>Export &amp;Markdown…</source>
+            <translation>Экспорт &amp;Markdown…</translation>
         </message>
     </context>
     <context>
@@ -8001,10 +8004,6 @@ target, µm</source>
             <translation>Печать: %1</translation>
         </message>
         <message>
-            <source>Export the cycle card</source>
-            <translation>Экспорт операционной карты</translation>
-        </message>
-        <message>
             <source>PDF documents (*.pdf)</source>
             <translation>Документы PDF (*.pdf)</translation>
         </message>
@@ -8023,6 +8022,10 @@ target, µm</source>
         <message>
             <source>The printer or the file did not take the pages.</source>
             <translation>Принтер или файл не принял страницы.</translation>
+        </message>
+        <message>
+            <source>Export: %1</source>
+            <translation>Экспорт: %1</translation>
         </message>
     </context>
     <context>

@@ -26,11 +26,6 @@ Actions::Actions(QMainWindow& window)
     , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
-    , printPreview(make("printPreview", u""))
-    , print(make("print", u"print", QKeySequence::Print))
-    , exportPdf(make("exportPdf", u""))
-    , exportHtml(make("exportHtml", u""))
-    , exportMarkdown(make("exportMarkdown", u""))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
@@ -62,6 +57,9 @@ Actions::Actions(QMainWindow& window)
         themes[i]->setCheckable(true);
         looks->addAction(themes[i]);
     }
+    for (const report::KindRow& row : report::kinds()) {
+        reports.push_back(makeReport(row.kind));
+    }
     buildMenus(window);
     buildToolBar(window);
     retranslate();
@@ -78,6 +76,24 @@ QAction* Actions::make(const char* name, const char16_t* icon, const QKeySequenc
     return action;
 }
 
+ReportActions Actions::makeReport(report::Kind kind) {
+    const auto of = [this, kind](const char* command, const char16_t* icon) {
+        const QByteArray name = QByteArray(command) + '-' + report::rowOf(kind).key;
+        return make(name.constData(), icon);
+    };
+    ReportActions made{kind,
+                       nullptr,
+                       of("preview", u""),
+                       of("print", u"print"),
+                       of("pdf", u"export"),
+                       of("html", u""),
+                       of("markdown", u"")};
+    if (reports.empty()) { // the first kind is what is printed day by day
+        made.print->setShortcut(QKeySequence::Print);
+    }
+    return made;
+}
+
 void Actions::buildMenus(QMainWindow& window) {
     QMenuBar& bar = *window.menuBar();
     m_file = bar.addMenu(QString());
@@ -87,9 +103,12 @@ void Actions::buildMenus(QMainWindow& window) {
     m_file->addSeparator();
     m_file->addActions({save, saveAs, earlierVersions, recoverWork});
     m_file->addSeparator();
-    m_file->addActions({printPreview, print});
-    m_export = m_file->addMenu(themeIcon(u"export"), QString());
-    m_export->addActions({exportPdf, exportHtml, exportMarkdown});
+    for (ReportActions& report : reports) {
+        report.menu = m_file->addMenu(QString());
+        report.menu->addActions({report.preview, report.print});
+        report.menu->addSeparator();
+        report.menu->addActions({report.pdf, report.html, report.markdown});
+    }
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -198,12 +217,14 @@ void Actions::retranslate() {
     saveAs->setText(tr("Save &as…"));
     earlierVersions->setText(tr("Earlier &versions…"));
     recoverWork->setText(tr("Re&cover work…"));
-    printPreview->setText(tr("Print previe&w…"));
-    print->setText(tr("&Print…"));
-    m_export->setTitle(tr("Export repor&t"));
-    exportPdf->setText(tr("&PDF…"));
-    exportHtml->setText(tr("&HTML…"));
-    exportMarkdown->setText(tr("&Markdown…"));
+    for (const ReportActions& report : reports) {
+        report.menu->setTitle(report::menuText(report.kind));
+        report.preview->setText(tr("Print previe&w…"));
+        report.print->setText(tr("&Print…"));
+        report.pdf->setText(tr("Export P&DF…"));
+        report.html->setText(tr("Export &HTML…"));
+        report.markdown->setText(tr("Export &Markdown…"));
+    }
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));
     english->setText(QStringLiteral("English"));

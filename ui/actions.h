@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/report_kinds.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -17,6 +18,15 @@ namespace sparkout {
 
 class Document;
 class View;
+
+/// The commands of one kind of report.
+struct ReportActions {
+    report::Kind kind;
+    QMenu* menu = nullptr;
+    QAction *preview, *print, *pdf, *html, *markdown;
+
+    [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown}; }
+};
 
 /// The commands of the window, their menus and the tool bar.
 class Actions : public QObject {
@@ -44,11 +54,7 @@ public:
     QAction* saveAs;
     QAction* earlierVersions;
     QAction* recoverWork;
-    QAction* printPreview;
-    QAction* print;
-    QAction* exportPdf;
-    QAction* exportHtml;
-    QAction* exportMarkdown;
+    std::vector<ReportActions> reports; ///< in the order of the table of kinds
     QAction* quit;
     QAction* undo;
     QAction* redo;
@@ -69,6 +75,7 @@ public:
 
 private:
     QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
+    [[nodiscard]] ReportActions makeReport(report::Kind kind);
     void buildMenus(QMainWindow& window);
     void buildViewMenu(QMenuBar& bar);
     void buildToolBar(QMainWindow& window);
@@ -81,7 +88,6 @@ private:
     QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;
-    QMenu* m_export;
     QToolBar* m_bar;
     QList<QAction*> m_showViews;
 };

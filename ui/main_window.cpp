@@ -239,22 +239,10 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
-    auto* reports = new ReportCommands(
-        [this]() -> ReportCommands::Subject {
-            OutcomePtr outcome = m_outcome;
-            if (m_runs.running()) { // that one is of the inputs before
-                runAside(
-                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
-            }
-            return {outcome, m_document.filePath()};
-        },
-        m_settings, this);
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo, m_actions->keepRun, m_actions->printPreview,
-          m_actions->print, m_actions->exportPdf, m_actions->exportHtml,
-          m_actions->exportMarkdown}) {
+          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -265,11 +253,6 @@ void MainWindow::connectActions() {
     on(m_actions->saveAs, [this] { m_files->saveAs(); });
     on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
     on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
-    on(m_actions->printPreview, [reports] { reports->preview(); });
-    on(m_actions->print, [reports] { reports->print(); });
-    on(m_actions->exportPdf, [reports] { reports->exportReport(report::Format::pdf); });
-    on(m_actions->exportHtml, [reports] { reports->exportReport(report::Format::html); });
-    on(m_actions->exportMarkdown, [reports] { reports->exportReport(report::Format::markdown); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] {
         if (!m_inputs->dropNewestRefusal()) {
@@ -287,6 +270,37 @@ void MainWindow::connectActions() {
     on(m_actions->nextPanel, [this] { movePanel(1); });
     on(m_actions->previousPanel, [this] { movePanel(-1); });
     on(m_actions->resetLayout, [this] { resetLayout(); });
+    connectReports();
+}
+
+void MainWindow::connectReports() {
+    auto* commands = new ReportCommands(
+        [this]() -> ReportCommands::Subject {
+            OutcomePtr outcome = m_outcome;
+            if (m_runs.running()) { // that one is of the inputs before
+                runAside(
+                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
+            }
+            return {outcome, m_document.filePath()};
+        },
+        m_settings, this);
+    const auto on = [this](QAction* action, const std::function<void()>& command) {
+        connect(action, &QAction::triggered, this, [this, command] {
+            m_inputs->endTyping(); // first
+            command();
+        });
+    };
+    for (const ReportActions& report : m_actions->reports) {
+        const report::Kind kind = report.kind;
+        const auto writes = [commands, kind](report::Format format) {
+            return [commands, kind, format] { commands->exportReport(kind, format); };
+        };
+        on(report.preview, [commands, kind] { commands->preview(kind); });
+        on(report.print, [commands, kind] { commands->print(kind); });
+        on(report.pdf, writes(report::Format::pdf));
+        on(report.html, writes(report::Format::html));
+        on(report.markdown, writes(report::Format::markdown));
+    }
 }
 
 void MainWindow::connectDocument() {

@@ -69,6 +69,7 @@ private:
     void buildDocks();
     QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
     void connectActions();
+    void connectReports();
     void connectDocument();
     void restoreWindow();
     void resetLayout();

@@ -43,7 +43,7 @@ private slots:
                 english += action->isVisible() ? englishIn(action->text()) : QString();
             }
         };
-        bench.action("printPreview")->trigger();
+        bench.action("preview-card")->trigger();
         QCOMPARE(answers.fault(), QString());
         QVERIFY2(pages >= 2, qPrintable(QString::number(pages)));
         QCOMPARE(englishIn(title), QString());
@@ -62,7 +62,7 @@ private slots:
                 }
             }
         };
-        bench.action("printPreview")->trigger();
+        bench.action("preview-card")->trigger();
         QCOMPARE(answers.fault(), QString());
         QCOMPARE(warnings.take(), QStringList());
     }
@@ -71,11 +71,11 @@ private slots:
         QTest::addColumn<QString>("action");
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("beginning");
-        QTest::newRow("PDF") << "exportPdf"
+        QTest::newRow("PDF") << "pdf-card"
                              << "card.pdf" << QByteArray("%PDF-");
-        QTest::newRow("HTML") << "exportHtml"
+        QTest::newRow("HTML") << "html-card"
                               << "card.html" << QByteArray("<!DOCTYPE html>");
-        QTest::newRow("Markdown") << "exportMarkdown"
+        QTest::newRow("Markdown") << "markdown-card"
                                   << "card.md" << QByteArray("# ");
     }
 
@@ -102,7 +102,7 @@ private slots:
         project.part.name = "Sleeve 4711";
         bench.window->document().edit(project, {"Input", "Name"});
         const DialogAnswers answers({QStringLiteral("file:") + path});
-        bench.action("exportMarkdown")->trigger(); // before the run has ended
+        bench.action("markdown-card")->trigger(); // before the run has ended
         QCOMPARE(answers.fault(), QString());
         QVERIFY(bytesOf(path).contains("Sleeve 4711"));
     }
@@ -113,7 +113,7 @@ private slots:
         project.part.diameter_mm = -2;
         bench.window->document().startUntitled(project);
         QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
-        for (const char* name : {"printPreview", "print", "exportPdf"}) {
+        for (const char* name : {"preview-card", "print-card", "pdf-card"}) {
             const DialogAnswers answers({QStringLiteral("Escape")});
             bench.action(name)->trigger();
             QCOMPARE(answers.fault(), QString());

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/cycle_card.h"
 
-#include "core/version.h"
 #include "ui/report/cycle_card_parts.h"
 #include "ui/report/figures.h"
+#include "ui/report/report_values.h"
 #include "ui/session/example_texts.h"
-
-#include <QFileInfo>
-#include <QLocale>
 
 namespace sparkout::report {
 
 Report cycleCard(const OutcomePtr& outcome, const QString& file, const QDate& date) {
     const Project& project = outcome->result.project;
-    Report report;
-    report.title = CycleCard::tr("Cycle card of a grinding operation");
-    QStringList subject{manyLines(exampleTitle(project.title)).simplified(),
-                        oneLine(project.part.name)};
-    subject.removeAll(QString());
-    subject.removeDuplicates();
-    report.subject = subject.join(QStringLiteral(" · "));
-    report.author = oneLine(project.author);
-    report.file = manyLines(QFileInfo(file).fileName()).simplified();
-    report.program = QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version));
-    report.language = QLocale().bcp47Name().section(u'-', 0, 0);
-    report.date = date;
+    Report report =
+        begunReport(CycleCard::tr("Cycle card of a grinding operation"), project, file, date);
     auto& blocks = report.blocks;
     const auto heading = [&blocks](const QString& text) { blocks.push_back(Heading{text}); };
     blocks.push_back(CycleCard::header(project, date));

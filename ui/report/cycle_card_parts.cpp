@@ -4,76 +4,16 @@
 
 #include "core/process/system_compliance.h"
 #include "core/units.h"
-#include "ui/session/member.h"
-#include "ui/session/number_text.h"
-#include "ui/session/texts.h"
+#include "ui/report/report_values.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_shop_text.h"
 
 #include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace sparkout::report {
-
-namespace {
-
-QString number(double value) {
-    return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
-}
-
-QString withUnit(const QString& value, const char* unit) {
-    return value + u'\u00a0' + unitText(unit);
-}
-
-/// An input by its path, as its form names it.
-std::pair<QString, QString> input(const Project& project, const char* path) {
-    const ConstMember member = findMember(project, path);
-    const Field& field = *member.field;
-    QString name = inputText(field.label);
-    if (*field.symbol) {
-        name += QStringLiteral(" ") + QString::fromUtf8(field.symbol).remove(u'_');
-    }
-    if (field.kind == Kind::text) {
-        return {name, cell(oneLine(field.as<std::string>(member.owner)))};
-    }
-    const std::optional<double> value = numberIn(field, member.owner);
-    return {name, !value        ? cell({})
-                  : *field.unit ? withUnit(number(*value), field.unit)
-                                : number(*value)};
-}
-
-} // namespace
-
-QString manyLines(QString text) {
-    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
-    QString kept;
-    for (const QChar c : text) {
-        const bool line = c == u'\n' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator;
-        if (line) {
-            kept += u'\n';
-        } else if (c == u'\t' || c == u'\r') {
-            kept += u' ';
-        } else if (c >= u' ' && !c.isNonCharacter()) {
-            kept += c;
-        }
-    }
-    return kept;
-}
-
-QString oneLine(const std::string& text) {
-    return manyLines(QString::fromStdString(text)).simplified();
-}
-
-QString drawnDeviation(double value_um) {
-    return (value_um > 0 ? QStringLiteral("+") : QString()) + number(value_um);
-}
-
-QString cell(const QString& text) {
-    return text.trimmed().isEmpty() ? QStringLiteral("–") : text;
-}
 
 QString CycleCard::operation(const Project& project) {
     if (project.operation == Operation::traverse) {
@@ -85,17 +25,18 @@ QString CycleCard::operation(const Project& project) {
 
 Facts CycleCard::header(const Project& project, const QDate& date) {
     const Part& part = project.part;
-    const QString size = tr("⌀%1 mm, deviations %2 / %3 µm")
-                             .arg(number(part.diameter_mm), drawnDeviation(part.upper_deviation_um),
-                                  drawnDeviation(part.lower_deviation_um));
+    const QString size =
+        tr("⌀%1 mm, deviations %2 / %3 µm")
+            .arg(plainNumber(part.diameter_mm), drawnDeviation(part.upper_deviation_um),
+                 drawnDeviation(part.lower_deviation_um));
     return {{{tr("Operation"), operation(project)},
              {tr("Part"), cell(oneLine(part.name))},
              {tr("Equipment"), cell(oneLine(project.machine.name))},
              {tr("Size by the drawing"), size},
              {tr("Material"), cell(oneLine(project.material.grade))},
-             {tr("Hardness"), input(project, "/material/hardness_hrc").second},
-             input(project, "/part/length_mm"),
-             input(project, "/part/stock_mm"),
+             {tr("Hardness"), inputFact(project, "/material/hardness_hrc").second},
+             inputFact(project, "/part/length_mm"),
+             inputFact(project, "/part/stock_mm"),
              {tr("Prepared by"), cell(oneLine(project.author))},
              {tr("Date"), QLocale().toString(date, QLocale::ShortFormat)}}};
 }
@@ -103,26 +44,26 @@ Facts CycleCard::header(const Project& project, const QDate& date) {
 Facts CycleCard::settings(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const Wheel& wheel = project.wheel;
-    Facts facts{
-        {{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
-         {tr("Wheel diameter × width"),
-          withUnit(number(wheel.diameter_mm) + QStringLiteral(" × ") + number(wheel.width_mm),
-                   "mm")},
-         input(project, "/wheel/dullness"),
-         input(project, "/machine/wheel_speed_m_s"),
-         {tr("Wheel rotation"),
-          withUnit(Names::significant(outcome.shop.wheelSpeed_rpm, 4), "rev/min")},
-         input(project, "/machine/work_speed_rpm"),
-         {tr("Work surface speed"),
-          tr("%1 m/min")
-              .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
-                                      * project.machine.work_speed_rpm / units::mmPerM))},
-         input(project, "/part/initial_runout_mm")}};
+    Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
+                 {tr("Wheel diameter × width"),
+                  withUnit(plainNumber(wheel.diameter_mm) + QStringLiteral(" × ")
+                               + plainNumber(wheel.width_mm),
+                           "mm")},
+                 inputFact(project, "/wheel/dullness"),
+                 inputFact(project, "/machine/wheel_speed_m_s"),
+                 {tr("Wheel rotation"),
+                  withUnit(Names::significant(outcome.shop.wheelSpeed_rpm, 4), "rev/min")},
+                 inputFact(project, "/machine/work_speed_rpm"),
+                 {tr("Work surface speed"),
+                  tr("%1 m/min")
+                      .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
+                                              * project.machine.work_speed_rpm / units::mmPerM))},
+                 inputFact(project, "/part/initial_runout_mm")}};
     if (project.operation == Operation::traverse) {
         for (const char* path :
              {"/machine/overrun_entry_mm", "/machine/overrun_exit_mm", "/machine/dwell_entry_s",
               "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
-            facts.facts.push_back(input(project, path));
+            facts.facts.push_back(inputFact(project, path));
         }
     }
     QString control = tr("by the position of the wheel head");
@@ -130,11 +71,11 @@ Facts CycleCard::settings(const Outcome& outcome) {
         const auto section = static_cast<std::size_t>(gaugeSection(project));
         const SectionResult& at = outcome.result.sections.at(section);
         const double place = project.gauge.position_mm.value_or(at.position_mm);
-        control =
-            tr("in-process gauge: %1, %2 from the headstock end of the ground length")
-                .arg(Names::zone(at.zone, static_cast<int>(section)),
-                     withUnit(project.gauge.position_mm ? number(place) : Names::significant(place),
-                              "mm"));
+        control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
+                      .arg(Names::zone(at.zone, static_cast<int>(section)),
+                           withUnit(project.gauge.position_mm ? plainNumber(place)
+                                                              : Names::significant(place),
+                                    "mm"));
     }
     facts.facts.emplace_back(tr("Size control"), control);
     return facts;
@@ -160,29 +101,30 @@ Table CycleCard::stages(const Outcome& outcome) {
         table.rows.push_back(row);
     };
     const auto feed = [](const std::optional<double>& value) {
-        return value ? number(*value) : cell({});
+        return value ? plainNumber(*value) : cell({});
     };
     for (std::size_t z = 0; z < count; ++z) {
         const Stage& stage = project.cycle.stages[z];
         const bool feeds = stage.spark_out.mode == SparkOut::Mode::none;
         QStringList row{QString::number(z + 1),
                         feeds ? feed(traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min)
-                              : number(0)};
+                              : plainNumber(0)};
         if (traverse) {
             row << feed(stage.axial_feed_mm_min);
         }
-        row << (feeds ? number(stage.stock_mm) : cell({}));
+        row << (feeds ? plainNumber(stage.stock_mm) : cell({}));
         stock += feeds ? stage.stock_mm : 0;
         rest(row, outcome.shop.stages.at(z),
-             feeds                                               ? cell({})
-             : stage.spark_out.mode == SparkOut::Mode::untilSize ? tr("until size")
-                                                                 : number(stage.spark_out.count));
+             feeds ? cell({})
+             : stage.spark_out.mode == SparkOut::Mode::untilSize
+                 ? tr("until size")
+                 : plainNumber(stage.spark_out.count));
     }
     QStringList sum{tr("Cycle"), cell({})};
     if (traverse) {
         sum << cell({});
     }
-    sum << number(std::round(stock * 1e6) / 1e6); // as exact as the rows
+    sum << plainNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows
     rest(sum, outcome.shop.cycle, cell({}));
     table.lastIsSum = true;
     table.texts = {true};

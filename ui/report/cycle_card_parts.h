@@ -23,13 +23,4 @@ public:
     static QStringList remarks(const Outcome& outcome);
 };
 
-/// A text of the user in one line, without signs that no document may hold.
-[[nodiscard]] QString oneLine(const std::string& text);
-/// The same over several lines.
-[[nodiscard]] QString manyLines(QString text);
-/// A deviation as a drawing writes it: "+18", "0", "−16" [µm].
-[[nodiscard]] QString drawnDeviation(double value_um);
-/// For a cell: never empty.
-[[nodiscard]] QString cell(const QString& text);
-
 } // namespace sparkout::report

@@ -3,6 +3,7 @@
 #include "ui/report/cycle_card_parts.h"
 
 #include "core/units.h"
+#include "ui/report/report_values.h"
 #include "ui/session/texts.h"
 #include "ui/views/estimate_names.h"
 #include "ui/views/names.h"

@@ -2,7 +2,7 @@
 #include "ui/report/figures.h"
 
 #include "core/process/system_compliance.h"
-#include "ui/report/cycle_card_parts.h"
+#include "ui/report/report_values.h"
 #include "ui/session/number_text.h"
 #include "ui/views/names.h"
 

@@ -3,7 +3,6 @@
 
 #include "ui/dialogs/save_dialog.h"
 #include "ui/help/help_topic.h"
-#include "ui/report/cycle_card.h"
 #include "ui/report/pages.h"
 
 #include <QAction>
@@ -47,10 +46,11 @@ ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& setti
                                QWidget* window)
     : QObject(window), m_subject(std::move(subject)), m_settings(settings), m_window(window) {}
 
-std::optional<report::Report> ReportCommands::card() {
+std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     const Subject subject = m_subject();
     if (subject.outcome && subject.outcome->ran()) {
-        return report::cycleCard(subject.outcome, subject.file, QDate::currentDate());
+        return report::rowOf(kind).make(
+            {subject.outcome, nullptr, subject.file, QDate::currentDate()});
     }
     say(QMessageBox::Information, tr("No report"),
         tr("There is no result of these inputs, so there is nothing to report. The "
@@ -59,8 +59,8 @@ std::optional<report::Report> ReportCommands::card() {
     return {};
 }
 
-void ReportCommands::preview() {
-    const auto report = card();
+void ReportCommands::preview(report::Kind kind) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
@@ -78,8 +78,8 @@ void ReportCommands::preview() {
     dialog.exec();
 }
 
-void ReportCommands::print() {
-    const auto report = card();
+void ReportCommands::print(report::Kind kind) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
@@ -94,12 +94,12 @@ void ReportCommands::print() {
     }
 }
 
-void ReportCommands::exportReport(report::Format format) {
-    const auto report = card();
+void ReportCommands::exportReport(report::Kind kind, report::Format format) {
+    const auto report = reportOfNow(kind);
     if (!report) {
         return;
     }
-    SaveRequest request{tr("Export the cycle card"),
+    SaveRequest request{tr("Export: %1").arg(report->title),
                         fileNameOf({report->title, report->subject}),
                         {},
                         {},

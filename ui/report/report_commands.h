@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/report_kinds.h"
 #include "ui/report/report_text.h"
-#include "ui/session/outcome.h"
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ namespace sparkout {
 
 class Settings;
 
-/// The commands that print the cycle card, show it before, or write it into a file.
+/// The commands that print a report, show it before, or write it into a file.
 class ReportCommands : public QObject {
     Q_OBJECT
 
@@ -29,13 +29,13 @@ public:
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
 
-    void preview();
-    void print();
-    void exportReport(report::Format format);
+    void preview(report::Kind kind);
+    void print(report::Kind kind);
+    void exportReport(report::Kind kind, report::Format format);
 
 private:
-    /// The card of now; nothing when there is no result, which is said.
-    [[nodiscard]] std::optional<report::Report> card();
+    /// The report of now; nothing when there is no result, which is said.
+    [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
 
     std::function<Subject()> m_subject;
     Settings& m_settings;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/report_kinds.h"
+
+#include "ui/report/cycle_card.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace sparkout::report {
+
+namespace {
+
+Report makeCard(const Subject& subject) {
+    return cycleCard(subject.outcome, subject.file, subject.date);
+}
+
+constexpr std::array allKinds{
+    KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
+            false, makeCard},
+};
+
+} // namespace
+
+std::span<const KindRow> kinds() {
+    return allKinds;
+}
+
+const KindRow& rowOf(Kind kind) {
+    return *std::ranges::find(allKinds, kind, &KindRow::kind);
+}
+
+std::optional<Kind> kindOf(const QString& key) {
+    const auto row = std::ranges::find_if(
+        allKinds, [&key](const KindRow& r) { return key == QLatin1StringView(r.key); });
+    return row == allKinds.end() ? std::nullopt : std::optional(row->kind);
+}
+
+QString menuText(Kind kind) {
+    return QCoreApplication::translate("ReportKind", rowOf(kind).menu);
+}
+
+} // namespace sparkout::report

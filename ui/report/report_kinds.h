@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/report.h"
+#include "ui/session/batch_runner.h"
+#include "ui/session/outcome.h"
+
+#include <optional>
+#include <span>
+
+/// The kinds of reports, each described once: command line, menus and help go by this table.
+namespace sparkout::report {
+
+enum class Kind { card };
+
+/// What is reported.
+struct Subject {
+    OutcomePtr outcome;    ///< of a run that ran
+    BatchOutcomePtr batch; ///< of the same inputs, for a kind that takes one; null: there is none
+    QString file;          ///< path of the project, or empty
+    QDate date;
+};
+
+struct KindRow {
+    Kind kind;
+    const char* key;  ///< on the command line
+    const char* told; ///< there: what it is
+    const char* menu; ///< its menu, to be translated in the context ReportKind
+    bool takesBatch;  ///< and is better with the project's batch, which takes a while
+    Report (*make)(const Subject& subject);
+};
+
+[[nodiscard]] std::span<const KindRow> kinds(); ///< in the order of the menus
+[[nodiscard]] const KindRow& rowOf(Kind kind);
+[[nodiscard]] std::optional<Kind> kindOf(const QString& key);
+[[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+
+} // namespace sparkout::report

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/report/report.h"
+
+#include <QString>
+
+#include <string>
+#include <utility>
+
+/// Values and texts of the inputs, as every report writes them.
+namespace sparkout::report {
+
+/// A text of the user in one line, without signs that no document may hold.
+[[nodiscard]] QString oneLine(const std::string& text);
+/// The same over several lines.
+[[nodiscard]] QString manyLines(QString text);
+/// For a cell: never empty.
+[[nodiscard]] QString cell(const QString& text);
+
+/// An input's number with all its digits, as its form shows it.
+[[nodiscard]] QString plainNumber(double value);
+/// A value and the unit of a table, not to be parted.
+[[nodiscard]] QString withUnit(const QString& value, const char* unit);
+/// A deviation as a drawing writes it: "+18", "0", "−16" [µm].
+[[nodiscard]] QString drawnDeviation(double value_um);
+/// An input by its path: its name as in its form, with the symbol, and its value with the unit.
+[[nodiscard]] std::pair<QString, QString> inputFact(const Project& project, const char* path);
+
+/// A report of a project, still without blocks: who made what of which file when.
+[[nodiscard]] Report begunReport(const QString& title, const Project& project, const QString& file,
+                                 const QDate& date);
+
+} // namespace sparkout::report
