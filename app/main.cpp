@@ -44,7 +44,8 @@ constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
-    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru]\n"
+    "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
@@ -53,6 +54,13 @@ constexpr const char* usageText =
     "%1"
     "  -o OUT             the file of the report; its ending says as what it is written:\n"
     "                     .pdf, .html or .md (Markdown)\n"
+    "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
+    "                     zone or section, stage, step, revolution of it and radius, as far as\n"
+    "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit, and without --at\n"
+    "                     of all, the deepest cut\n"
+    "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
+    "                     between; feeds,cycle,profiles unless told; none of them: \"\"\n"
+    "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
     "  --lang en|ru       language of the window or the report, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
@@ -87,6 +95,8 @@ struct Options {
     QString picture;
     QString report; ///< the kind of report
     QString output; ///< its file
+    report::HandoutOptions handout;
+    QString handoutOption; ///< one of those was given
     QString language;
     QString theme;
     QString view;
@@ -104,6 +114,31 @@ bool readSize(const QString& text, QSize& size) {
     size = {parts.value(0).toInt(&readWidth), parts.value(1).toInt(&readHeight)};
     return parts.size() == 2 && readWidth && readHeight && size.width() >= 400
            && size.height() >= 300 && size.width() <= 10'000 && size.height() <= 10'000;
+}
+
+void readHandoutOption(const QString& word, const QString& value, Options& options) {
+    options.handoutOption = word;
+    if (word == u"--at") {
+        const auto step = report::readStepWish(value);
+        options.handout.step = step.value_or(report::StepWish());
+        if (!step) {
+            options.fault =
+                QStringLiteral("--at is a step as 12,nz,z1,e1,r1,k9, not “%1”").arg(value);
+        }
+    } else if (word == u"--views") {
+        const auto views = report::readHandoutViews(value);
+        options.handout.views = views.value_or(std::set<report::HandoutView>());
+        if (!views) {
+            options.fault = QStringLiteral("--views are feeds, cycle, profiles, limits, with "
+                                           "commas between, not “%1”")
+                                .arg(value);
+        }
+    } else {
+        options.handout.answers = value == u"on";
+        if (value != u"on" && value != u"off") {
+            options.fault = QStringLiteral("--answers is on or off");
+        }
+    }
 }
 
 void readOption(const QStringList& words, qsizetype& i, Options& options) {
@@ -127,6 +162,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         if (!report::formatOf(options.output)) {
             options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
         }
+    } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
+        readHandoutOption(word, words[++i], options);
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -173,6 +210,10 @@ Options readOptions(const QStringList& words) {
     }
     if (!options.report.isEmpty() != !options.output.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--report and -o go together");
+    }
+    if (!options.handoutOption.isEmpty() && options.report != u"handout"
+        && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("%1 is of --report handout").arg(options.handoutOption);
     }
     if (!options.report.isEmpty() && options.fault.isEmpty()) {
         if (options.file.isEmpty()) {
@@ -293,8 +334,14 @@ int makeReport(const Options& options) {
         }
         return exitRefused;
     }
+    if (!options.handoutOption.isEmpty()
+        && !report::findStep(outcome->trajectory, options.handout.step)) {
+        say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
+        return exitUsage;
+    }
     const report::KindRow& kind = report::rowOf(*report::kindOf(options.report));
-    const report::Report made = kind.make({outcome, nullptr, options.file, QDate::currentDate()});
+    const report::Report made =
+        kind.make({outcome, nullptr, options.file, QDate::currentDate(), options.handout});
     const QByteArray bytes = report::bytesOf(made, *report::formatOf(options.output));
     if (bytes.isEmpty()) {
         say(stderr, QStringLiteral("sparkout: the report could not be made"));

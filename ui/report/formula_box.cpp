@@ -62,7 +62,7 @@ FormulaBox beside(std::vector<FormulaBox> boxes) {
 }
 
 /// "k_s" with its index below the line.
-FormulaBox symbol(const QString& text, double points) {
+FormulaBox symbolBox(const QString& text, double points) {
     static const QRegularExpression index(QStringLiteral("_(\\w+)"),
                                           QRegularExpression::UseUnicodePropertiesOption);
     std::vector<FormulaBox> boxes;
@@ -80,7 +80,7 @@ FormulaBox symbol(const QString& text, double points) {
     return beside(std::move(boxes));
 }
 
-void line(QPainter& p, QPointF from, QPointF to, double thickness) {
+void drawBar(QPainter& p, QPointF from, QPointF to, double thickness) {
     p.save();
     QPen pen(p.pen().color(), thickness);
     p.setPen(pen);
@@ -88,7 +88,7 @@ void line(QPainter& p, QPointF from, QPointF to, double thickness) {
     p.restore();
 }
 
-FormulaBox fraction(const FormulaNode& node, double points) {
+FormulaBox fractionBox(const FormulaNode& node, double points) {
     const double inner = smaller(points, nestedShare);
     const FormulaBox above = formulaBox(node.parts.front(), inner);
     const FormulaBox below = formulaBox(node.parts.back(), inner);
@@ -97,17 +97,16 @@ FormulaBox fraction(const FormulaNode& node, double points) {
     const double gap = size * 0.12, pad = size * 0.15;
     const double width = std::max(above.width, below.width) + 2 * pad;
     return {width + 2 * pad, axis + gap + above.ascent + above.descent,
-            below.ascent + below.descent + gap - axis,
-            [=](QPainter& p, double x, double base) {
+            below.ascent + below.descent + gap - axis, [=](QPainter& p, double x, double base) {
                 x += pad;
                 const double bar = base - axis;
-                line(p, {x, bar}, {x + width, bar}, size * barShare);
+                drawBar(p, {x, bar}, {x + width, bar}, size * barShare);
                 above.paint(p, x + (width - above.width) / 2, bar - gap - above.descent);
                 below.paint(p, x + (width - below.width) / 2, bar + gap + below.ascent);
             }};
 }
 
-FormulaBox root(const FormulaNode& node, double points) {
+FormulaBox rootBox(const FormulaNode& node, double points) {
     const FormulaBox inside = formulaBox(node.parts.front(), points);
     const double size = points * unitsPerPoint;
     const double hook = size * 0.6, gap = size * 0.08;
@@ -134,16 +133,16 @@ FormulaBox root(const FormulaNode& node, double points) {
             }};
 }
 
-FormulaBox power(const FormulaNode& node, double points) {
+FormulaBox powerBox(const FormulaNode& node, double points) {
     const FormulaBox base = formulaBox(node.parts.front(), points);
-    const FormulaBox exponent =
-        textPart(node.parts.back().text, smaller(points, scriptShare));
-    const double lift = std::max(points * unitsPerPoint * 0.35, base.ascent - exponent.ascent * 0.8);
+    const FormulaBox exponent = textPart(node.parts.back().text, smaller(points, scriptShare));
+    const double lift =
+        std::max(points * unitsPerPoint * 0.35, base.ascent - exponent.ascent * 0.8);
     return beside({base, moved(exponent, -lift)});
 }
 
 /// Parentheses as high as what they hold.
-FormulaBox fenced(const FormulaNode& node, double points) {
+FormulaBox fencedBox(const FormulaNode& node, double points) {
     const FormulaBox inside = formulaBox(node.parts.front(), points);
     const FormulaBox plain = textPart(QStringLiteral("("), points);
     if (inside.ascent + inside.descent < 1.25 * (plain.ascent + plain.descent)) {
@@ -172,7 +171,7 @@ FormulaBox fenced(const FormulaNode& node, double points) {
 FormulaBox formulaBox(const FormulaNode& node, double points) {
     switch (node.kind) {
     case BoxKind::text:
-    case BoxKind::sign: return symbol(node.text, points);
+    case BoxKind::sign: return symbolBox(node.text, points);
     case BoxKind::row: {
         std::vector<FormulaBox> boxes;
         for (const FormulaNode& part : node.parts) {
@@ -180,10 +179,10 @@ FormulaBox formulaBox(const FormulaNode& node, double points) {
         }
         return beside(std::move(boxes));
     }
-    case BoxKind::fraction: return fraction(node, points);
-    case BoxKind::root: return root(node, points);
-    case BoxKind::power: return power(node, points);
-    case BoxKind::fenced: return fenced(node, points);
+    case BoxKind::fraction: return fractionBox(node, points);
+    case BoxKind::root: return rootBox(node, points);
+    case BoxKind::power: return powerBox(node, points);
+    case BoxKind::fenced: return fencedBox(node, points);
     }
     return {};
 }

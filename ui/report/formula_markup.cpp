@@ -40,8 +40,8 @@ QString markupOf(const FormulaNode& node) {
     QString inside;
     if (node.kind != MarkupKind::text && node.kind != MarkupKind::sign) {
         for (const FormulaNode& part : node.parts) {
-            inside += node.kind == MarkupKind::row ? markupOf(part)
-                                                   : element("mrow", markupOf(part));
+            inside +=
+                node.kind == MarkupKind::row ? markupOf(part) : element("mrow", markupOf(part));
         }
     }
     switch (node.kind) {

@@ -13,7 +13,7 @@ namespace {
 
 using NodeKind = FormulaNode::Kind;
 
-FormulaNode node(NodeKind kind, double value, std::vector<FormulaNode> parts) {
+FormulaNode makeNode(NodeKind kind, double value, std::vector<FormulaNode> parts) {
     FormulaNode made;
     made.kind = kind;
     made.value = value;
@@ -21,7 +21,7 @@ FormulaNode node(NodeKind kind, double value, std::vector<FormulaNode> parts) {
     return made;
 }
 
-FormulaNode plain(NodeKind kind, const QString& text, double value = 0) {
+FormulaNode textNode(NodeKind kind, const QString& text, double value = 0) {
     FormulaNode made;
     made.kind = kind;
     made.text = text;
@@ -30,7 +30,7 @@ FormulaNode plain(NodeKind kind, const QString& text, double value = 0) {
 }
 
 FormulaNode rootOf(FormulaNode inside, int degree, double value) {
-    FormulaNode made = node(NodeKind::root, value, {std::move(inside)});
+    FormulaNode made = makeNode(NodeKind::root, value, {std::move(inside)});
     made.degree = degree;
     return made;
 }
@@ -38,9 +38,9 @@ FormulaNode rootOf(FormulaNode inside, int degree, double value) {
 /// Adds parts to a row, or makes one of a node.
 FormulaNode joined(FormulaNode left, const QString& sign, FormulaNode right, double value) {
     if (left.kind != NodeKind::row) {
-        left = node(NodeKind::row, left.value, {std::move(left)});
+        left = makeNode(NodeKind::row, left.value, {std::move(left)});
     }
-    left.parts.push_back(plain(NodeKind::sign, sign));
+    left.parts.push_back(textNode(NodeKind::sign, sign));
     left.parts.push_back(std::move(right));
     left.value = value;
     return left;
@@ -61,10 +61,9 @@ bool isAtom(const FormulaNode& of) {
 }
 
 bool isSum(const FormulaNode& of) {
-    return of.kind == NodeKind::row
-           && std::ranges::any_of(of.parts, [](const FormulaNode& part) {
-                  return part.kind == NodeKind::sign && part.text.startsWith(u' ');
-              });
+    return of.kind == NodeKind::row && std::ranges::any_of(of.parts, [](const FormulaNode& part) {
+               return part.kind == NodeKind::sign && part.text.startsWith(u' ');
+           });
 }
 
 /// Recursive descent over sums, products and powers, in the language of the engine's texts.
@@ -97,11 +96,10 @@ private:
             FormulaNode next = product();
             const double value = result.value + (plus ? next.value : -next.value);
             if (!isSum(result)) {
-                result = node(NodeKind::row, result.value, {std::move(result)});
+                result = makeNode(NodeKind::row, result.value, {std::move(result)});
             }
-            result =
-                joined(std::move(result), plus ? QStringLiteral(" + ") : QStringLiteral(" − "),
-                       std::move(next), value);
+            result = joined(std::move(result), plus ? QStringLiteral(" + ") : QStringLiteral(" − "),
+                            std::move(next), value);
         }
     }
 
@@ -115,8 +113,8 @@ private:
             } else if (take(QStringLiteral("/"))) {
                 FormulaNode below = raised();
                 const double value = result.value / below.value;
-                result = node(NodeKind::fraction, value,
-                              {unfenced(std::move(result)), unfenced(std::move(below))});
+                result = makeNode(NodeKind::fraction, value,
+                                  {unfenced(std::move(result)), unfenced(std::move(below))});
             } else {
                 return result;
             }
@@ -127,7 +125,8 @@ private:
         if (take(QStringLiteral("−"))) {
             FormulaNode of = raised();
             const double value = -of.value;
-            return node(NodeKind::row, value, {plain(NodeKind::sign, QStringLiteral("−")), of});
+            return makeNode(NodeKind::row, value,
+                            {textNode(NodeKind::sign, QStringLiteral("−")), of});
         }
         FormulaNode base = primary();
         for (const auto& [sign, exponent] :
@@ -150,9 +149,10 @@ private:
     static FormulaNode power(FormulaNode base, const QString& written, double exponent) {
         const double value = std::pow(base.value, exponent);
         if (!isAtom(base)) {
-            base = node(NodeKind::fenced, base.value, {std::move(base)});
+            base = makeNode(NodeKind::fenced, base.value, {std::move(base)});
         }
-        return node(NodeKind::power, value, {std::move(base), plain(NodeKind::text, written)});
+        return makeNode(NodeKind::power, value,
+                        {std::move(base), textNode(NodeKind::text, written)});
     }
 
     FormulaNode closed() {
@@ -163,7 +163,7 @@ private:
 
     FormulaNode primary() {
         if (take(QStringLiteral("π"))) {
-            return plain(NodeKind::text, QStringLiteral("π"), std::numbers::pi);
+            return textNode(NodeKind::text, QStringLiteral("π"), std::numbers::pi);
         }
         if (take(QStringLiteral("√("))) {
             FormulaNode inside = closed();
@@ -178,7 +178,7 @@ private:
         if (take(QStringLiteral("("))) {
             FormulaNode inside = closed();
             const double value = inside.value;
-            return node(NodeKind::fenced, value, {std::move(inside)});
+            return makeNode(NodeKind::fenced, value, {std::move(inside)});
         }
         if (take(QStringLiteral("{"))) {
             return quantity();
@@ -201,8 +201,9 @@ private:
             if (take(name + u'(')) {
                 FormulaNode inside = closed();
                 const double value = f.of(inside.value);
-                FormulaNode argument = node(NodeKind::fenced, inside.value, {std::move(inside)});
-                return node(NodeKind::row, value, {plain(NodeKind::text, name), argument});
+                FormulaNode argument =
+                    makeNode(NodeKind::fenced, inside.value, {std::move(inside)});
+                return makeNode(NodeKind::row, value, {textNode(NodeKind::text, name), argument});
             }
         }
         Q_ASSERT_X(false, "rightSide", qPrintable(m_text));
@@ -217,7 +218,7 @@ private:
         }
         const QString number = m_text.left(end);
         m_text.remove(0, end);
-        return plain(NodeKind::text, number, number.toDouble());
+        return textNode(NodeKind::text, number, number.toDouble());
     }
 
     FormulaNode quantity() {
@@ -230,7 +231,7 @@ private:
         const FormulaLeaf leaf = m_leaf(*term);
         FormulaNode written = leafNode(leaf.text, leaf.value);
         return leaf.text.startsWith(u'−')
-                   ? node(NodeKind::fenced, leaf.value, {std::move(written)})
+                   ? makeNode(NodeKind::fenced, leaf.value, {std::move(written)})
                    : written;
     }
 
@@ -242,9 +243,9 @@ private:
 /// In a line what stands below, or is raised, is held together.
 QString together(const FormulaNode& of) {
     const QString text = inOneLine(of);
-    const bool atom = of.kind == NodeKind::text ? isAtom(of)
-                                                : of.kind != NodeKind::row
-                                                      && of.kind != NodeKind::fraction;
+    const bool atom = of.kind == NodeKind::text
+                          ? isAtom(of)
+                          : of.kind != NodeKind::row && of.kind != NodeKind::fraction;
     return atom ? text : QStringLiteral("(%1)").arg(text);
 }
 
@@ -257,13 +258,13 @@ std::vector<FormulaNode> rightSide(const FormulaStep& step, const LeafWriter& le
 
 FormulaNode leafNode(const QString& text, double value) {
     if (!text.startsWith(u'√')) {
-        return plain(NodeKind::text, text, value);
+        return textNode(NodeKind::text, text, value);
     }
     QString inside = text.mid(1);
     if (inside.startsWith(u'(') && inside.endsWith(u')')) {
         inside = inside.mid(1, inside.size() - 2);
     }
-    return rootOf(plain(NodeKind::text, inside, value * value), 2, value);
+    return rootOf(textNode(NodeKind::text, inside, value * value), 2, value);
 }
 
 QString inOneLine(const FormulaNode& node) {
@@ -283,7 +284,8 @@ QString inOneLine(const FormulaNode& node) {
         return top + u'/' + together(node.parts.back());
     }
     case NodeKind::root:
-        return QString(node.degree == 3 ? u'∛' : u'√') + u'(' + inOneLine(node.parts.front()) + u')';
+        return QString(node.degree == 3 ? u'∛' : u'√') + u'(' + inOneLine(node.parts.front())
+               + u')';
     case NodeKind::power: {
         static const QString raised = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
         const QString exponent = node.parts.back().text;

@@ -22,7 +22,7 @@ constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
 constexpr double headingRoom = 300; ///< for a heading, or the caption of a figure
 constexpr double formulaSize = 9.5, formulaIndent = 120, labelRoom = 260;
-constexpr double leastLines = 3;    ///< that follow a heading on its page
+constexpr double leastLines = 3; ///< that follow a heading on its page
 
 struct PageText {
     Q_DECLARE_TR_FUNCTIONS(PageText)
@@ -174,14 +174,21 @@ void PageFlow::addRow(const QStringList& cells, const std::vector<double>& width
         height = std::max(height, boxes.back().height());
     }
     height += 2 * rowPad;
-    add([boxes, widths, y = m_y, height, ground](QPainter& p) {
+    const FormulaBox symbol =
+        table.symbols ? formulaBox(leafNode(cells.front(), 0), bodySize) : FormulaBox();
+    const bool hasSymbol = table.symbols && &cells != &table.head;
+    add([=, y = m_y](QPainter& p) {
         double x = 0;
         for (std::size_t c = 0; c < boxes.size(); ++c) {
             p.setPen(QPen(rule, line));
             p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
             p.drawRect(QRectF(x, y, widths[c], height));
             p.setPen(printInk);
-            boxes[c].paint(p, x + cellPad, y + rowPad);
+            if (c == 0 && hasSymbol) {
+                symbol.paint(p, x + cellPad, y + rowPad + symbol.ascent);
+            } else {
+                boxes[c].paint(p, x + cellPad, y + rowPad);
+            }
             x += widths[c];
         }
     });

@@ -39,6 +39,7 @@ struct Table {
     std::vector<QStringList> rows;
     std::vector<bool> texts; ///< by column: set to the left
     bool lastIsSum = false;  ///< the last row adds up the others
+    bool symbols = false;    ///< the first column has symbols: "k_s"
 };
 
 /// A drawing in vectors.

@@ -50,7 +50,7 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     const Subject subject = m_subject();
     if (subject.outcome && subject.outcome->ran()) {
         return report::rowOf(kind).make(
-            {subject.outcome, nullptr, subject.file, QDate::currentDate()});
+            {subject.outcome, nullptr, subject.file, QDate::currentDate(), {}});
     }
     say(QMessageBox::Information, tr("No report"),
         tr("There is no result of these inputs, so there is nothing to report. The "

@@ -16,9 +16,15 @@ Report makeCard(const Subject& subject) {
     return cycleCard(subject.outcome, subject.file, subject.date);
 }
 
+Report makeHandout(const Subject& subject) {
+    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout);
+}
+
 constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
             false, makeCard},
+    KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
+            QT_TRANSLATE_NOOP("ReportKind", "Course han&d-out"), false, makeHandout},
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course_handout.h"
 #include "ui/report/report.h"
 #include "ui/session/batch_runner.h"
 #include "ui/session/outcome.h"
@@ -11,7 +12,7 @@
 /// The kinds of reports, each described once: command line, menus and help go by this table.
 namespace sparkout::report {
 
-enum class Kind { card };
+enum class Kind { card, handout };
 
 /// What is reported.
 struct Subject {
@@ -19,6 +20,7 @@ struct Subject {
     BatchOutcomePtr batch; ///< of the same inputs, for a kind that takes one; null: there is none
     QString file;          ///< path of the project, or empty
     QDate date;
+    HandoutOptions handout; ///< what the course hand-out is to have
 };
 
 struct KindRow {
