@@ -56,8 +56,8 @@ constexpr const char* usageText =
     "                     .pdf, .html or .md (Markdown)\n"
     "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
     "                     zone or section, stage, step, revolution of it and radius, as far as\n"
-    "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit, and without --at\n"
-    "                     of all, the deepest cut\n"
+    "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the deepest cut;\n"
+    "                     z1 unless told\n"
     "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
     "                     between; feeds,cycle,profiles unless told; none of them: \"\"\n"
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
@@ -97,6 +97,7 @@ struct Options {
     QString output; ///< its file
     report::HandoutOptions handout;
     QString handoutOption; ///< one of those was given
+    bool stepAsked = false;
     QString language;
     QString theme;
     QString view;
@@ -121,6 +122,7 @@ void readHandoutOption(const QString& word, const QString& value, Options& optio
     if (word == u"--at") {
         const auto step = report::readStepWish(value);
         options.handout.step = step.value_or(report::StepWish());
+        options.stepAsked = true;
         if (!step) {
             options.fault =
                 QStringLiteral("--at is a step as 12,nz,z1,e1,r1,k9, not “%1”").arg(value);
@@ -334,8 +336,7 @@ int makeReport(const Options& options) {
         }
         return exitRefused;
     }
-    if (!options.handoutOption.isEmpty()
-        && !report::findStep(outcome->trajectory, options.handout.step)) {
+    if (options.stepAsked && !report::findStep(outcome->trajectory, options.handout.step)) {
         say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
         return exitUsage;
     }

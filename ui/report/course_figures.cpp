@@ -15,7 +15,7 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr QSize profilesSize(820, 400), limitsSize(820, 380);
+constexpr int profilesHeight = 400, limitsHeight = 380;
 
 struct CourseFigure {
     Q_DECLARE_TR_FUNCTIONS(CourseFigure)
@@ -43,7 +43,7 @@ Figure profilesFigure(const OutcomePtr& outcome) {
     const std::vector<int> shown =
         shownSections(static_cast<int>(result.sections.size()), gaugeProfile(result));
     ProfilesPlot plot;
-    preparePlot(plot, profilesSize);
+    setUpForPaper(plot, profilesHeight);
     plot.setHidden({ProfileLine::blank});
     plot.setSeries(makeProfileSeries(result, outcome->trajectory), shown);
     plot.restyle();
@@ -60,7 +60,7 @@ std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at) {
         return {};
     }
     ConstraintsPlot plot;
-    preparePlot(plot, limitsSize);
+    setUpForPaper(plot, limitsHeight);
     plot.setRun(outcome, group);
     plot.restyle();
     plot.fit();

@@ -39,7 +39,7 @@ private:
 };
 
 void addStep(HandoutBlocks& blocks, const Outcome& outcome, const std::optional<HandoutStep>& step,
-             Citations& citations) {
+             const std::vector<Block>& formulas) {
     blocks.heading(CourseHandout::tr("The step worked out"));
     if (!step) {
         blocks.add(Paragraph{CourseHandout::tr(
@@ -50,7 +50,7 @@ void addStep(HandoutBlocks& blocks, const Outcome& outcome, const std::optional<
     blocks.add(Paragraph{CourseHandout::tr(
         "Every formula stands in symbols, then with its numbers, then with its result. Numbers are "
         "put in with as many digits as the printed result needs.")});
-    blocks.add(CourseHandout::stepFormulas(outcome, *step, citations));
+    blocks.add(formulas);
 }
 
 } // namespace
@@ -87,9 +87,11 @@ Report courseHandout(const OutcomePtr& outcome, const QString& file, const QDate
                      const HandoutOptions& options) {
     const Project& project = outcome->result.project;
     Report report = begunReport(CourseHandout::tr("Course hand-out"), project, file, date);
-    const std::optional<HandoutStep> step = findStep(outcome->trajectory, options.step);
+    std::optional<HandoutStep> step = findStep(outcome->trajectory, options.step);
+    if (!step) {
+        step = findStep(outcome->trajectory); // roughing was over before it began
+    }
     const std::vector<Exercise> exercises = makeExercises(*outcome, step);
-    Citations citations;
     HandoutBlocks blocks(report.blocks);
     blocks.add(CourseHandout::header(project, file, date));
     blocks.heading(CourseHandout::tr("The task"));
@@ -98,8 +100,11 @@ Report courseHandout(const OutcomePtr& outcome, const QString& file, const QDate
     blocks.heading(CourseHandout::tr("Stages of the cycle"));
     blocks.add(CycleCard::stages(*outcome));
     blocks.heading(CourseHandout::tr("Inputs of the formulas"));
-    blocks.add(CourseHandout::inputs(*outcome, step, citations));
-    addStep(blocks, *outcome, step, citations);
+    Citations citations;
+    const StepBlocks worked =
+        step ? CourseHandout::stepFormulas(*outcome, *step, citations) : StepBlocks();
+    blocks.add(CourseHandout::inputs(*outcome, step, worked.symbols, citations));
+    addStep(blocks, *outcome, step, worked.blocks);
     if (auto figures = CourseHandout::figures(outcome, step, options.views); !figures.empty()) {
         blocks.heading(CourseHandout::tr("Figures"));
         blocks.add(std::move(figures));

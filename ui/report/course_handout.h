@@ -30,7 +30,7 @@ struct HandoutViewRow {
 
 /// What a teacher chooses.
 struct HandoutOptions {
-    StepWish step; ///< of those that fit the deepest cut
+    StepWish step = usualStep(); ///< of those that fit the deepest cut
     std::set<HandoutView> views{HandoutView::feeds, HandoutView::cycle, HandoutView::profiles};
     bool answers = true; ///< the key, on a last page of its own
 };

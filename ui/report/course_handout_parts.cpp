@@ -26,29 +26,40 @@ namespace sparkout::report {
 namespace {
 
 constexpr int percent = 100;
-constexpr double noChange = 5e-5; ///< share of a value that is its last digit
 
-/// Whether a number of the inputs is one of the formulas'.
-bool entersFormulas(const Leaf& leaf, const Project& project, const std::optional<int>& stage) {
-    const QString path = QString::fromStdString(leaf.path);
+/// What the step's feed, width and stock come from without standing in a formula.
+constexpr const char* behindFormulas[] = {"/part/upper_deviation_um", "/part/lower_deviation_um",
+                                          "/part/length_mm",          "/part/stock_mm",
+                                          "/part/initial_runout_mm",  "/wheel/width_mm"};
+
+bool entersFormulas(const Leaf& leaf, const Project& project, const std::set<QString>& symbols,
+                    int stage) {
     const Field& field = *leaf.field;
-    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
-    const bool part = path.startsWith(u"/part/") || path.startsWith(u"/material/")
-                      || path.startsWith(u"/wheel/") || path.startsWith(u"/machine/");
-    const bool ofStage =
-        stage && path.startsWith(QStringLiteral("/cycle/stages/%1/").arg(*stage - 1));
-    const bool bends = path.startsWith(u"/part/shaft/") || path.startsWith(u"/machine/stiffness");
-    return (part || ofStage) && *field.symbol && *field.source && !(bends && given)
-           && (!field.relevant || field.relevant(project, leaf.owner));
+    const QString path = QString::fromStdString(leaf.path);
+    if (!*field.symbol || !*field.source || field.kind == sparkout::Kind::compliance
+        || (field.relevant && !field.relevant(project, leaf.owner))) {
+        return false;
+    }
+    const bool input = path.startsWith(u"/part/") || path.startsWith(u"/material/")
+                       || path.startsWith(u"/wheel/") || path.startsWith(u"/machine/");
+    const bool body = path.startsWith(u"/part/shaft/"); // its d and l are not the part's
+    return (input && !body && symbols.contains(QString::fromUtf8(field.symbol)))
+           || std::ranges::count(behindFormulas, leaf.path) > 0
+           || (stage > 0 && path.startsWith(QStringLiteral("/cycle/stages/%1/").arg(stage - 1)));
 }
 
-QString signedPercent(double before, double after) {
-    if (before == 0 || std::abs(after - before) < noChange * std::abs(before)) {
-        return after == before || before != 0 ? QStringLiteral("0") : QStringLiteral("–");
+/// By how many percent, as far as the printed numbers tell.
+QString change(const Answer& answer) {
+    const QString before = askedNumber(answer.asked, answer.before);
+    if (before == askedNumber(answer.asked, answer.after)) {
+        return QStringLiteral("0");
     }
-    const double change = percent * (after - before) / std::abs(before);
-    return (change > 0 ? QStringLiteral("+") : QString())
-           + Names::significant(change).replace(u'-', QChar(0x2212));
+    if (before == askedNumber(answer.asked, 0)) {
+        return QStringLiteral("–");
+    }
+    const double percents = percent * (answer.after - answer.before) / std::abs(answer.before);
+    return (percents > 0 ? QStringLiteral("+") : QString())
+           + Names::significant(percents).replace(u'-', QChar(0x2212));
 }
 
 } // namespace
@@ -88,7 +99,7 @@ QString CourseHandout::task(const Outcome& outcome) {
 }
 
 Table CourseHandout::inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
-                            Citations& citations) {
+                            const std::set<QString>& symbols, Citations& citations) {
     const Project& project = outcome.result.project;
     std::optional<Place> at;
     if (step) {
@@ -103,11 +114,12 @@ Table CourseHandout::inputs(const Outcome& outcome, const std::optional<HandoutS
         table.rows.push_back({QString::fromUtf8(symbol), value, cell(unitText(unit)), meaning,
                               citations.cite(source)});
     };
-    const auto stage = at ? std::optional(at->stage) : std::nullopt;
+    const int stage = at ? at->stage : 0; // 0: none
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
         const Field& field = *leaf.field;
-        const auto value =
-            entersFormulas(leaf, project, stage) ? numberIn(field, leaf.owner) : std::nullopt;
+        const auto value = entersFormulas(leaf, project, symbols, stage)
+                               ? numberIn(field, leaf.owner)
+                               : std::nullopt;
         if (value) {
             add(field.symbol, plainNumber(*value), field.unit, inputText(field.label),
                 QString::fromLatin1(field.source));
@@ -153,8 +165,7 @@ std::vector<Block> CourseHandout::answers(const std::vector<Exercise>& exercises
         for (const Answer& answer : exercise.answers) {
             table.rows.push_back({askedName(answer.asked, operation),
                                   askedNumber(answer.asked, answer.before),
-                                  askedNumber(answer.asked, answer.after),
-                                  signedPercent(answer.before, answer.after)});
+                                  askedNumber(answer.asked, answer.after), change(answer)});
         }
         blocks.emplace_back(table);
     }

@@ -21,17 +21,24 @@ private:
     QStringList m_keys;
 };
 
+/// The formulas of a step, and the symbols that stand in them.
+struct StepBlocks {
+    std::vector<Block> blocks;
+    std::set<QString> symbols;
+};
+
 class CourseHandout {
     Q_DECLARE_TR_FUNCTIONS(CourseHandout)
 public:
     static Facts header(const Project& project, const QString& file, const QDate& date);
     static QString task(const Outcome& outcome);
+    /// Those that stand in the formulas, and what the step's feed and stock come from.
     static Table inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
-                        Citations& citations);
+                        const std::set<QString>& symbols, Citations& citations);
     static Facts stepFacts(const Outcome& outcome, const HandoutStep& step);
     /// Force law, balance and limits of the step.
-    static std::vector<Block> stepFormulas(const Outcome& outcome, const HandoutStep& step,
-                                           Citations& citations);
+    static StepBlocks stepFormulas(const Outcome& outcome, const HandoutStep& step,
+                                   Citations& citations);
     static Table limits(const Outcome& outcome, const HandoutStep& step);
     static std::vector<Block> figures(const OutcomePtr& outcome,
                                       const std::optional<HandoutStep>& step,

@@ -63,7 +63,7 @@ public:
     void add(const FormulaSheet& sheet);
     void say(const QString& text) { m_blocks.emplace_back(Paragraph{text}); }
     void add(Block block) { m_blocks.push_back(std::move(block)); }
-    [[nodiscard]] std::vector<Block> take() { return std::move(m_blocks); }
+    [[nodiscard]] StepBlocks take() { return {std::move(m_blocks), std::move(m_symbols)}; }
 
 private:
     void explain(const FormulaSheet& sheet);
@@ -72,6 +72,7 @@ private:
     Citations& m_citations;
     FormulaWriter m_writer;
     std::set<QString> m_explained; ///< inputs, and symbols with their meanings
+    std::set<QString> m_symbols;   ///< that were written
     std::vector<Block> m_blocks;
 };
 
@@ -98,6 +99,9 @@ void StepFormulas::explain(const FormulaSheet& sheet) {
     table.symbols = true;
     const auto explainTerm = [&](const FormulaTerm& term) {
         const QString symbol = QString::fromUtf8(term.symbol);
+        if (!isConstant(term)) {
+            m_symbols.insert(symbol);
+        }
         const QString meaning = isConstant(term) ? QString() : symbolMeaning(sheet, term.symbol);
         if (!meaning.isEmpty() && !m_explained.contains(symbol)
             && m_explained.insert(symbol + u'=' + meaning).second) {
@@ -188,8 +192,8 @@ Facts CourseHandout::stepFacts(const Outcome& outcome, const HandoutStep& step) 
     return facts;
 }
 
-std::vector<Block> CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep& step,
-                                               Citations& citations) {
+StepBlocks CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep& step,
+                                       Citations& citations) {
     const Project& project = outcome.result.project;
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const double b = pass.effectiveWidth_mm, a = visit.actual_mm;

@@ -38,13 +38,16 @@ MadeChange duller(const Project& project) {
     Change change{project, {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min}, {}, {}};
     double& dullness = change.project.wheel.dullness;
     dullness *= dulling;
-    change.told = ExerciseText::tr("The wheel has become dull: η rises from %1 to %2. How do the "
-                                   "actual feed a and the normal force Py of the step worked out "
-                                   "above change, and how the machining time?")
-                      .arg(plainNumber(project.wheel.dullness), plainNumber(dullness));
-    change.reason = ExerciseText::tr("The friction of the wear flats, kr·√a, grows with η. At the "
-                                     "same lag less is cut, so the lag and the force grow until "
-                                     "the programmed feed is cut again.");
+    change.told =
+        ExerciseText::tr("The wheel has become dull: η rises from %1 to %2. How do the actual feed "
+                         "a and the normal force Py change, at the same zone, step and radius as "
+                         "above, and how the machining time?")
+            .arg(plainNumber(project.wheel.dullness), plainNumber(dullness));
+    change.reason =
+        ExerciseText::tr("The friction of the wear flats, kr·√a, grows with η. At the "
+                         "same lag less is cut, so the lag and the force grow until "
+                         "the programmed feed is cut again. What the system has yielded "
+                         "goes on cutting in the next, slower stage.");
     return project.wheel.dullness > 0 ? MadeChange(change) : std::nullopt;
 }
 
@@ -55,9 +58,11 @@ MadeChange softer(const Project& project) {
                                    "zone. How do the difference of diameters along the part and "
                                    "the largest normal force change?")
                       .arg(plainNumber(softening));
-    change.reason = ExerciseText::tr("A zone ends larger than the zone with the gauge by twice the "
-                                     "difference of their deflections γ·Py at the end; the lag of "
-                                     "a compliant system also takes longer to build up.");
+    change.reason =
+        ExerciseText::tr("A zone ends larger than the zone with the gauge by twice the "
+                         "difference of their deflections γ·Py at the end. The lag of a "
+                         "compliant system takes longer to build up, and goes on "
+                         "cutting when the feed is reduced.");
     Machine& machine = change.project.machine;
     if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
         for (double* value : {&zones->rz1, &zones->nz, &zones->rz2}) {
@@ -126,7 +131,9 @@ MadeChange thicker(const Project& project) {
     Change change{project, {Asked::time_min, Asked::count, Asked::peakPower_kw}, {}, {}};
     change.reason = ExerciseText::tr("The first stage lasts longer. Force and power are those of "
                                      "its feeds: once the lag is built up, they no longer depend "
-                                     "on how much is left.");
+                                     "on how much is left. How far the gauge lets a stage overrun "
+                                     "depends on the phase, and with it the time of the slow "
+                                     "stage.");
     Project& changed = change.project;
     const double more = project.part.stock_mm * (moreStock - 1);
     if (changed.cycle.stages.empty()
@@ -143,25 +150,43 @@ MadeChange thicker(const Project& project) {
     return change;
 }
 
+/// In which double stroke, where it is not that of the step.
+QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
+    if (at.cycleCount == wanted.cycleCount) {
+        return {};
+    }
+    return (outcome.result.project.operation == Operation::traverse
+                ? ExerciseText::tr("Take double stroke %1, which both cycles have.")
+                : ExerciseText::tr("Take revolution %1, which both cycles have."))
+        .arg(at.cycleCount);
+}
+
 /// Runs the changed project and reads off both what is asked for.
 Exercise solved(Change change, const Outcome& outcome, const std::optional<HandoutStep>& step) {
-    Exercise exercise{change.told, change.reason, change.project, RunStatus::completed, {}};
+    Exercise exercise{change.told, change.reason, change.project};
     const bool needsStep = step && std::ranges::count(change.asked, Asked::stepFeed_um) > 0;
     Trajectory trajectory;
     const SimulationResult result =
         simulate(exercise.changed, needsStep ? &trajectory : nullptr, {});
     exercise.status = result.status;
-    const Visit* before = step ? visitAt(outcome.trajectory, *step) : nullptr;
-    const Visit* after =
-        needsStep ? sameVisit(trajectory, outcome.trajectory.passes[step->pass].place, step->radius)
-                  : nullptr;
+    const Visit *before = nullptr, *after = nullptr;
+    if (needsStep) {
+        const Place& wanted = outcome.trajectory.passes[step->pass].place;
+        exercise.at = sharedPlace(outcome.trajectory, trajectory, wanted);
+        if (exercise.at) {
+            before = visitAt(outcome.trajectory, *exercise.at, step->radius);
+            after = visitAt(trajectory, *exercise.at, step->radius);
+            exercise.question += u' ' + asksAt(*exercise.at, wanted, outcome);
+        }
+    }
     for (const Asked asked : change.asked) {
-        const auto was = askedValue(asked, outcome.result, after ? before : nullptr);
+        const auto was = askedValue(asked, outcome.result, before);
         const auto is = askedValue(asked, result, after);
         if (was && is) {
             exercise.answers.push_back({asked, *was, *is});
         }
     }
+    exercise.question = exercise.question.trimmed();
     return exercise;
 }
 
@@ -208,8 +233,12 @@ QString askedName(Asked asked, Operation operation) {
 }
 
 QString askedNumber(Asked asked, double value) {
-    return asked == Asked::count ? QString::number(static_cast<int>(value))
-                                 : Names::significant(value, 4);
+    switch (asked) {
+    case Asked::count: return QString::number(static_cast<int>(value));
+    case Asked::spread_um:
+    case Asked::runout_um: return Names::micrometres(value);
+    default: return Names::significant(value, 4);
+    }
 }
 
 std::vector<Exercise> makeExercises(const Outcome& outcome,

@@ -36,7 +36,8 @@ struct Exercise {
     QString reason; ///< why it comes out so
     Project changed;
     RunStatus status = RunStatus::completed; ///< of the changed project
-    std::vector<Answer> answers;
+    std::optional<Place> at{};               ///< the step that is asked for, in both runs
+    std::vector<Answer> answers{};
 };
 
 inline constexpr std::size_t mostExercises = 5;

@@ -11,7 +11,7 @@ namespace sparkout::report {
 
 namespace {
 
-constexpr QSize feedsSize(820, 420);
+constexpr int feedsHeight = 420;
 
 struct FeedsFigure {
     Q_DECLARE_TR_FUNCTIONS(FeedsFigure)
@@ -32,7 +32,7 @@ std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s, doub
     const Project& project = outcome->result.project;
     const auto count = static_cast<int>(outcome->feeds.columns.size());
     FeedsPlot plot;
-    preparePlot(plot, feedsSize);
+    setUpForPaper(plot, feedsHeight);
     plot.setRun(
         outcome,
         shownSections(count, project.operation == Operation::plunge ? gaugeSection(project) : 0));

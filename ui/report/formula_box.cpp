@@ -20,7 +20,7 @@ constexpr double scriptShare = 0.7;  ///< of indices and exponents
 constexpr double nestedShare = 0.85; ///< of fractions
 constexpr double leastPoints = 5.5;
 constexpr double barShare = 0.06; ///< thickness of lines, of the font's size
-constexpr double unitsPerPoint = 10;
+constexpr double fontUnits = 10;
 
 double smaller(double points, double share) {
     return std::max(leastPoints, points * share);
@@ -92,7 +92,7 @@ FormulaBox fractionBox(const FormulaNode& node, double points) {
     const double inner = smaller(points, nestedShare);
     const FormulaBox above = formulaBox(node.parts.front(), inner);
     const FormulaBox below = formulaBox(node.parts.back(), inner);
-    const double size = points * unitsPerPoint;
+    const double size = points * fontUnits;
     const double axis = QFontMetricsF(reportFont(points)).xHeight() / 2;
     const double gap = size * 0.12, pad = size * 0.15;
     const double width = std::max(above.width, below.width) + 2 * pad;
@@ -108,7 +108,7 @@ FormulaBox fractionBox(const FormulaNode& node, double points) {
 
 FormulaBox rootBox(const FormulaNode& node, double points) {
     const FormulaBox inside = formulaBox(node.parts.front(), points);
-    const double size = points * unitsPerPoint;
+    const double size = points * fontUnits;
     const double hook = size * 0.6, gap = size * 0.08;
     const double top = inside.ascent + gap, bottom = inside.descent;
     const FormulaBox degree = node.degree == 2
@@ -136,8 +136,7 @@ FormulaBox rootBox(const FormulaNode& node, double points) {
 FormulaBox powerBox(const FormulaNode& node, double points) {
     const FormulaBox base = formulaBox(node.parts.front(), points);
     const FormulaBox exponent = textPart(node.parts.back().text, smaller(points, scriptShare));
-    const double lift =
-        std::max(points * unitsPerPoint * 0.35, base.ascent - exponent.ascent * 0.8);
+    const double lift = std::max(points * fontUnits * 0.35, base.ascent - exponent.ascent * 0.8);
     return beside({base, moved(exponent, -lift)});
 }
 
@@ -148,7 +147,7 @@ FormulaBox fencedBox(const FormulaNode& node, double points) {
     if (inside.ascent + inside.descent < 1.25 * (plain.ascent + plain.descent)) {
         return beside({plain, inside, textPart(QStringLiteral(")"), points)});
     }
-    const double size = points * unitsPerPoint, width = size * 0.4;
+    const double size = points * fontUnits, width = size * 0.4;
     return {inside.width + 2 * width, inside.ascent, inside.descent,
             [=](QPainter& p, double x, double base) {
                 p.save();

@@ -22,6 +22,13 @@ struct StepWish {
     std::optional<int> section, stage, count, step, revolution, radius;
 };
 
+/// The deepest cut of the roughing stage: what is worked out unless another step is wanted.
+[[nodiscard]] inline StepWish usualStep() {
+    StepWish wish;
+    wish.stage = 1;
+    return wish;
+}
+
 /// "27,nz,e1,r1,k9": the double stroke (plunge: the revolution), then in any order a zone or
 /// section (rz1, nz, rz2, s0), a stage (z1), a step (e1), a revolution within it (r1), a radius
 /// (k9). Nothing for what cannot be read.
@@ -32,8 +39,14 @@ struct StepWish {
 [[nodiscard]] std::optional<HandoutStep> findStep(const Trajectory& trajectory,
                                                   const StepWish& wish = {});
 
-/// The visit of a step, and that of the same place and radius in another run; null: it has none.
 [[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const HandoutStep& step);
-[[nodiscard]] const Visit* sameVisit(const Trajectory& trajectory, const Place& place, int radius);
+
+/// The visit of a radius at a place; null: there is none.
+[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius);
+
+/// The double stroke or revolution nearest to that of a place in which both runs are at this zone,
+/// stage, step and revolution; nothing when there is none.
+[[nodiscard]] std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
+                                               const Place& place);
 
 } // namespace sparkout::report

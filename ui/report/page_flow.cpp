@@ -174,21 +174,17 @@ void PageFlow::addRow(const QStringList& cells, const std::vector<double>& width
         height = std::max(height, boxes.back().height());
     }
     height += 2 * rowPad;
-    const FormulaBox symbol =
-        table.symbols ? formulaBox(leafNode(cells.front(), 0), bodySize) : FormulaBox();
-    const bool hasSymbol = table.symbols && &cells != &table.head;
-    add([=, y = m_y](QPainter& p) {
+    if (table.symbols && &cells != &table.head) {
+        boxes.front().showIndices();
+    }
+    add([boxes, widths, y = m_y, height, ground](QPainter& p) {
         double x = 0;
         for (std::size_t c = 0; c < boxes.size(); ++c) {
             p.setPen(QPen(rule, line));
             p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
             p.drawRect(QRectF(x, y, widths[c], height));
             p.setPen(printInk);
-            if (c == 0 && hasSymbol) {
-                symbol.paint(p, x + cellPad, y + rowPad + symbol.ascent);
-            } else {
-                boxes[c].paint(p, x + cellPad, y + rowPad);
-            }
+            boxes[c].paint(p, x + cellPad, y + rowPad);
             x += widths[c];
         }
     });

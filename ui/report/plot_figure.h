@@ -6,13 +6,16 @@
 
 class QCustomPlot;
 
+/// Plots of the views as figures of a report. In the thread of the window.
 namespace sparkout::report {
 
-/// Gives a plot of a view the look of paper: white, one font on every device, this size in the
-/// units of the drawing. Before it is filled.
-void preparePlot(QCustomPlot& plot, QSize size);
+/// Width of a figure in its own units.
+inline constexpr int figureWidth = 820;
 
-/// A filled plot in vectors, under its legend.
+/// A plot as it stands on white paper, the same on every device; before it is given its data.
+void setUpForPaper(QCustomPlot& plot, int height);
+
+/// The plot in vectors, its legend above it.
 [[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
                                 const QString& caption, const QString& told);
 

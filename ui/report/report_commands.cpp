@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_commands.h"
 
+#include "ui/dialogs/handout_dialog.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/help/help_topic.h"
 #include "ui/report/pages.h"
@@ -49,14 +50,26 @@ ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& setti
 std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     const Subject subject = m_subject();
     if (subject.outcome && subject.outcome->ran()) {
-        return report::rowOf(kind).make(
-            {subject.outcome, nullptr, subject.file, QDate::currentDate(), {}});
+        report::Subject of{subject.outcome, nullptr, subject.file, QDate::currentDate(), {}};
+        if (kind == report::Kind::handout && subject.cycle && !chooseHandout(of, *subject.cycle)) {
+            return {};
+        }
+        return report::rowOf(kind).make(of);
     }
     say(QMessageBox::Information, tr("No report"),
         tr("There is no result of these inputs, so there is nothing to report. The "
            "messages say what is wrong with them."),
         m_window);
     return {};
+}
+
+bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& cycle) {
+    HandoutDialog dialog(subject.outcome, cycle, m_settings, m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return false;
+    }
+    subject.handout = dialog.options();
+    return true;
 }
 
 void ReportCommands::preview(report::Kind kind) {

@@ -14,6 +14,7 @@ class QWidget;
 
 namespace sparkout {
 
+class CycleCursor;
 class Settings;
 
 /// The commands that print a report, show it before, or write it into a file.
@@ -25,6 +26,7 @@ public:
     struct Subject {
         OutcomePtr outcome;
         QString file;
+        const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
@@ -36,6 +38,9 @@ public:
 private:
     /// The report of now; nothing when there is no result, which is said.
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
+
+    /// Asks what the hand-out is to have; false: not to make one.
+    [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);
 
     std::function<Subject()> m_subject;
     Settings& m_settings;
