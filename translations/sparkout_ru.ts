@@ -342,6 +342,237 @@
         </message>
     </context>
     <context>
+        <name>CourseFigure</name>
+        <message>
+            <source>Cross-sections at the end of the cycle; %1</source>
+            <translation>Поперечные сечения в конце цикла; %1</translation>
+        </message>
+        <message>
+            <source>%1: actual feed over the stock left, under its limits</source>
+            <translation>%1: фактическая подача в зависимости от оставшегося припуска и её ограничения</translation>
+        </message>
+    </context>
+    <context>
+        <name>CourseHandout</name>
+        <message>
+            <source>The step worked out</source>
+            <translation>Разбор шага цикла</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded, so no step of it can be worked out.</source>
+            <translation>Цикл слишком длинный и не записан, поэтому разобрать его шаг нельзя.</translation>
+        </message>
+        <message>
+            <source>Every formula stands in symbols, then with its numbers, then with its result. Numbers are put in with as many digits as the printed result needs.</source>
+            <translation>Каждая формула записана в обозначениях, затем с подставленными числами и с результатом. Числа подставлены со столькими знаками, сколько нужно для напечатанного результата.</translation>
+        </message>
+        <message>
+            <source>Course hand-out</source>
+            <translation>Раздаточный материал</translation>
+        </message>
+        <message>
+            <source>The task</source>
+            <translation>Задача</translation>
+        </message>
+        <message>
+            <source>Stages of the cycle</source>
+            <translation>Ступени цикла</translation>
+        </message>
+        <message>
+            <source>Inputs of the formulas</source>
+            <translation>Исходные данные формул</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Графики</translation>
+        </message>
+        <message>
+            <source>Questions</source>
+            <translation>Вопросы</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>Answers</source>
+            <translation>Ответы</translation>
+        </message>
+        <message>
+            <source>Course</source>
+            <translation>Курс</translation>
+        </message>
+        <message>
+            <source>Project file</source>
+            <translation>Файл проекта</translation>
+        </message>
+        <message>
+            <source>A shaft of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
+            <translation>Шлифуется вал ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
+        </message>
+        <message>
+            <source>A bore of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
+            <translation>Шлифуется отверстие ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
+        </message>
+        <message>
+            <source>By the model the cycle takes %1. Follow one step of it, formula by formula, and find what limits the feed there.</source>
+            <translation>По модели цикл длится %1. Проследите один его шаг формула за формулой и найдите, что ограничивает там подачу.</translation>
+        </message>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Meaning</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Источник</translation>
+        </message>
+        <message>
+            <source>Compliance of the system, %1</source>
+            <translation>Податливость технологической системы, %1</translation>
+        </message>
+        <message>
+            <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
+            <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
+        </message>
+        <message>
+            <source>With this input the cycle does not end as it should: %1.</source>
+            <translation>С этим исходным данным цикл не завершается как следует: %1.</translation>
+        </message>
+        <message>
+            <source>Asked for</source>
+            <translation>Что найти</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>Было</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Стало</translation>
+        </message>
+        <message>
+            <source>Difference, %</source>
+            <translation>Изменение, %</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>Ключ</translation>
+        </message>
+        <message>
+            <source>%1, eq. %2</source>
+            <comment>key of a source, its equation</comment>
+            <translation>%1, ф. %2</translation>
+        </message>
+        <message>
+            <source>Source: %1</source>
+            <translation>Источник: %1</translation>
+        </message>
+        <message>
+            <source>Feeds in double stroke %1; the line marks the step</source>
+            <translation>Подачи за двойной ход %1; линия отмечает разобранный шаг</translation>
+        </message>
+        <message>
+            <source>Feeds around revolution %1; the line marks the step</source>
+            <translation>Подачи около оборота %1; линия отмечает разобранный шаг</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Этап</translation>
+        </message>
+        <message>
+            <source>Revolution of the step</source>
+            <translation>Оборот этапа</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Радиус</translation>
+        </message>
+        <message>
+            <source>Effective width b</source>
+            <translation>Эффективная ширина резания b</translation>
+        </message>
+        <message>
+            <source>Programmed so far, tП</source>
+            <translation>Накопленная программная подача tП</translation>
+        </message>
+        <message>
+            <source>Actual feed a</source>
+            <translation>Фактическая подача a</translation>
+        </message>
+        <message>
+            <source>Stock left at this radius</source>
+            <translation>Оставшийся припуск на этом радиусе</translation>
+        </message>
+        <message>
+            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
+            <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
+        </message>
+        <message>
+            <source>What limits the feed at this step</source>
+            <translation>Что ограничивает подачу на этом шаге</translation>
+        </message>
+        <message>
+            <source>No requirement of this project limits the feed.</source>
+            <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
+        </message>
+        <message>
+            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, µm</source>
+            <translation>Предельная фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>As a feed, mm/min</source>
+            <translation>Скорость подачи, мм/мин</translation>
+        </message>
+        <message>
+            <source>Depth of cut of the step, µm</source>
+            <translation>Фактическая подача шага, мкм</translation>
+        </message>
+        <message>
+            <source>Share of the limit, %</source>
+            <translation>Доля предела, %</translation>
+        </message>
+        <message>
+            <source>not met at any depth</source>
+            <translation>не выполнено ни при какой подаче</translation>
+        </message>
+    </context>
+    <context>
         <name>CycleCard</name>
         <message>
             <source>Prediction for the part</source>
@@ -725,6 +956,97 @@
         <message>
             <source>Freshly dressed wheel</source>
             <translation>Только что правленый круг</translation>
+        </message>
+    </context>
+    <context>
+        <name>Exercises</name>
+        <message>
+            <source>The wheel has become dull: η rises from %1 to %2. How do the actual feed a and the normal force Py change, at the same zone, step and radius as above, and how the machining time?</source>
+            <translation>Круг затупился: η выросла с %1 до %2. Как изменятся фактическая подача a и радиальная сила Py в той же зоне, на том же этапе и радиусе, что и выше, и как изменится машинное время?</translation>
+        </message>
+        <message>
+            <source>The friction of the wear flats, kr·√a, grows with η. At the same lag less is cut, so the lag and the force grow until the programmed feed is cut again. What the system has yielded goes on cutting in the next, slower stage.</source>
+            <translation>Трение площадок износа kr·√a растёт вместе с η. При том же отставании срезается меньше, поэтому отставание и сила растут, пока снова не будет срезаться программная подача. То, на что отжата система, срезается ещё на следующей, более медленной ступени.</translation>
+        </message>
+        <message>
+            <source>The technological system is %1 times as compliant in every zone. How do the difference of diameters along the part and the largest normal force change?</source>
+            <translation>Технологическая система во всех зонах податливее в %1 раза. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+        </message>
+        <message>
+            <source>Headstock, tailstock and wheel head yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
+            <translation>Передняя, задняя и шлифовальная бабки отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+        </message>
+        <message>
+            <source>A smaller feed ends the cycle with a smaller force, hence a smaller deflection that differs less from zone to zone; for the same stock it takes longer.</source>
+            <translation>При меньшей подаче цикл заканчивается с меньшей силой, а значит, с меньшим отжатием, которое меньше различается по зонам; тот же припуск снимается дольше.</translation>
+        </message>
+        <message>
+            <source>The radial feed of stage %1 is halved, from %2 to %3. What does that cost in time, and what does it gain in accuracy?</source>
+            <translation>Радиальная подача ступени %1 уменьшена вдвое, с %2 до %3. Сколько времени это стоит и что даёт для точности?</translation>
+        </message>
+        <message>
+            <source>The blanks come with twice the runout, %1 instead of %2. How much of it is left on the part, and what does it cost?</source>
+            <translation>Биение заготовок вдвое больше: %1 вместо %2. Сколько от него останется на детали и во что это обойдётся?</translation>
+        </message>
+        <message>
+            <source>The first stage lasts longer. Force and power are those of its feeds: once the lag is built up, they no longer depend on how much is left. How far the gauge lets a stage overrun depends on the phase, and with it the time of the slow stage.</source>
+            <translation>Первая ступень длится дольше. Сила и мощность определяются её подачами: когда отставание установилось, они уже не зависят от оставшегося припуска. Насколько ступень пройдёт дальше своего порога, зависит от момента отсчёта прибора, а от этого — время медленной ступени.</translation>
+        </message>
+        <message>
+            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off. How do the machining time and the largest power change?</source>
+            <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень. Как изменятся машинное время и наибольшая мощность?</translation>
+        </message>
+        <message>
+            <source>Take double stroke %1, which both cycles have.</source>
+            <translation>Возьмите двойной ход %1: он есть в обоих циклах.</translation>
+        </message>
+        <message>
+            <source>Take revolution %1, which both cycles have.</source>
+            <translation>Возьмите оборот %1: он есть в обоих циклах.</translation>
+        </message>
+        <message>
+            <source>Actual feed a of the step, µm</source>
+            <translation>Фактическая подача a шага, мкм</translation>
+        </message>
+        <message>
+            <source>Normal force Py of the step, N</source>
+            <translation>Радиальная сила Py шага, Н</translation>
+        </message>
+        <message>
+            <source>Machining time, min</source>
+            <translation>Машинное время, мин</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Largest less smallest diameter along the part, µm</source>
+            <translation>Наибольший диаметр детали минус наименьший, мкм</translation>
+        </message>
+        <message>
+            <source>Largest radial runout, µm</source>
+            <translation>Наибольшее радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Largest normal force Py, N</source>
+            <translation>Наибольшая радиальная сила Py, Н</translation>
+        </message>
+        <message>
+            <source>Largest power, kW</source>
+            <translation>Наибольшая мощность, кВт</translation>
+        </message>
+        <message>
+            <source>A zone differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end. The lag of a compliant system takes longer to build up, and goes on cutting when the feed is reduced.</source>
+            <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
+        </message>
+        <message>
+            <source>The stock is the least that any radius has, so a larger runout is more metal to take off. High places are cut deeper than low ones: pass by pass little of the runout is left.</source>
+            <translation>Припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла. Выступающие места срезаются глубже, чем впадины: от прохода к проходу от биения остаётся всё меньше.</translation>
         </message>
     </context>
     <context>
@@ -1254,6 +1576,25 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from the middle of the field</source>
             <translation>Прибор на %1 мм: диаметры от %2 (%3) до %4 мкм (%5), не дальше %6 мкм от середины поля</translation>
+        </message>
+    </context>
+    <context>
+        <name>HandoutView</name>
+        <message>
+            <source>Feeds around the step, with E1…E5</source>
+            <translation>Подачи около разобранного шага с этапами Э1…Э5</translation>
+        </message>
+        <message>
+            <source>Feeds over the whole cycle</source>
+            <translation>Подачи за весь цикл</translation>
+        </message>
+        <message>
+            <source>Zone profiles at the end</source>
+            <translation>Профили зон в конце цикла</translation>
+        </message>
+        <message>
+            <source>Actual feed under its limits</source>
+            <translation>Фактическая подача и её ограничения</translation>
         </message>
     </context>
     <context>
@@ -3537,6 +3878,10 @@ target, µm</source>
             <source>Cycle car&amp;d</source>
             <translation>Операционная &amp;карта</translation>
         </message>
+        <message>
+            <source>Course han&amp;d-out</source>
+            <translation>&amp;Раздаточный материал</translation>
+        </message>
     </context>
     <context>
         <name>RunTable</name>
@@ -4076,6 +4421,197 @@ target, µm</source>
         <message>
             <source>Summary</source>
             <translation>Итоги</translation>
+        </message>
+    </context>
+    <context>
+        <name>Symbol</name>
+        <message>
+            <source>equivalent diameter of wheel and part</source>
+            <translation>эквивалентный диаметр круга и детали</translation>
+        </message>
+        <message>
+            <source>surface speed of the part</source>
+            <translation>окружная скорость заготовки</translation>
+        </message>
+        <message>
+            <source>normal force of shear, per width and depth</source>
+            <translation>радиальная сила сдвига на единицу ширины и подачи</translation>
+        </message>
+        <message>
+            <source>normal force of the wear flats, per width and root of the depth</source>
+            <translation>радиальная сила площадок износа на единицу ширины и корня из подачи</translation>
+        </message>
+        <message>
+            <source>tangential force of shear, per width and depth</source>
+            <translation>тангенциальная сила сдвига на единицу ширины и подачи</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>радиальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>tangential force</source>
+            <translation>тангенциальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>limiting depth of cut</source>
+            <translation>предельная фактическая подача</translation>
+        </message>
+        <message>
+            <source>actual feed: the depth of this cut</source>
+            <translation>фактическая подача: глубина этого среза</translation>
+        </message>
+        <message>
+            <source>effective width of cut</source>
+            <translation>эффективная ширина резания</translation>
+        </message>
+        <message>
+            <source>accumulated programmed feed, from the first touch on</source>
+            <translation>накопленная программная подача от первого касания</translation>
+        </message>
+        <message>
+            <source>largest radius of the blank</source>
+            <translation>наибольший радиус заготовки</translation>
+        </message>
+        <message>
+            <source>smallest radius of the blank</source>
+            <translation>наименьший радиус заготовки</translation>
+        </message>
+        <message>
+            <source>radius k before the cut</source>
+            <translation>радиус k до среза</translation>
+        </message>
+        <message>
+            <source>radius k after the cut</source>
+            <translation>радиус k после среза</translation>
+        </message>
+        <message>
+            <source>target radius</source>
+            <translation>радиус, на который настроен размер</translation>
+        </message>
+        <message>
+            <source>stock left at radius k</source>
+            <translation>оставшийся припуск на радиусе k</translation>
+        </message>
+        <message>
+            <source>stock left below the cut</source>
+            <translation>припуск, оставшийся под срезом</translation>
+        </message>
+        <message>
+            <source>lag of the radius: what the wheel head is ahead of it</source>
+            <translation>отставание радиуса: насколько шлифовальная бабка подана дальше него</translation>
+        </message>
+        <message>
+            <source>compliance of the system</source>
+            <translation>податливость технологической системы</translation>
+        </message>
+        <message>
+            <source>lag per depth of cut, without the wear flats</source>
+            <translation>отставание на единицу подачи без площадок износа</translation>
+        </message>
+        <message>
+            <source>deflection by the wear flats, per root of the depth</source>
+            <translation>отжатие от площадок износа на единицу корня из подачи</translation>
+        </message>
+        <message>
+            <source>root of the depth of cut</source>
+            <translation>корень из фактической подачи</translation>
+        </message>
+        <message>
+            <source>deflection of the system</source>
+            <translation>упругое отжатие системы</translation>
+        </message>
+        <message>
+            <source>deflection of all that yields</source>
+            <translation>отжатие всего, что податливо</translation>
+        </message>
+        <message>
+            <source>temperature rise of the surface that is just allowed</source>
+            <translation>предельно допустимый нагрев поверхности</translation>
+        </message>
+        <message>
+            <source>depth that the heat reaches during the contact</source>
+            <translation>глубина прогрева за время контакта</translation>
+        </message>
+        <message>
+            <source>that stock over twice this depth</source>
+            <translation>этот припуск, делённый на две таких глубины</translation>
+        </message>
+        <message>
+            <source>temperature rise per force, from the heat conduction</source>
+            <translation>нагрев на единицу силы, из теплопроводности</translation>
+        </message>
+        <message>
+            <source>coefficient of the cubic equation w³ + p·w = Q</source>
+            <translation>коэффициент кубического уравнения w³ + p·w = Q</translation>
+        </message>
+        <message>
+            <source>right side of that equation</source>
+            <translation>правая часть этого уравнения</translation>
+        </message>
+        <message>
+            <source>Cardano's root on the way to w</source>
+            <translation>корень Кардано на пути к w</translation>
+        </message>
+        <message>
+            <source>fourth root of the depth of cut</source>
+            <translation>корень четвёртой степени из фактической подачи</translation>
+        </message>
+        <message>
+            <source>structure number of the wheel</source>
+            <translation>номер структуры круга</translation>
+        </message>
+        <message>
+            <source>profile of the dressed grains</source>
+            <translation>профиль правленых зёрен</translation>
+        </message>
+        <message>
+            <source>opening of the wheel's profile by the cut</source>
+            <translation>раскрытие профиля круга при срезе</translation>
+        </message>
+        <message>
+            <source>share of the profile that the cut takes</source>
+            <translation>доля профиля, занятая срезом</translation>
+        </message>
+        <message>
+            <source>calibration of Ra: measured over computed</source>
+            <translation>поправка Ra: измеренная к вычисленной</translation>
+        </message>
+        <message>
+            <source>limiting actual feed</source>
+            <translation>предельная скорость фактической подачи</translation>
+        </message>
+        <message>
+            <source>section of a bond bridge</source>
+            <translation>сечение мостика связки</translation>
+        </message>
+        <message>
+            <source>diameter of a bond bridge</source>
+            <translation>диаметр мостика связки</translation>
+        </message>
+        <message>
+            <source>grains on a square millimetre of the wheel</source>
+            <translation>число зёрен на квадратном миллиметре круга</translation>
+        </message>
+        <message>
+            <source>force that breaks a grain</source>
+            <translation>сила, разрушающая зерно</translation>
+        </message>
+        <message>
+            <source>force that breaks its bond</source>
+            <translation>сила, разрушающая его связку</translation>
+        </message>
+        <message>
+            <source>critical force of one grain</source>
+            <translation>критическая сила на одно зерно</translation>
+        </message>
+        <message>
+            <source>force that the wheel bears, per width and root of the depth</source>
+            <translation>сила, которую выдерживает круг, на единицу ширины и корня из подачи</translation>
+        </message>
+        <message>
+            <source>tangential force that the drive allows, per width</source>
+            <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
         </message>
     </context>
     <context>
@@ -6571,6 +7107,53 @@ mm/min</source>
         <message>
             <source>%1, %2</source>
             <translation>%1, %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HandoutDialog</name>
+        <message>
+            <source>&amp;Answers to the questions, on a last page</source>
+            <translation>&amp;Ответы на вопросы на последней странице</translation>
+        </message>
+        <message>
+            <source>Course hand-out</source>
+            <translation>Раздаточный материал</translation>
+        </message>
+        <message>
+            <source>&amp;Step that is worked out:</source>
+            <translation>Разбираемый &amp;шаг:</translation>
+        </message>
+        <message>
+            <source>Step that is worked out</source>
+            <translation>Разбираемый шаг</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Графики</translation>
+        </message>
+        <message>
+            <source>&amp;Continue</source>
+            <translation>&amp;Продолжить</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l</source>
+            <translation>От&amp;мена</translation>
+        </message>
+        <message>
+            <source>%1, revolution %2</source>
+            <translation>%1, оборот %2</translation>
+        </message>
+        <message>
+            <source>Where the cycle stands: %1, k = %2</source>
+            <translation>Где стоит цикл: %1, k = %2</translation>
+        </message>
+        <message>
+            <source>The deepest cut of a stage: %1, k = %2</source>
+            <translation>Наибольшая подача ступени: %1, k = %2</translation>
+        </message>
+        <message>
+            <source>The deepest cut of the cycle: %1, k = %2</source>
+            <translation>Наибольшая подача цикла: %1, k = %2</translation>
         </message>
     </context>
     <context>

@@ -58,11 +58,10 @@ MadeChange softer(const Project& project) {
                                    "zone. How do the difference of diameters along the part and "
                                    "the largest normal force change?")
                       .arg(plainNumber(softening));
-    change.reason =
-        ExerciseText::tr("A zone ends larger than the zone with the gauge by twice the "
-                         "difference of their deflections γ·Py at the end. The lag of a "
-                         "compliant system takes longer to build up, and goes on "
-                         "cutting when the feed is reduced.");
+    change.reason = ExerciseText::tr("A zone differs in diameter from the one with the gauge "
+                                     "by twice the difference of their deflections γ·Py at the "
+                                     "end. The lag of a compliant system takes longer to build "
+                                     "up, and goes on cutting when the feed is reduced.");
     Machine& machine = change.project.machine;
     if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
         for (double* value : {&zones->rz1, &zones->nz, &zones->rz2}) {
@@ -117,10 +116,10 @@ MadeChange rounder(const Project& project) {
     change.told = ExerciseText::tr("The blanks come with twice the runout, %1 instead of %2. How "
                                    "much of it is left on the part, and what does it cost?")
                       .arg(mm(runout * wobbling), mm(runout));
-    change.reason = ExerciseText::tr("The stock counts from the smallest radius, so a larger "
-                                     "runout is more metal before all of the surface is cut. High "
-                                     "places are cut deeper than low ones: pass by pass little is "
-                                     "left of it.");
+    change.reason = ExerciseText::tr("The stock is the least that any radius has, so a larger "
+                                     "runout is more metal to take off. High places are cut "
+                                     "deeper than low ones: pass by pass little of the runout "
+                                     "is left.");
     change.project.part.initial_runout_mm *= wobbling;
     return runout > 0 && project.part.profile != ProfileForm::measured ? MadeChange(change)
                                                                        : std::nullopt;
