@@ -3879,7 +3879,7 @@ target, µm</source>
             <translation>Операционная &amp;карта</translation>
         </message>
         <message>
-            <source>Course han&amp;d-out</source>
+            <source>Course &amp;hand-out</source>
             <translation>&amp;Раздаточный материал</translation>
         </message>
     </context>

@@ -24,7 +24,7 @@ constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
             false, makeCard},
     KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
-            QT_TRANSLATE_NOOP("ReportKind", "Course han&d-out"), false, makeHandout},
+            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, makeHandout},
 };
 
 } // namespace
