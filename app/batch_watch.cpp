@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch_watch.h"
 
-#include "app/cli_io.h"
-#include "app/cli_report.h"
 #include "app/stop_signals.h"
 
+#include <cmath>
 #include <condition_variable>
+#include <cstdio>
 #include <mutex>
 #include <string>
 
 #include <unistd.h>
 
 namespace sparkout::cli {
+
+namespace {
+
+void tellStderr(const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+} // namespace
 
 BatchWatch::BatchWatch(std::int64_t parts, bool tells)
     : m_parts(parts), m_terminal(isatty(STDERR_FILENO) == 1), m_tells(tells || m_terminal) {
@@ -23,7 +31,7 @@ BatchWatch::~BatchWatch() {
     m_thread.request_stop();
     m_thread.join();
     if (m_terminal) {
-        print(stderr, "\r\x1b[K");
+        tellStderr("\r\x1b[K");
     }
 }
 
@@ -51,9 +59,9 @@ void BatchWatch::tell() {
     if (done > 0) {
         const double left =
             took.count() * static_cast<double>(m_parts - done) / static_cast<double>(done);
-        text += ", " + fixed(left, 0) + " s left";
+        text += ", " + std::to_string(std::llround(left)) + " s left";
     }
-    print(stderr, m_terminal ? "\r\x1b[K" + text : text + '\n');
+    tellStderr(m_terminal ? "\r\x1b[K" + text : text + '\n');
 }
 
 } // namespace sparkout::cli

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/safe_file.h"
+#include "app/report_command.h"
+#include "app/window_io.h"
 #include "core/version.h"
 #include "ui/dialogs/examples_dialog.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
-#include "ui/report/report_kinds.h"
 #include "ui/report/report_text.h"
 #include "ui/session/operation.h"
 #include "ui/session/program_log.h"
 #include "ui/session/recovery_store.h"
-#include "ui/session/texts.h"
 #include "ui/theme.h"
 #include "ui/views/batch_view.h"
 
@@ -33,9 +31,6 @@ using namespace sparkout;
 
 namespace {
 
-constexpr int exitRefused = 1;
-constexpr int exitUsage = 2;
-constexpr int exitCannotReachSize = 3;
 constexpr int pictureTimeout_ms = 60'000;
 constexpr int pictureTick_ms = 200; ///< for queued replots and layouts two of them pass
 constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
@@ -70,24 +65,12 @@ constexpr const char* usageText =
     "  --help             print this text\n"
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (the report is written). sparkout-cli does without\n"
-    "a display.\n";
-
-QString kindKeys() {
-    QStringList keys;
-    for (const report::KindRow& row : report::kinds()) {
-        keys += QString::fromLatin1(row.key);
-    }
-    return keys.join(QStringLiteral(", "));
-}
+    "no display, 3 the cycle cannot reach size (the report is written), 130 ended by Ctrl+C "
+    "(nothing\n"
+    "is written). sparkout-cli does without a display.\n";
 
 QString usage() {
-    QString kinds;
-    for (const report::KindRow& row : report::kinds()) {
-        kinds += QStringLiteral("                     %1: %2\n")
-                     .arg(QString::fromLatin1(row.key), QString::fromUtf8(row.told));
-    }
-    return QString::fromUtf8(usageText).arg(kinds);
+    return QString::fromUtf8(usageText).arg(reportUsage());
 }
 
 struct Options {
@@ -95,9 +78,8 @@ struct Options {
     QString picture;
     QString report; ///< the kind of report
     QString output; ///< its file
-    report::HandoutOptions handout;
-    QString handoutOption; ///< one of those was given
-    bool stepAsked = false;
+    ReportRequest request;
+    QString handoutOption; ///< one of --at, --views, --answers, if given
     QString language;
     QString theme;
     QString view;
@@ -117,32 +99,6 @@ bool readSize(const QString& text, QSize& size) {
            && size.height() >= 300 && size.width() <= 10'000 && size.height() <= 10'000;
 }
 
-void readHandoutOption(const QString& word, const QString& value, Options& options) {
-    options.handoutOption = word;
-    if (word == u"--at") {
-        const auto step = report::readStepWish(value);
-        options.handout.step = step.value_or(report::StepWish());
-        options.stepAsked = true;
-        if (!step) {
-            options.fault =
-                QStringLiteral("--at is a step as 12,nz,z1,e1,r1,k9, not “%1”").arg(value);
-        }
-    } else if (word == u"--views") {
-        const auto views = report::readHandoutViews(value);
-        options.handout.views = views.value_or(std::set<report::HandoutView>());
-        if (!views) {
-            options.fault = QStringLiteral("--views are feeds, cycle, profiles, limits, with "
-                                           "commas between, not “%1”")
-                                .arg(value);
-        }
-    } else {
-        options.handout.answers = value == u"on";
-        if (value != u"on" && value != u"off") {
-            options.fault = QStringLiteral("--answers is on or off");
-        }
-    }
-}
-
 void readOption(const QStringList& words, qsizetype& i, Options& options) {
     const QString& word = words[i];
     if (word == u"--version") {
@@ -157,7 +113,7 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.report = words[++i];
         if (!report::kindOf(options.report)) {
             options.fault = QStringLiteral("there is no report “%1”; there are: %2")
-                                .arg(options.report, kindKeys());
+                                .arg(options.report, reportKeys());
         }
     } else if (word == u"-o") {
         options.output = words[++i];
@@ -165,7 +121,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
             options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
         }
     } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
-        readHandoutOption(word, words[++i], options);
+        options.handoutOption = word;
+        options.fault = readHandoutOption(word, words[++i], options.request);
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -230,10 +187,6 @@ Options readOptions(const QStringList& words) {
     return options;
 }
 
-void say(std::FILE* stream, const QString& text) {
-    std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
-}
-
 bool displayMissing() {
     const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
     return !set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM");
@@ -264,15 +217,6 @@ QImage settledPicture(MainWindow& window) {
     return picture;
 }
 
-bool writeBytes(const QByteArray& bytes, const QString& path) {
-    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
-                                       {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    if (error) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
-    }
-    return !error;
-}
-
 bool writePicture(MainWindow& window, const QString& path) {
     QByteArray png;
     QBuffer buffer(&png);
@@ -281,19 +225,6 @@ bool writePicture(MainWindow& window, const QString& path) {
         return false;
     }
     return writeBytes(png, path);
-}
-
-/// Reads a project; what is wrong with it is said.
-bool openOrSay(Document& document, const QString& path) {
-    const OpenResult result = document.open(path);
-    if (result.error) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
-    } else if (!result.opened()) {
-        for (const QString& line : FaultsDialog::lines(result.issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
-    }
-    return result.opened();
 }
 
 int makePicture(QApplication& app, MainWindow& window, const Options& options) {
@@ -322,36 +253,6 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
         return exitRefused;
     }
     return app.exec();
-}
-
-int makeReport(const Options& options) {
-    Document document;
-    if (!openOrSay(document, options.file)) {
-        return exitRefused;
-    }
-    const OutcomePtr outcome = runProject(document.project(), {});
-    if (!outcome->ran()) {
-        for (const QString& line : FaultsDialog::lines(outcome->issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
-        return exitRefused;
-    }
-    if (options.stepAsked && !report::findStep(outcome->trajectory, options.handout.step)) {
-        say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
-        return exitUsage;
-    }
-    const report::KindRow& kind = report::rowOf(*report::kindOf(options.report));
-    const report::Report made =
-        kind.make({outcome, nullptr, options.file, QDate::currentDate(), options.handout});
-    const QByteArray bytes = report::bytesOf(made, *report::formatOf(options.output));
-    if (bytes.isEmpty()) {
-        say(stderr, QStringLiteral("sparkout: the report could not be made"));
-        return exitRefused;
-    }
-    if (!writeBytes(bytes, options.output)) {
-        return exitRefused;
-    }
-    return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
@@ -422,7 +323,11 @@ int main(int argc, char** argv) {
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
     if (!options.report.isEmpty()) {
-        return makeReport(options);
+        ReportRequest request = options.request;
+        request.kind = *report::kindOf(options.report);
+        request.file = options.file;
+        request.output = options.output;
+        return writeReport(request);
     }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {

@@ -36,6 +36,30 @@
         </message>
     </context>
     <context>
+        <name>Passport</name>
+        <message numerus="yes">
+            <source>as measured, %n value(s), %1</source>
+            <translation>
+                <numerusform>as measured, %n value, %1</numerusform>
+                <numerusform>as measured, %n values, %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n part(s) between dressings</source>
+            <translation>
+                <numerusform>%1, %n part between dressings</numerusform>
+                <numerusform>%1, %n parts between dressings</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Smallest and largest tried: of the first %n parts.</source>
+            <translation>
+                <numerusform>Smallest and largest tried: of the first part.</numerusform>
+                <numerusform>Smallest and largest tried: of the first %n parts.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message numerus="yes">
             <source>it holds %n values; needed: an even number, %1</source>

@@ -973,6 +973,10 @@
             <translation>Технологическая система во всех зонах податливее в %1 раза. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
         </message>
         <message>
+            <source>A zone differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end. The lag of a compliant system takes longer to build up, and goes on cutting when the feed is reduced.</source>
+            <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
+        </message>
+        <message>
             <source>Headstock, tailstock and wheel head yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
             <translation>Передняя, задняя и шлифовальная бабки отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
         </message>
@@ -987,6 +991,10 @@
         <message>
             <source>The blanks come with twice the runout, %1 instead of %2. How much of it is left on the part, and what does it cost?</source>
             <translation>Биение заготовок вдвое больше: %1 вместо %2. Сколько от него останется на детали и во что это обойдётся?</translation>
+        </message>
+        <message>
+            <source>The stock is the least that any radius has, so a larger runout is more metal to take off. High places are cut deeper than low ones: pass by pass little of the runout is left.</source>
+            <translation>Припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла. Выступающие места срезаются глубже, чем впадины: от прохода к проходу от биения остаётся всё меньше.</translation>
         </message>
         <message>
             <source>The first stage lasts longer. Force and power are those of its feeds: once the lag is built up, they no longer depend on how much is left. How far the gauge lets a stage overrun depends on the phase, and with it the time of the slow stage.</source>
@@ -1039,14 +1047,6 @@
         <message>
             <source>Largest power, kW</source>
             <translation>Наибольшая мощность, кВт</translation>
-        </message>
-        <message>
-            <source>A zone differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end. The lag of a compliant system takes longer to build up, and goes on cutting when the feed is reduced.</source>
-            <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
-        </message>
-        <message>
-            <source>The stock is the least that any radius has, so a larger runout is more metal to take off. High places are cut deeper than low ones: pass by pass little of the runout is left.</source>
-            <translation>Припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла. Выступающие места срезаются глубже, чем впадины: от прохода к проходу от биения остаётся всё меньше.</translation>
         </message>
     </context>
     <context>
@@ -1176,6 +1176,25 @@
         <message>
             <source>Feeds by stage over the whole cycle</source>
             <translation>Подачи по ступеням за весь цикл</translation>
+        </message>
+    </context>
+    <context>
+        <name>FieldText</name>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message>
+            <source>%1…%2 in steps of %3</source>
+            <translation>%1…%2 с шагом %3</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
         </message>
     </context>
     <context>
@@ -3637,6 +3656,383 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Passport</name>
+        <message>
+            <source>Accuracy passport of a grinding cycle</source>
+            <translation>Паспорт точности обработки цикла шлифования</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Drawing and part</source>
+            <translation>Чертёж и деталь</translation>
+        </message>
+        <message>
+            <source>Tooling and settings</source>
+            <translation>Оснастка и режимы</translation>
+        </message>
+        <message>
+            <source>Regimes by stage</source>
+            <translation>Режимы по ступеням</translation>
+        </message>
+        <message>
+            <source>Batch: factors and scenarios</source>
+            <translation>Партия: факторы и сценарии</translation>
+        </message>
+        <message>
+            <source>Worst part of the batch</source>
+            <translation>Худшая деталь партии</translation>
+        </message>
+        <message>
+            <source>Requirements of the nominal part</source>
+            <translation>Требования для номинальной детали</translation>
+        </message>
+        <message>
+            <source>Recomputing</source>
+            <translation>Как повторить расчёт</translation>
+        </message>
+        <message>
+            <source>Appendix: all inputs</source>
+            <translation>Приложение: все исходные данные</translation>
+        </message>
+        <message>
+            <source>Predicted accuracy against the drawing</source>
+            <translation>Ожидаемая точность по сравнению с чертежом</translation>
+        </message>
+        <message>
+            <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
+            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не индексы воспроизводимости.</translation>
+        </message>
+        <message>
+            <source>Percentiles</source>
+            <translation>Квантили</translation>
+        </message>
+        <message>
+            <source>Distribution against the tolerance field</source>
+            <translation>Распределение относительно поля допуска</translation>
+        </message>
+        <message>
+            <source>Nominal part at the end of the cycle</source>
+            <translation>Номинальная деталь в конце цикла</translation>
+        </message>
+        <message>
+            <source>What rests on estimates</source>
+            <translation>Что опирается на оценки</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Замечания</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>zone, range of values</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: number of parts, where the Cpk is least</source>
+            <translation>%1: число деталей, где Cpk наименьший</translation>
+        </message>
+        <message>
+            <source>%1: number of parts</source>
+            <translation>%1: число деталей</translation>
+        </message>
+        <message>
+            <source>Cpk with its 95 % bounds, the least first; dashed: 1 and %1</source>
+            <translation>Cpk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
+        </message>
+        <message>
+            <source>Diameter along the part against the tolerance field</source>
+            <translation>Диаметр вдоль детали в поле допуска</translation>
+        </message>
+        <message>
+            <source>Cross-sections, deviations magnified</source>
+            <translation>Поперечные сечения, отклонения увеличены</translation>
+        </message>
+        <message>
+            <source>Correlation</source>
+            <translation>Корреляция</translation>
+        </message>
+        <message>
+            <source>constant %1</source>
+            <translation>постоянная величина %1</translation>
+        </message>
+        <message>
+            <source>uniform, %1</source>
+            <translation>равномерное, %1</translation>
+        </message>
+        <message>
+            <source>normal, mean %1, standard deviation %2</source>
+            <translation>нормальное, среднее %1, стандартное отклонение %2</translation>
+        </message>
+        <message>
+            <source>%1, truncated to %2</source>
+            <comment>normal distribution</comment>
+            <translation>%1, усечено до %2</translation>
+        </message>
+        <message>
+            <source>triangular, %1, most frequent %2</source>
+            <translation>треугольное, %1, наиболее частое %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>as measured, %n value(s), %1</source>
+            <translation>
+                <numerusform>по измерениям, %n значение, %1</numerusform>
+                <numerusform>по измерениям, %n значения, %1</numerusform>
+                <numerusform>по измерениям, %n значений, %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>grows part by part from %1 to %2</source>
+            <translation>растёт от детали к детали с %1 до %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n part(s) between dressings</source>
+            <translation>
+                <numerusform>%1, между правками %n деталь</numerusform>
+                <numerusform>%1, между правками %n детали</numerusform>
+                <numerusform>%1, между правками %n деталей</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 over the whole batch</source>
+            <translation>%1 по всей партии</translation>
+        </message>
+        <message>
+            <source>This project describes no batch, so the passport tells the nominal part alone: no scatter, no capability, no share out of tolerance.</source>
+            <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без индексов воспроизводимости и без доли вне допуска.</translation>
+        </message>
+        <message>
+            <source>A batch is added on the page Batch of the inputs, where each factor that scatters gets its distribution, or with “Add a usual batch” in the view Batch.</source>
+            <translation>Партию добавляют на странице «Партия» исходных данных, где каждому рассеивающемуся фактору задают распределение, или кнопкой «Добавить обычную партию» вида «Партия».</translation>
+        </message>
+        <message>
+            <source>Parts run</source>
+            <translation>Рассчитано деталей</translation>
+        </message>
+        <message>
+            <source>Scenarios</source>
+            <translation>Сценарии</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Начальное число</translation>
+        </message>
+        <message>
+            <source>none is drawn</source>
+            <translation>случайных чисел нет</translation>
+        </message>
+        <message>
+            <source>Correlation of the factors</source>
+            <translation>Корреляция факторов</translation>
+        </message>
+        <message>
+            <source>as in the table below</source>
+            <translation>по таблице ниже</translation>
+        </message>
+        <message>
+            <source>independent</source>
+            <translation>независимы</translation>
+        </message>
+        <message>
+            <source>Factor</source>
+            <translation>Фактор</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Distribution</source>
+            <translation>Распределение</translation>
+        </message>
+        <message>
+            <source>Smallest tried</source>
+            <translation>Наименьшее из испытанных</translation>
+        </message>
+        <message>
+            <source>Largest tried</source>
+            <translation>Наибольшее из испытанных</translation>
+        </message>
+        <message numerus="yes">
+            <source>Smallest and largest tried: of the first %n parts.</source>
+            <translation>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первой %n детали.</numerusform>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первым %n деталям.</numerusform>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первым %n деталям.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Program</source>
+            <translation>Программа</translation>
+        </message>
+        <message>
+            <source>Version of the engine</source>
+            <translation>Версия расчётного ядра</translation>
+        </message>
+        <message>
+            <source>What was run</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Command that computes it again</source>
+            <translation>Команда, повторяющая расчёт</translation>
+        </message>
+        <message>
+            <source>The same inputs and the same seed give the same numbers, with any number of threads. All that the computation reads is in the appendix, each number with all its digits.</source>
+            <translation>Те же исходные данные и то же начальное число дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+        </message>
+        <message>
+            <source>The same inputs give the same numbers. All that the computation reads is in the appendix, each number with all its digits.</source>
+            <translation>Те же исходные данные дают те же результаты. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+        </message>
+        <message>
+            <source>The cycle, by the prediction</source>
+            <translation>Цикл по результатам расчёта</translation>
+        </message>
+        <message>
+            <source>conforms to the drawing</source>
+            <translation>годен</translation>
+        </message>
+        <message>
+            <source>does not conform to the drawing</source>
+            <translation>не годен</translation>
+        </message>
+        <message>
+            <source>Nominal part: %1.</source>
+            <translation>Номинальная деталь: %1.</translation>
+        </message>
+        <message>
+            <source>Parts of the batch that are not good</source>
+            <translation>Негодных деталей в партии</translation>
+        </message>
+        <message>
+            <source>Least Cpk</source>
+            <translation>Наименьший Cpk</translation>
+        </message>
+        <message>
+            <source>%1: out of tolerance %2.</source>
+            <translation>%1: вне допуска %2.</translation>
+        </message>
+        <message>
+            <source>Worst part, number %1: %2.</source>
+            <translation>Худшая деталь, номер %1: %2.</translation>
+        </message>
+        <message>
+            <source>no batch is described</source>
+            <translation>партия не описана</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part reaches size and holds every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Цикл годен, если номинальная деталь доводится до размера и выдерживает все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Пределы</translation>
+        </message>
+        <message>
+            <source>Nominal part</source>
+            <translation>Номинальная деталь</translation>
+        </message>
+        <message>
+            <source>Smallest</source>
+            <translation>Наименьшее</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Наибольшее</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>Mean, 95 %</source>
+            <translation>Среднее, 95 %</translation>
+        </message>
+        <message>
+            <source>Cp</source>
+            <translation>Cp</translation>
+        </message>
+        <message>
+            <source>Cpk</source>
+            <translation>Cpk</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Вне допуска</translation>
+        </message>
+        <message>
+            <source>Normality, p</source>
+            <translation>Нормальность, p</translation>
+        </message>
+        <message>
+            <source>Part %1 of %2 has the least margin. %3.</source>
+            <translation>Наименьший запас у детали %1 из %2. %3.</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Where in the cycle</source>
+            <translation>Место в цикле</translation>
+        </message>
+        <message>
+            <source>a setting</source>
+            <translation>настройка</translation>
+        </message>
+        <message>
+            <source>at the end</source>
+            <translation>в конце</translation>
+        </message>
+        <message>
+            <source>Capability and share out of tolerance</source>
+            <translation>Воспроизводимость и доля вне допуска</translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message>
             <source>line %1: “%2” cannot be read as a number</source>
@@ -3879,28 +4275,16 @@ target, µm</source>
             <translation>Операционная &amp;карта</translation>
         </message>
         <message>
+            <source>Accuracy &amp;passport</source>
+            <translation>&amp;Паспорт точности</translation>
+        </message>
+        <message>
             <source>Course &amp;hand-out</source>
             <translation>&amp;Раздаточный материал</translation>
         </message>
     </context>
     <context>
         <name>RunTable</name>
-        <message>
-            <source>until size</source>
-            <translation>до размера</translation>
-        </message>
-        <message>
-            <source>%1…%2 in steps of %3</source>
-            <translation>%1…%2 с шагом %3</translation>
-        </message>
-        <message>
-            <source>yes</source>
-            <translation>да</translation>
-        </message>
-        <message>
-            <source>no</source>
-            <translation>нет</translation>
-        </message>
         <message>
             <source>%1 %</source>
             <translation>%1 %</translation>
@@ -5551,6 +5935,25 @@ target, µm</source>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::BatchWait</name>
+        <message>
+            <source>The batch of this report is being run.</source>
+            <translation>Рассчитывается партия для отчёта.</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Остановить</translation>
+        </message>
+        <message>
+            <source>Progress of the batch</source>
+            <translation>Ход расчёта партии</translation>
+        </message>
+        <message>
+            <source>End the batch; no report is made</source>
+            <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
     <context>
@@ -8609,6 +9012,14 @@ target, µm</source>
         <message>
             <source>Export: %1</source>
             <translation>Экспорт: %1</translation>
+        </message>
+        <message>
+            <source>Batch of the report</source>
+            <translation>Партия для отчёта</translation>
+        </message>
+        <message>
+            <source>The batch cannot be run:</source>
+            <translation>Партию нельзя рассчитать:</translation>
         </message>
     </context>
     <context>

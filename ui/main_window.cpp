@@ -118,8 +118,8 @@ void MainWindow::buildViews() {
     auto* compliance = new ComplianceView(this, &m_settings);
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
-    auto* batch = new BatchView(this, &m_settings);
-    connect(batch, &BatchView::editWanted, this, [this](const auto& edit, const EditText& text) {
+    m_batch = new BatchView(this, &m_settings);
+    connect(m_batch, &BatchView::editWanted, this, [this](const auto& edit, const EditText& text) {
         m_document.endMerge();
         m_document.edit(edit(m_document.project()), text);
     });
@@ -131,7 +131,7 @@ void MainWindow::buildViews() {
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, batch, compare}) {
+                                                   layers, m_batch, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }
@@ -281,7 +281,7 @@ void MainWindow::connectReports() {
                 runAside(
                     [&, project = m_document.project()] { outcome = runProject(project, {}); });
             }
-            return {outcome, m_document.filePath(), &m_cursor};
+            return {outcome, m_document.filePath(), m_batch->batch(), &m_cursor};
         },
         m_settings, this);
     const auto on = [this](QAction* action, const std::function<void()>& command) {

@@ -19,6 +19,7 @@ class QLabel;
 namespace sparkout {
 
 class Actions;
+class BatchView;
 class ConstraintsView;
 class FeedsView;
 class FileCommands;
@@ -96,6 +97,7 @@ private:
     FeedsView* m_feeds;
     ProfilesView* m_profiles;
     ConstraintsView* m_constraints;
+    BatchView* m_batch = nullptr;
     VerdictPanel* m_verdict;
     MessagesPanel* m_messages;
     PlaybackBar* m_playback;

@@ -8,6 +8,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
+
+#include <sys/resource.h>
+
 namespace {
 
 struct Run {
@@ -27,6 +31,19 @@ Run sparkout(const QStringList& arguments) {
 
 const QString example =
     QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/wheel-sharp.sparkout");
+
+const QString batch =
+    QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/shaft-30h6-factory.sparkout");
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+bool putBytes(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
 
 Run report(const QString& path, const QString& project, const QStringList& more = {}) {
     return sparkout(QStringList{QStringLiteral("--report"), QStringLiteral("card"), project,
@@ -92,6 +109,68 @@ private slots:
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().startsWith(beginning));
+    }
+
+    void thePassportIsWritten() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("passport.md"));
+        const Run run =
+            sparkout({QStringLiteral("--report"), QStringLiteral("passport"), batch,
+                      QStringLiteral("-o"), path, QStringLiteral("--lang"), QStringLiteral("ru")});
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        QVERIFY(bytesOf(path).startsWith("# Паспорт точности"));
+    }
+
+    void aFullDiskLeavesTheOldReport_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("card") << QStringLiteral("card");
+        QTest::newRow("passport") << QStringLiteral("passport");
+    }
+    void aFullDiskLeavesTheOldReport() {
+        QFETCH(QString, kind);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("report.pdf"));
+        QVERIFY(putBytes(path, "old"));
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.setChildProcessModifier([] { // no file may grow beyond one page
+            std::signal(SIGXFSZ, SIG_IGN);
+            const rlimit few{4096, 4096};
+            ::setrlimit(RLIMIT_FSIZE, &few);
+        });
+        process.start(QStringLiteral(SPARKOUT_PROGRAM),
+                      {QStringLiteral("--report"), kind, example, QStringLiteral("-o"), path});
+        QVERIFY(process.waitForFinished(60'000));
+        const QString said = QString::fromUtf8(process.readAll());
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QVERIFY2(process.exitCode() == 1, qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("report.pdf")), qPrintable(said));
+        QCOMPARE(bytesOf(path), QByteArray("old"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+    }
+
+    void ctrlCEndsABatchAndLeavesTheOldReport() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("passport.pdf"));
+        const QString large = folder.filePath(QStringLiteral("large.sparkout"));
+        QVERIFY(putBytes(path, "old"));
+        QByteArray project = bytesOf(batch);
+        QCOMPARE(project.count("\"parts\": 50"), 1);
+        QVERIFY(putBytes(large, project.replace("\"parts\": 50", "\"parts\": 1000000")));
+        QProcess process;
+        process.start(QStringLiteral(SPARKOUT_PROGRAM),
+                      {QStringLiteral("--report"), QStringLiteral("passport"), large,
+                       QStringLiteral("-o"), path});
+        QVERIFY(process.waitForStarted());
+        process.setReadChannel(QProcess::StandardError);
+        while (process.waitForReadyRead(30'000)
+               && !process.readAllStandardError().contains("of 1000000 parts")) {
+        }
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 130);
+        QCOMPARE(bytesOf(path), QByteArray("old"));
     }
 
     void aReportThatCannotBeIsRefused() {

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cycle card from the window: preview, printing into a file, export, and none without a result.
+// Reports from the window: preview, printing into a file, export, and none without a result.
 #include "tests/registry.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
+#include "ui/report/batch_wait.h"
 #include "ui/session/operation.h"
+#include "ui/views/batch_text.h"
+#include "ui/views/batch_view.h"
 
 #include <QAction>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
+#include <QProgressBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 namespace test_report_commands {
 
@@ -22,6 +28,11 @@ namespace {
 QByteArray bytesOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QString batchExample() {
+    const QStringList found = examplePaths().filter(QStringLiteral("30h6-factory"));
+    return found.value(0);
 }
 
 } // namespace
@@ -107,13 +118,79 @@ private slots:
         QVERIFY(bytesOf(path).contains("Sleeve 4711"));
     }
 
+    void thePassportTakesTheBatchThatIsShown() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("passport.md"));
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        const auto* view = bench.window->findChild<BatchView*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!view->busy() && view->batch() && !view->stale(), 60'000);
+        const DialogAnswers answers({QStringLiteral("file:") + path}); // no other dialog comes up
+        bench.action("markdown-passport")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).startsWith("# Accuracy passport"));
+        QVERIFY(bytesOf(path).contains(BatchText::share(view->batch()->summary.bad).toUtf8()));
+    }
+
+    void aBatchThatTakesLongIsStoppedAndNothingIsWritten() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->parts = 1'000'000;
+        bench.window->document().edit(project, {"Input", "Parts"});
+        DialogAnswers answers({QStringLiteral("stopWaiting")});
+        QString text;
+        answers.seen = [&text](QDialog& dialog) {
+            text = dialog.findChild<QProgressBar*>()->format();
+        };
+        QElapsedTimer clock;
+        clock.start();
+        bench.action("pdf-passport")->trigger(); // no file dialog follows
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
+        QVERIFY2(text.contains(QStringLiteral("of 1000000 parts")), qPrintable(text));
+    }
+
+    void whatIsWaitedForIsTheWholeBatchWhileTheWindowLives() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->parts = 300;
+        int beats = 0;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, this, [&beats] { ++beats; });
+        timer.start(5);
+        QElapsedTimer clock;
+        clock.start();
+        const BatchOutcomePtr batch =
+            BatchWait(project, QStringLiteral("Batch"), bench.window.get()).wait();
+        const qint64 took_ms = clock.elapsed();
+        QVERIFY(batch && batch->ran());
+        QVERIFY(batch->result.statistics == runBatch(project, {}).statistics);
+        QVERIFY2(beats > took_ms / 50, qPrintable(QString::number(beats)));
+    }
+
+    void aBatchThatCannotBeRunIsToldAndNotReported() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->factors.dullness->grows = {0.5, 2};
+        bench.window->document().edit(project, {"Input", "Dullness"});
+        QTRY_VERIFY(bench.window->outcome() && bench.window->outcome()->ran());
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        bench.action("pdf-passport")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(answers.text().contains(QStringLiteral("cannot be run")),
+                 qPrintable(answers.text()));
+    }
+
     void withoutAResultItSaysWhy() {
         Bench bench(QStringLiteral("en"));
         Project project = newProject(Operation::traverse);
         project.part.diameter_mm = -2;
         bench.window->document().startUntitled(project);
         QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
-        for (const char* name : {"preview-card", "print-card", "pdf-card"}) {
+        for (const char* name : {"preview-card", "print-card", "pdf-card", "pdf-passport"}) {
             const DialogAnswers answers({QStringLiteral("Escape")});
             bench.action(name)->trigger();
             QCOMPARE(answers.fault(), QString());

@@ -110,6 +110,7 @@ void PageFlow::operator()(const Heading& heading) {
     const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
     m_y += m_y > m_top ? gap : 0;
     need(box.height());
+    m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
     add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
     m_y += box.height() + gap / 3;
 }
@@ -163,20 +164,27 @@ void PageFlow::operator()(const Facts& facts) {
     m_y += gap / 2;
 }
 
-void PageFlow::addRow(const QStringList& cells, const std::vector<double>& widths,
-                      const Table& table, const QFont& font, const QColor& ground) {
+std::vector<TextBox> PageFlow::boxesOf(const QStringList& cells, const std::vector<double>& widths,
+                                       const Table& table, const QFont& font) {
     std::vector<TextBox> boxes;
-    double height = 0;
     for (std::size_t c = 0; c < widths.size(); ++c) {
         const bool left = c < table.texts.size() && table.texts[c];
         boxes.emplace_back(cells[static_cast<qsizetype>(c)], font, widths[c] - 2 * cellPad,
                            left ? Qt::AlignLeft : Qt::AlignRight);
-        height = std::max(height, boxes.back().height());
     }
-    height += 2 * rowPad;
     if (table.symbols && &cells != &table.head) {
         boxes.front().showIndices();
     }
+    return boxes;
+}
+
+void PageFlow::addRow(const std::vector<TextBox>& boxes, const std::vector<double>& widths,
+                      const QColor& ground) {
+    double height = 0;
+    for (const TextBox& box : boxes) {
+        height = std::max(height, box.height());
+    }
+    height += 2 * rowPad;
     add([boxes, widths, y = m_y, height, ground](QPainter& p) {
         double x = 0;
         for (std::size_t c = 0; c < boxes.size(); ++c) {
@@ -191,22 +199,36 @@ void PageFlow::addRow(const QStringList& cells, const std::vector<double>& width
     m_y += height;
 }
 
+/// A row that no page can hold goes on over the next ones, line by line.
 void PageFlow::operator()(const Table& table) {
     const std::vector<double> widths = columnWidths(table, m_area.width());
     const QFont headFont = reportFont(smallSize, true);
     const double head = rowHeight(table.head, widths, headFont);
+    const double wholePage = m_bottom - m_top - head;
     bool begun = false;
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const bool sum = table.lastIsSum && r + 1 == table.rows.size();
-        const QFont font = reportFont(bodySize, sum);
-        const double height = rowHeight(table.rows[r], widths, font);
-        const std::size_t pages = m_pages.size();
-        need(begun ? height : head + height);
-        if (!begun || m_pages.size() > pages) {
-            addRow(table.head, widths, table, headFont, shade);
-            begun = true;
+        const std::vector<TextBox> boxes =
+            boxesOf(table.rows[r], widths, table, reportFont(bodySize, sum));
+        const int lines = std::ranges::max_element(boxes, {}, &TextBox::lines)->lines();
+        const double lineHeight = boxes.front().height() / boxes.front().lines();
+        for (int first = 0; first < lines;) {
+            const double rest = lineHeight * (lines - first) + 2 * rowPad;
+            const double least = rest > wholePage ? leastLines * lineHeight : rest;
+            const std::size_t pages = m_pages.size();
+            need(begun ? least : head + least);
+            if (!begun || m_pages.size() > pages) {
+                addRow(boxesOf(table.head, widths, table, headFont), widths, shade);
+                begun = true;
+            }
+            const int fitting = std::max(1, static_cast<int>((room() - 2 * rowPad) / lineHeight));
+            std::vector<TextBox> piece;
+            for (const TextBox& box : boxes) {
+                piece.push_back(box.part(first, fitting));
+            }
+            addRow(piece, widths, sum ? shade : QColor());
+            first += fitting;
         }
-        addRow(table.rows[r], widths, table, font, sum ? shade : QColor());
     }
     m_y += gap / 2;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report.h"
+#include "ui/report/pages.h"
+#include "ui/report/text_box.h"
 
 #include <QColor>
 #include <QFont>
@@ -17,7 +18,8 @@ class PageFlow {
 public:
     using Paint = std::function<void(QPainter&)>;
     PageFlow(const Report& report, QSizeF area);
-    [[nodiscard]] std::vector<std::vector<Paint>> take() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
 
     void operator()(const Heading& heading);
     void operator()(const Paragraph& paragraph);
@@ -37,8 +39,11 @@ private:
     [[nodiscard]] double room() const { return m_bottom - m_y; }
     void add(Paint paint) { m_pages.back().push_back(std::move(paint)); }
     void addTitle();
-    void addRow(const QStringList& cells, const std::vector<double>& widths, const Table& table,
-                const QFont& font, const QColor& ground);
+    [[nodiscard]] static std::vector<TextBox> boxesOf(const QStringList& cells,
+                                                      const std::vector<double>& widths,
+                                                      const Table& table, const QFont& font);
+    void addRow(const std::vector<TextBox>& boxes, const std::vector<double>& widths,
+                const QColor& ground);
     void addMargins(); ///< head and foot of every page
 
     const Report& m_report;
@@ -46,6 +51,7 @@ private:
     double m_top, m_bottom;
     double m_y = 0;
     std::vector<std::vector<Paint>> m_pages;
+    std::vector<Pages::Mark> m_marks;
 };
 
 } // namespace sparkout::report

@@ -2,6 +2,7 @@
 #include "ui/report/pages.h"
 
 #include "ui/report/page_flow.h"
+#include "ui/report/pdf_details.h"
 
 #include <QBuffer>
 #include <QMarginsF>
@@ -24,7 +25,13 @@ QSizeF areaOf(const QPagedPaintDevice& device) {
            / pointsPerInch;
 }
 
-/// The information block of a PDF by Qt has no place for the author; this one has.
+/// The title as a list of documents shows it.
+QString fullTitle(const Report& report) {
+    return report.subject.isEmpty() ? report.title
+                                    : report.title + QStringLiteral(" – ") + report.subject;
+}
+
+/// The properties once more, as newer readers want them.
 QByteArray xmp(const Report& report) {
     return QStringLiteral("<?xpacket begin=\"\uFEFF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
                           "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
@@ -60,8 +67,11 @@ bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int la
 }
 } // namespace
 
-Pages::Pages(const Report& report, QSizeF area_units)
-    : m_pages(PageFlow(report, area_units).take()) {}
+Pages::Pages(const Report& report, QSizeF area_units) {
+    PageFlow flow(report, area_units);
+    m_pages = flow.takePages();
+    m_marks = flow.takeMarks();
+}
 
 void Pages::paint(QPainter& painter, int page) const {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -76,11 +86,6 @@ void setUpPaper(QPagedPaintDevice& device) {
     device.setPageSize(QPageSize(QPageSize::A4));
     device.setPageOrientation(QPageLayout::Portrait);
     device.setPageMargins(margins_mm, QPageLayout::Millimeter);
-}
-
-bool paintPages(const Report& report, QPagedPaintDevice& device) {
-    const Pages pages(report, areaOf(device));
-    return paintRange(pages, device, 0, pages.count() - 1);
 }
 
 bool printPages(const Report& report, QPrinter& printer) {
@@ -98,19 +103,23 @@ QByteArray pdf(const Report& report) {
     if (!buffer.open(QIODevice::WriteOnly)) {
         return {};
     }
+    PdfDetails details{fullTitle(report), report.author, report.subject,
+                       report.program,    report.date,   {}};
     bool painted = false;
     {
         QPdfWriter writer(&buffer);
         writer.setResolution(pdfResolution);
         setUpPaper(writer);
-        writer.setTitle(report.subject.isEmpty()
-                            ? report.title
-                            : report.title + QStringLiteral(" – ") + report.subject);
-        writer.setCreator(report.program);
         writer.setDocumentXmpMetadata(xmp(report));
-        painted = paintPages(report, writer);
+        const Pages pages(report, areaOf(writer));
+        const double top_pt = writer.pageLayout().margins(QPageLayout::Point).top();
+        for (const Pages::Mark& mark : pages.marks()) {
+            details.outline.push_back(
+                {mark.text, mark.page, top_pt + mark.y * pointsPerInch / Pages::unitsPerInch});
+        }
+        painted = paintRange(pages, writer, 0, pages.count() - 1);
     }
-    return painted && bytes.contains("%%EOF") ? bytes : QByteArray();
+    return painted ? withDetails(bytes, details) : QByteArray();
 }
 
 } // namespace sparkout::report

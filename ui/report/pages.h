@@ -23,6 +23,13 @@ public:
 
     Pages(const Report& report, QSizeF area_units); ///< of the paper within its margins
 
+    /// Headings where they stand, counted from the top of the area [units].
+    struct Mark {
+        QString text;
+        int page;
+        double y;
+    };
+    [[nodiscard]] const std::vector<Mark>& marks() const { return m_marks; }
     [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
     void paint(QPainter& painter, int page) const; ///< from 0; at 720 units an inch
 
@@ -30,15 +37,15 @@ private:
     friend class PageFlow;
     using Paint = std::function<void(QPainter&)>;
     std::vector<std::vector<Paint>> m_pages;
+    std::vector<Mark> m_marks;
 };
 
 /// A4 upright with the margins of the report.
 void setUpPaper(QPagedPaintDevice& device);
-/// Paints the pages, of a printer those asked for; false when the device fails.
-bool paintPages(const Report& report, QPagedPaintDevice& device);
+/// Paints the pages, or those of them the printer is asked for; false when it fails.
 [[nodiscard]] bool printPages(const Report& report, QPrinter& printer);
 
-/// With embedded fonts; empty when it could not be made.
+/// With embedded fonts, an outline and its properties; empty when it could not be made.
 [[nodiscard]] QByteArray pdf(const Report& report);
 
 } // namespace sparkout::report

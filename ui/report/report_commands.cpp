@@ -4,7 +4,11 @@
 #include "ui/dialogs/handout_dialog.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/help/help_topic.h"
+#include "ui/report/batch_wait.h"
 #include "ui/report/pages.h"
+#include "ui/session/background.h"
+#include "ui/session/batch_edits.h"
+#include "ui/views/names.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -48,19 +52,43 @@ ReportCommands::ReportCommands(std::function<Subject()> subject, Settings& setti
     : QObject(window), m_subject(std::move(subject)), m_settings(settings), m_window(window) {}
 
 std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
-    const Subject subject = m_subject();
-    if (subject.outcome && subject.outcome->ran()) {
-        report::Subject of{subject.outcome, nullptr, subject.file, QDate::currentDate(), {}};
-        if (kind == report::Kind::handout && subject.cycle && !chooseHandout(of, *subject.cycle)) {
-            return {};
-        }
-        return report::rowOf(kind).make(of);
+    const Subject now = m_subject();
+    if (!now.outcome || !now.outcome->ran()) {
+        say(QMessageBox::Information, tr("No report"),
+            tr("There is no result of these inputs, so there is nothing to report. The "
+               "messages say what is wrong with them."),
+            m_window);
+        return {};
     }
-    say(QMessageBox::Information, tr("No report"),
-        tr("There is no result of these inputs, so there is nothing to report. The "
-           "messages say what is wrong with them."),
-        m_window);
-    return {};
+    const report::KindRow& row = report::rowOf(kind);
+    report::Subject subject{now.outcome, nullptr, nullptr, now.file, QDate::currentDate(), {}};
+    if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
+        return {};
+    }
+    const bool wantsBatch = row.takesBatch && now.outcome->result.project.batch;
+    if (wantsBatch && !addBatch(subject, now.batch)) {
+        return {};
+    }
+    return row.make(subject);
+}
+
+bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& shown) {
+    const Project& project = subject.outcome->result.project;
+    const bool fits = shown && shown->ran() && shown->result.status == BatchStatus::completed
+                      && sameBatch(shown->result.project, project);
+    subject.batch = fits ? shown : BatchWait(project, tr("Batch of the report"), m_window).wait();
+    if (!subject.batch) {
+        return false;
+    }
+    if (!subject.batch->ran()) {
+        say(QMessageBox::Information, tr("No report"),
+            tr("The batch cannot be run:") + QLatin1Char('\n')
+                + Names::refusal(subject.batch->issues),
+            m_window);
+        return false;
+    }
+    runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
+    return true;
 }
 
 bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& cycle) {

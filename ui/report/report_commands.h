@@ -22,10 +22,12 @@ class ReportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// What is to be reported: an outcome and the path of its project.
+    /// What is to be reported: an outcome, the path of its project, and the batch that the window
+    /// shows, if any: it may be of other inputs.
     struct Subject {
         OutcomePtr outcome;
         QString file;
+        BatchOutcomePtr batch;
         const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
     };
 
@@ -36,8 +38,10 @@ public:
     void exportReport(report::Kind kind, report::Format format);
 
 private:
-    /// The report of now; nothing when there is no result, which is said.
+    /// The report of now; nothing when there is no result, which is said, or its batch was stopped.
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
+    /// Takes the batch that is shown, or runs one; false: none, and the user knows.
+    [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
 
     /// Asks what the hand-out is to have; false: not to make one.
     [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);

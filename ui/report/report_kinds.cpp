@@ -2,6 +2,8 @@
 #include "ui/report/report_kinds.h"
 
 #include "ui/report/cycle_card.h"
+#include "ui/report/passport.h"
+#include "ui/session/run_controller.h"
 
 #include <QCoreApplication>
 
@@ -23,6 +25,8 @@ Report makeHandout(const Subject& subject) {
 constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
             false, makeCard},
+    KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
+            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, passport},
     KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
             QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, makeHandout},
 };
@@ -45,6 +49,11 @@ std::optional<Kind> kindOf(const QString& key) {
 
 QString menuText(Kind kind) {
     return QCoreApplication::translate("ReportKind", rowOf(kind).menu);
+}
+
+OutcomePtr runWorstPart(const BatchOutcome& batch) {
+    const ScenarioSource source(batch.result.project);
+    return runProject(source.project(batch.summary.worstPart), {});
 }
 
 } // namespace sparkout::report

@@ -12,12 +12,13 @@
 /// The kinds of reports, each described once: command line, menus and help go by this table.
 namespace sparkout::report {
 
-enum class Kind { card, handout };
+enum class Kind { card, passport, handout };
 
 /// What is reported.
 struct Subject {
     OutcomePtr outcome;    ///< of a run that ran
-    BatchOutcomePtr batch; ///< of the same inputs, for a kind that takes one; null: there is none
+    BatchOutcomePtr batch; ///< of the same inputs, run whole, for a kind that takes one; or null
+    OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
     QString file;          ///< path of the project, or empty
     QDate date;
     HandoutOptions handout; ///< what the course hand-out is to have
@@ -28,7 +29,7 @@ struct KindRow {
     const char* key;  ///< on the command line
     const char* told; ///< there: what it is
     const char* menu; ///< its menu, to be translated in the context ReportKind
-    bool takesBatch;  ///< and is better with the project's batch, which takes a while
+    bool takesBatch;  ///< it is about the project's batch, when there is one
     Report (*make)(const Subject& subject);
 };
 
@@ -36,5 +37,8 @@ struct KindRow {
 [[nodiscard]] const KindRow& rowOf(Kind kind);
 [[nodiscard]] std::optional<Kind> kindOf(const QString& key);
 [[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+
+/// Runs the part of the batch with the least margin as a cycle of its own.
+[[nodiscard]] OutcomePtr runWorstPart(const BatchOutcome& batch);
 
 } // namespace sparkout::report

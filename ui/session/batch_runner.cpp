@@ -9,9 +9,7 @@
 
 namespace sparkout {
 
-namespace {
-
-BatchOutcomePtr runAll(const Project& project, const BatchOptions& options) {
+BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& options) {
     auto outcome = std::make_shared<BatchOutcome>();
     outcome->issues = checkBatch(project);
     if (outcome->ran()) {
@@ -26,8 +24,6 @@ BatchOutcomePtr runAll(const Project& project, const BatchOptions& options) {
     }
     return outcome;
 }
-
-} // namespace
 
 std::int64_t partsOf(const Project& project) {
     const std::size_t factors = givenFactors(project).size();
@@ -50,7 +46,7 @@ BatchRunner::BatchRunner(QObject* parent) : QObject(parent) {
 
 void BatchRunner::start(const Project& project) {
     run(partsOf(project), [this, project](const BatchOptions& options) {
-        return [this, outcome = runAll(project, options)] { emit finished(outcome); };
+        return [this, outcome = runWholeBatch(project, options)] { emit finished(outcome); };
     });
 }
 

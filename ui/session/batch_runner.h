@@ -35,6 +35,9 @@ struct BatchOutcome {
 using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;
 using SobolIndicesPtr = std::shared_ptr<const SobolIndices>;
 
+/// Checks and runs the batch of a project, in this thread.
+[[nodiscard]] BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& options);
+
 /// How many parts the batch of a project has.
 [[nodiscard]] std::int64_t partsOf(const Project& project);
 

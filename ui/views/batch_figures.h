@@ -41,9 +41,11 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
                                       int role) const override;
 
+    /// One figure of a characteristic as it is shown.
+    [[nodiscard]] static QString text(const CharacteristicSummary& summary, bool isSample, int row);
+
 private:
     [[nodiscard]] const CharacteristicSummary& at(int column) const;
-    [[nodiscard]] static QString text(const CharacteristicSummary& summary, bool isSample, int row);
 
     BatchOutcomePtr m_outcome;
     std::vector<std::size_t> m_places; ///< indices of the summary's characteristics

@@ -2,7 +2,7 @@
 #include "ui/views/run_table.h"
 
 #include "core/project/leaves.h"
-#include "ui/session/member.h"
+#include "ui/session/field_text.h"
 #include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 #include "ui/views/names.h"
@@ -38,80 +38,6 @@ using RunValues = std::vector<RunValue>;
 
 // --- inputs -------------------------------------------------------------------------------------
 
-QString joined(const std::vector<double>& numbers) {
-    QStringList parts;
-    for (const double number : numbers) {
-        parts << showNumber(number, QLocale());
-    }
-    return parts.join(QStringLiteral("; "));
-}
-
-QString sparkOutShown(const SparkOut& sparkOut, const Field& field) {
-    switch (sparkOut.mode) {
-    case SparkOut::Mode::untilSize: return RunTable::tr("until size");
-    case SparkOut::Mode::count: return QString::number(sparkOut.count);
-    case SparkOut::Mode::none: break;
-    }
-    return inputText(field.nullMeaning);
-}
-
-QString complianceShown(const GivenCompliance& compliance, const Field& field) {
-    if (const auto* zones = std::get_if<ZoneCompliance>(&compliance)) {
-        return joined({zones->rz1, zones->nz, zones->rz2});
-    }
-    const auto* sections = std::get_if<std::vector<double>>(&compliance);
-    return sections ? joined(*sections) : inputText(field.nullMeaning);
-}
-
-QString levelsShown(const Levels& levels, const Field& field) {
-    if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
-        return RunTable::tr("%1…%2 in steps of %3")
-            .arg(showNumber(stepped->from, QLocale()), showNumber(stepped->to, QLocale()),
-                 showNumber(stepped->step, QLocale()));
-    }
-    const auto* list = std::get_if<std::vector<double>>(&levels);
-    return list ? joined(*list) : inputText(field.nullMeaning);
-}
-
-QString rowsShown(const NumberRows& rows, const Field& field) {
-    QStringList lines;
-    for (const std::vector<double>& row : rows.value_or(std::vector<std::vector<double>>())) {
-        lines << u'(' + joined(row) + u')';
-    }
-    return rows ? lines.join(QStringLiteral(", ")) : inputText(field.nullMeaning);
-}
-
-/// The value of an input that is no single number.
-QString textShown(const Field& field, const void* owner) {
-    switch (field.kind) {
-    case Kind::boolean: return field.as<bool>(owner) ? RunTable::tr("yes") : RunTable::tr("no");
-    case Kind::text: return QString::fromStdString(field.as<std::string>(owner)).simplified();
-    case Kind::choice:
-        return choiceText(field.choices[static_cast<std::size_t>(field.getChoice(owner))].label);
-    case Kind::numberList: return joined(field.as<std::vector<double>>(owner));
-    case Kind::optionalNumberList: {
-        const auto& list = field.as<std::optional<std::vector<double>>>(owner);
-        return list ? joined(*list) : inputText(field.nullMeaning);
-    }
-    case Kind::sparkOut: return sparkOutShown(field.as<SparkOut>(owner), field);
-    case Kind::compliance: return complianceShown(field.as<GivenCompliance>(owner), field);
-    case Kind::levels: return levelsShown(field.as<Levels>(owner), field);
-    case Kind::numberRows: return rowsShown(field.as<NumberRows>(owner), field);
-    default: return inputText(field.nullMeaning);
-    }
-}
-
-std::optional<double> singleNumber(const Field& field, const void* owner) {
-    switch (field.kind) {
-    case Kind::objectList: return static_cast<double>(field.size(owner));
-    case Kind::number:
-    case Kind::optionalNumber:
-    case Kind::integer:
-    case Kind::optionalInteger: return numberIn(field, owner);
-    default: return std::nullopt;
-    }
-}
-
 RunValues inputValues(const Project& project) {
     RunValues values;
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
@@ -120,9 +46,9 @@ RunValues inputValues(const Project& project) {
         if (leaf.path.starts_with("/runs") || !isRead) {
             continue;
         }
-        const std::optional<double> number = singleNumber(field, leaf.owner);
+        const std::optional<double> number = singleNumberIn(field, leaf.owner);
         const QString shown =
-            number ? showNumber(*number, QLocale()) : textShown(field, leaf.owner);
+            number ? showNumber(*number, QLocale()) : fieldText(field, leaf.owner);
         values.push_back({leaf.path,
                           {},
                           unitText(field.unit),
@@ -237,7 +163,7 @@ RunValue resultValue(const RunSummary& summary, const Leaf& leaf) {
         const double value = field.as<double>(leaf.owner);
         return {leaf.path, what, unitText(field.unit), numberShown(field, value), value};
     }
-    const QString shown = textShown(field, leaf.owner);
+    const QString shown = fieldText(field, leaf.owner);
     return {leaf.path, what, unitText(field.unit), shown, shown};
 }
 
@@ -321,10 +247,10 @@ QString changeShown(const ChangedValue& change) {
         return step ? RunTable::tr("by up to %1").arg(Names::significant(*step, 2))
                     : RunTable::tr("another number of values");
     }
-    const std::optional<double> before = singleNumber(field, change.kept.owner);
-    const std::optional<double> after = singleNumber(field, change.now->owner);
-    QString from = before ? numberShown(field, *before) : textShown(field, change.kept.owner);
-    QString to = after ? numberShown(field, *after) : textShown(field, change.now->owner);
+    const std::optional<double> before = singleNumberIn(field, change.kept.owner);
+    const std::optional<double> after = singleNumberIn(field, change.now->owner);
+    QString from = before ? numberShown(field, *before) : fieldText(field, change.kept.owner);
+    QString to = after ? numberShown(field, *after) : fieldText(field, change.now->owner);
     if (before && after && from == to) {
         from = showNumber(*before, QLocale());
         to = showNumber(*after, QLocale());

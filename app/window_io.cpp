@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window_io.h"
+
+#include "core/project/safe_file.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/session/document.h"
+#include "ui/session/texts.h"
+
+#include <QFile>
+
+namespace sparkout {
+
+void say(std::FILE* stream, const QString& text) {
+    std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
+}
+
+bool writeBytes(const QByteArray& bytes, const QString& path) {
+    const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
+                                       {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (error) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(saveErrorText(*error)));
+    }
+    return !error;
+}
+
+bool openOrSay(Document& document, const QString& path) {
+    const OpenResult result = document.open(path);
+    if (result.error) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(readErrorText(*result.error)));
+    } else if (!result.opened()) {
+        for (const QString& line : FaultsDialog::lines(result.issues)) {
+            say(stderr, QStringLiteral("sparkout: %1").arg(line));
+        }
+    }
+    return result.opened();
+}
+
+} // namespace sparkout

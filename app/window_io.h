@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+#include <cstdio>
+
+namespace sparkout {
+
+class Document;
+
+/// Exit status of the program; `exitInterrupted` plus the signal, as a shell tells Ctrl+C.
+inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3, exitInterrupted = 128;
+
+void say(std::FILE* stream, const QString& text); ///< a line
+
+/// Writes a file safely; a failure is said.
+[[nodiscard]] bool writeBytes(const QByteArray& bytes, const QString& path);
+
+/// Reads a project; what is wrong with it is said.
+[[nodiscard]] bool openOrSay(Document& document, const QString& path);
+
+} // namespace sparkout

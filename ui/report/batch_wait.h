@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/batch_runner.h"
+
+#include <QDialog>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace sparkout {
+
+/// Runs a batch that something waits for, beside the window, with its progress and a way to stop.
+class BatchWait : public QDialog {
+    Q_OBJECT
+
+public:
+    BatchWait(const Project& project, const QString& what, QWidget* parent);
+
+    /// The whole batch; with issues when it cannot be run; null when it was stopped.
+    [[nodiscard]] BatchOutcomePtr wait();
+
+private:
+    void showProgress(qint64 done, qint64 parts, double left_s);
+
+    Project m_project;
+    QLabel* m_text;
+    QProgressBar* m_progress;
+    QPushButton* m_stop;
+    BatchOutcomePtr m_outcome;
+    BatchRunner m_runner; ///< last: stopped before what it reports to is gone
+};
+
+} // namespace sparkout

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of the accuracy passport.
+#include "ui/report/passport_parts.h"
+
+#include "core/process/system_compliance.h"
+#include "core/quality/accuracy.h"
+#include "ui/report/plot_figure.h"
+#include "ui/report/report_values.h"
+#include "ui/session/texts.h"
+#include "ui/theme.h"
+#include "ui/views/batch_text.h"
+#include "ui/views/feeds_plot.h"
+#include "ui/views/histogram_plot.h"
+#include "ui/views/longitudinal_plot.h"
+#include "ui/views/names.h"
+#include "ui/views/profiles_plot.h"
+#include "ui/views/profiles_text.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+
+namespace sparkout::report {
+
+namespace {
+
+constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
+constexpr std::size_t mostCharted = 24; ///< rows of the capability chart
+constexpr std::size_t mostAcross = 4;   ///< cross-sections beside each other
+constexpr double customaryCpk = 1.33;
+
+LegendEntries profileLegend(const QPalette& palette, std::initializer_list<ProfileLine> lines) {
+    LegendEntries entries;
+    for (const ProfileLine of : lines) {
+        const bool swatch = of == ProfileLine::spread || of == ProfileLine::field;
+        const QPen pen = ProfileLook::pen(of, palette);
+        entries.push_back({swatch ? ProfileLook::fill(of, palette) : pen.color(),
+                           swatch ? Qt::NoPen : pen.style(), ProfileLook::name(of)});
+    }
+    return entries;
+}
+
+std::vector<int> allOf(const ProfileSeries& series) {
+    std::vector<int> all;
+    for (std::size_t i = 0; i < series.profiles.size(); ++i) {
+        all.push_back(static_cast<int>(i));
+    }
+    return all;
+}
+
+/// Cpk with its bounds, a row a characteristic.
+class CapabilityDrawing {
+public:
+    explicit CapabilityDrawing(std::vector<CharacteristicSummary> rows) : m_rows(std::move(rows)) {
+        for (const CharacteristicSummary& of : m_rows) {
+            m_lowest = of.cpk->interval.low < 0 ? -1 : m_lowest;
+        }
+        constexpr std::array ends{2.0, 3.0, 5.0, 10.0};
+        const double least = m_rows.front().cpk->interval.high;
+        m_highest = *std::ranges::find_if(
+            ends, [least](double end) { return end == ends.back() || end >= 1.2 * least; });
+    }
+
+    [[nodiscard]] QSizeF size() const {
+        return {double(figureWidth), top + rowHeight * double(m_rows.size()) + bottom};
+    }
+
+    void paint(QPainter& painter) const {
+        QFont font;
+        font.setPixelSize(fontPixels);
+        painter.setFont(font);
+        paintScale(painter);
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            paintRow(painter, m_rows[i], top + rowHeight * (double(i) + 0.5));
+        }
+    }
+
+private:
+    static constexpr double left = 270, right = 690, top = 6, bottom = 26, rowHeight = 20;
+    static constexpr int fontPixels = 12;
+
+    [[nodiscard]] double x(double cpk) const {
+        return left
+               + (right - left) * (std::clamp(cpk, m_lowest, m_highest) - m_lowest)
+                     / (m_highest - m_lowest);
+    }
+
+    void paintScale(QPainter& painter) const {
+        const double end = top + rowHeight * double(m_rows.size());
+        for (const double value : {-1.0, 0.0, 1.0, customaryCpk, 2.0, 3.0, 5.0, 10.0}) {
+            if (value < m_lowest || value > m_highest) {
+                continue;
+            }
+            const bool mark = value == customaryCpk || value == 1;
+            painter.setPen(QPen(mark ? QColor(40, 40, 40) : QColor(190, 190, 190), 1,
+                                mark ? Qt::DashLine : Qt::SolidLine));
+            painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
+            painter.setPen(Qt::black);
+            const QString name = plainNumber(value);
+            const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
+            painter.drawText(QPointF(x(value) - width / 2, end + 16), name);
+        }
+    }
+
+    void paintRow(QPainter& painter, const CharacteristicSummary& of, double y) const {
+        const Capability& cpk = *of.cpk;
+        const QFontMetricsF metrics(painter.font());
+        const double base = y + metrics.ascent() / 2 - 1;
+        painter.setPen(Qt::black);
+        painter.drawText(QPointF(2, base), metrics.elidedText(BatchText::full(of.characteristic),
+                                                              Qt::ElideRight, left - 12));
+        painter.drawText(QPointF(right + 10, base), BatchText::capability(of.cpk));
+        const QColor colour = cpk.value < 1 ? QColor(190, 60, 20) : QColor(20, 90, 160);
+        painter.setPen(QPen(colour, 2));
+        painter.drawLine(QPointF(x(cpk.interval.low), y), QPointF(x(cpk.interval.high), y));
+        painter.setBrush(colour);
+        if (cpk.value <= m_highest) {
+            painter.drawEllipse(QPointF(x(cpk.value), y), 4, 4);
+        } else { // beyond the scale
+            painter.drawPolygon(QPolygonF{QPointF(right - 7, y - 5), QPointF(right + 1, y),
+                                          QPointF(right - 7, y + 5)});
+        }
+    }
+
+    std::vector<CharacteristicSummary> m_rows; ///< the least Cpk first
+    double m_lowest = 0, m_highest = 3;        ///< of the scale; what is beyond is cut
+};
+
+} // namespace
+
+Figure Passport::histograms(const BatchSummary& summary, const std::string& name) {
+    std::vector<CharacteristicSummary> shown;
+    QStringList told;
+    for (const std::size_t i : drawnPlacesOf(summary, name)) {
+        shown.push_back(summary.characteristics[i]);
+        const CharacteristicSummary& of = shown.back();
+        if (of.count > 0) {
+            told << tr("%1: %2", "zone, range of values")
+                        .arg(BatchText::where(of.characteristic),
+                             BatchText::range({of.least.value, of.most.value}, of.characteristic));
+        }
+    }
+    const QString axis = BatchText::axis(shown.front().characteristic);
+    const QString caption = placesOf(summary, name).size() > shown.size()
+                                ? tr("%1: number of parts, where the Cpk is least").arg(axis)
+                                : tr("%1: number of parts").arg(axis);
+    HistogramPlot plot;
+    setUpForPaper(plot, histogramHeight);
+    plot.setSummaries(std::move(shown));
+    return plotFigure(plot, plot.legendEntries(), caption, told.join(QStringLiteral("; ")));
+}
+
+std::optional<Figure> Passport::capabilityChart(const BatchSummary& summary) {
+    std::vector<CharacteristicSummary> rows;
+    for (const CharacteristicSummary& of : summary.characteristics) {
+        if (of.cpk) {
+            rows.push_back(of);
+        }
+    }
+    if (rows.empty()) {
+        return {};
+    }
+    std::ranges::stable_sort(rows, {}, [](const auto& of) { return of.cpk->value; });
+    rows.resize(std::min(rows.size(), mostCharted));
+    QStringList told;
+    for (const CharacteristicSummary& of : rows) {
+        told << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
+                                             BatchText::capability(of.cpk));
+    }
+    const CapabilityDrawing drawing(std::move(rows));
+    return Figure{tr("Cpk with its 95 % bounds, the least first; dashed: 1 and %1")
+                      .arg(plainNumber(customaryCpk)),
+                  told.join(QStringLiteral("; ")), drawing.size(),
+                  [drawing](QPainter& painter) { drawing.paint(painter); }};
+}
+
+Figure Passport::alongThePart(const Outcome& outcome) {
+    using enum ProfileLine;
+    const ProfileSeries series = makeProfileSeries(outcome.result, outcome.trajectory);
+    LongitudinalPlot plot;
+    setUpForPaper(plot, alongHeight);
+    plot.setDiameters(true);
+    plot.setHidden({blank});
+    plot.setSeries(series, shaftSteps(outcome.result.project), {});
+    plot.fit();
+    const LegendEntries legend =
+        profileLegend(plot.palette(), {profile, spread, target, field, gauge});
+    return plotFigure(plot, legend, tr("Diameter along the part against the tolerance field"),
+                      ProfilesText::summary(series, allOf(series)));
+}
+
+Figure Passport::crossSections(const Outcome& outcome) {
+    using enum ProfileLine;
+    const ProfileSeries series = makeProfileSeries(outcome.result, outcome.trajectory);
+    std::vector<int> shown = allOf(series);
+    if (shown.size() > mostAcross) {
+        shown = shownSections(static_cast<int>(shown.size()), gaugeProfile(outcome.result));
+    }
+    ProfilesPlot plot;
+    setUpForPaper(plot, acrossHeight);
+    plot.setHidden({blank});
+    plot.setSeries(series, shown);
+    plot.fit();
+    const LegendEntries legend =
+        profileLegend(plot.palette(), {profile, target, leastSquares, field});
+    return plotFigure(plot, legend, tr("Cross-sections, deviations magnified"),
+                      ProfilesText::summary(series, shown));
+}
+
+} // namespace sparkout::report

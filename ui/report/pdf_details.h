@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QDate>
+#include <QString>
+
+#include <vector>
+
+/// What a PDF by Qt lacks: an outline, and the author and the subject among its properties.
+namespace sparkout::report {
+
+/// An entry of the outline.
+struct Bookmark {
+    QString text;
+    int page = 0;    ///< from 0
+    double y_pt = 0; ///< from the top edge of the paper
+};
+
+struct PdfDetails {
+    QString title, author, subject, creator; ///< an empty one is left out
+    QDate date;
+    std::vector<Bookmark> outline; ///< in the order of the pages
+};
+
+/// The same document with its details; the same bytes for the same details. Empty when `pdf` is no
+/// whole document.
+[[nodiscard]] QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details);
+
+} // namespace sparkout::report
