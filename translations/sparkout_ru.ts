@@ -344,12 +344,12 @@
     <context>
         <name>CourseFigure</name>
         <message>
-            <source>Cross-sections at the end of the cycle; %1</source>
-            <translation>Поперечные сечения в конце цикла; %1</translation>
-        </message>
-        <message>
             <source>%1: actual feed over the stock left, under its limits</source>
             <translation>%1: фактическая подача в зависимости от оставшегося припуска и её ограничения</translation>
+        </message>
+        <message>
+            <source>Cross-sections at the end of the cycle</source>
+            <translation>Поперечные сечения в конце цикла</translation>
         </message>
     </context>
     <context>
@@ -977,10 +977,6 @@
             <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
         </message>
         <message>
-            <source>Headstock, tailstock and wheel head yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
-            <translation>Передняя, задняя и шлифовальная бабки отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
-        </message>
-        <message>
             <source>A smaller feed ends the cycle with a smaller force, hence a smaller deflection that differs less from zone to zone; for the same stock it takes longer.</source>
             <translation>При меньшей подаче цикл заканчивается с меньшей силой, а значит, с меньшим отжатием, которое меньше различается по зонам; тот же припуск снимается дольше.</translation>
         </message>
@@ -1047,6 +1043,10 @@
         <message>
             <source>Largest power, kW</source>
             <translation>Наибольшая мощность, кВт</translation>
+        </message>
+        <message>
+            <source>The units of the machine yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
+            <translation>Узлы станка отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
         </message>
     </context>
     <context>

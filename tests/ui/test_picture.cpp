@@ -129,12 +129,12 @@ private slots:
                                         batch, QStringLiteral("-o"), path}
                             + more);
         };
-        const Run run = handout({QStringLiteral("--at"), QStringLiteral("5,nz,e2,k7"),
+        const Run run = handout({QStringLiteral("--at"), QStringLiteral("20,nz,e2,k7"),
                                  QStringLiteral("--answers"), QStringLiteral("off"),
                                  QStringLiteral("--views"), QString()});
         QVERIFY2(run.status == 0, qPrintable(run.said));
         const QByteArray text = bytesOf(path);
-        QVERIFY(text.contains("* Double stroke: **5**"));
+        QVERIFY(text.contains("* Double stroke: **20**"));
         QVERIFY(text.contains("k = 7"));
         QVERIFY(!text.contains("## Answers") && !text.contains("## Figures"));
         for (const QStringList& wrong :

@@ -48,10 +48,9 @@ Figure profilesFigure(const OutcomePtr& outcome) {
     plot.setSeries(makeProfileSeries(result, outcome->trajectory), shown);
     plot.restyle();
     plot.fit();
-    return plotFigure(
-        plot, profileLegend(plot.palette()),
-        CourseFigure::tr("Cross-sections at the end of the cycle; %1").arg(plot.caption()),
-        ProfilesText::summary(plot.series(), plot.shown()));
+    return plotFigure(plot, profileLegend(plot.palette()),
+                      CourseFigure::tr("Cross-sections at the end of the cycle"),
+                      ProfilesText::summary(plot.series(), plot.shown()));
 }
 
 std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at) {

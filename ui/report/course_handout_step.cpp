@@ -54,6 +54,7 @@ class StepFormulas {
 public:
     StepFormulas(const Project& project, const Place& at, Citations& citations)
         : m_at(at), m_citations(citations) {
+        m_explained.insert(QStringLiteral("γ")); // among the inputs, too
         for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
             if (*leaf.field->symbol && numberIn(*leaf.field, leaf.owner)) {
                 m_explained.insert(QString::fromUtf8(leaf.field->symbol));

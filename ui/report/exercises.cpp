@@ -70,10 +70,11 @@ MadeChange softer(const Project& project) {
     } else if (auto* all = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
         std::ranges::for_each(*all, [](double& value) { value *= softening; });
     } else if (machine.stiffness_n_um) {
-        change.told = ExerciseText::tr("Headstock, tailstock and wheel head yield %1 times as much "
-                                       "under the same force. How do the difference of diameters "
-                                       "along the part and the largest normal force change?")
-                          .arg(plainNumber(softening));
+        change.told =
+            ExerciseText::tr("The units of the machine yield %1 times as much under the same "
+                             "force. How do the difference of diameters along the "
+                             "part and the largest normal force change?")
+                .arg(plainNumber(softening));
         for (double* value :
              {&machine.stiffness_n_um->headstock, &machine.stiffness_n_um->tailstock,
               &machine.stiffness_n_um->wheel_head}) {

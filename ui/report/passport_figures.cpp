@@ -56,7 +56,7 @@ public:
         for (const CharacteristicSummary& of : m_rows) {
             m_lowest = of.cpk->interval.low < 0 ? -1 : m_lowest;
         }
-        constexpr std::array ends{2.0, 3.0, 5.0, 10.0};
+        static constexpr std::array ends{2.0, 3.0, 5.0, 10.0};
         const double least = m_rows.front().cpk->interval.high;
         m_highest = *std::ranges::find_if(
             ends, [least](double end) { return end == ends.back() || end >= 1.2 * least; });
