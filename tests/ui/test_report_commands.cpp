@@ -125,6 +125,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("passport.md"));
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(batchExample()));
+        QVERIFY(bench.window->showView(QStringLiteral("batch")));
         const auto* view = bench.window->findChild<BatchView*>();
         QTRY_VERIFY_WITH_TIMEOUT(!view->busy() && view->batch() && !view->stale(), 60'000);
         const DialogAnswers answers({QStringLiteral("file:") + path}); // no other dialog comes up

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <qcustomplot.h>
+#include <qpdf/DLL.h>
 
 namespace sparkout {
 
@@ -67,7 +68,7 @@ QString AboutDialog::versions() {
             .arg(QString::fromUtf8(qVersion()), QStringLiteral(QT_VERSION_STR)),
         tr("Libraries: %1")
             .arg(QStringLiteral("QCustomPlot " QCUSTOMPLOT_VERSION_STR ", Eigen %1, JSON %2, "
-                                "Boost %3")
+                                "Boost %3, qpdf " QPDF_VERSION)
                      .arg(text(engine.eigen), text(engine.json), text(engine.boost))),
         tr("Compiler: %1").arg(text(engine.compiler)),
         tr("System: %1, %2").arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture()),

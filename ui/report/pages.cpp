@@ -20,11 +20,6 @@ constexpr QMarginsF margins_mm(18, 12, 12, 12); // the left one for filing
 constexpr int pdfResolution = 1200;
 constexpr double pointsPerInch = 72;
 
-QSizeF areaOf(const QPagedPaintDevice& device) {
-    return device.pageLayout().paintRect(QPageLayout::Point).size() * Pages::unitsPerInch
-           / pointsPerInch;
-}
-
 /// The title as a list of documents shows it.
 QString fullTitle(const Report& report) {
     return report.subject.isEmpty() ? report.title
@@ -88,8 +83,12 @@ void setUpPaper(QPagedPaintDevice& device) {
     device.setPageMargins(margins_mm, QPageLayout::Millimeter);
 }
 
-bool printPages(const Report& report, QPrinter& printer) {
-    const Pages pages(report, areaOf(printer));
+QSizeF areaOf(const QPagedPaintDevice& device) {
+    return device.pageLayout().paintRect(QPageLayout::Point).size() * Pages::unitsPerInch
+           / pointsPerInch;
+}
+
+bool printPages(const Pages& pages, QPrinter& printer) {
     const bool some = printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0;
     const int first = some ? std::clamp(printer.fromPage() - 1, 0, pages.count() - 1) : 0;
     const int last =

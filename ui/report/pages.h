@@ -42,8 +42,10 @@ private:
 
 /// A4 upright with the margins of the report.
 void setUpPaper(QPagedPaintDevice& device);
-/// Paints the pages, or those of them the printer is asked for; false when it fails.
-[[nodiscard]] bool printPages(const Report& report, QPrinter& printer);
+/// What a device has within its margins [units].
+[[nodiscard]] QSizeF areaOf(const QPagedPaintDevice& device);
+/// Paints the pages, or those of them the printer is asked for; false when it fails. In any thread.
+[[nodiscard]] bool printPages(const Pages& pages, QPrinter& printer);
 
 /// With embedded fonts, an outline and its properties; empty when it could not be made.
 [[nodiscard]] QByteArray pdf(const Report& report);

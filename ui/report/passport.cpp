@@ -49,7 +49,12 @@ public:
     }
 
 private:
-    void add(Block block) { m_report.blocks.push_back(std::move(block)); }
+    void add(Block block) {
+        if (std::holds_alternative<Figure>(block)) {
+            m_subject.breathe();
+        }
+        m_report.blocks.push_back(std::move(block));
+    }
     void heading(const QString& text) { add(Heading{text}); }
 
     void section(const QString& name, std::vector<Block> blocks) {

@@ -19,7 +19,6 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 
 namespace sparkout::report {
 
@@ -56,10 +55,12 @@ public:
         for (const CharacteristicSummary& of : m_rows) {
             m_lowest = of.cpk->interval.low < 0 ? -1 : m_lowest;
         }
-        static constexpr std::array ends{2.0, 3.0, 5.0, 10.0};
-        const double least = m_rows.front().cpk->interval.high;
-        m_highest = *std::ranges::find_if(
-            ends, [least](double end) { return end == ends.back() || end >= 1.2 * least; });
+        for (const double end : {2.0, 3.0, 5.0, 10.0}) {
+            m_highest = end;
+            if (end >= 1.2 * m_rows.front().cpk->interval.high) {
+                break;
+            }
+        }
     }
 
     [[nodiscard]] QSizeF size() const {

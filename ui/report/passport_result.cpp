@@ -185,14 +185,14 @@ Table Passport::values(const Subject& subject) {
 
 Table Passport::capability(const BatchSummary& summary) {
     Table table;
-    table.head = {tr("Characteristic"),   tr("Mean, 95 %"),  tr("Cp"), tr("Cpk"),
-                  tr("Out of tolerance"), tr("Normality, p")};
+    table.head = {tr("Characteristic"), tr("Cp"), tr("Cpk"), tr("Out of tolerance"),
+                  tr("Normality, p")};
     table.texts = {true};
     for (const CharacteristicSummary& of : summary.characteristics) {
         QStringList row{BatchText::full(of.characteristic)};
-        for (const auto figure : {BatchFigures::meanInterval, BatchFigures::cp, BatchFigures::cpk,
-                                  BatchFigures::outside, BatchFigures::normality}) {
-            row << BatchFigures::text(of, summary.isSample, figure);
+        for (const auto figure : {BatchFigures::cp, BatchFigures::cpk, BatchFigures::outside,
+                                  BatchFigures::normality}) {
+            row << unparted(BatchFigures::text(of, summary.isSample, figure));
         }
         table.rows.push_back(row);
     }
@@ -223,10 +223,12 @@ std::vector<Block> Passport::worst(const Subject& subject) {
     const BatchSummary& summary = subject.batch->summary;
     const ScenarioSource source(subject.batch->result.project);
     const std::vector<double> values = source.values(summary.worstPart);
-    std::vector<Block> blocks{Paragraph{tr("Part %1 of %2 has the least margin. %3.")
-                                            .arg(summary.worstPart)
-                                            .arg(summary.parts)
-                                            .arg(sparkout::verdict::overall(*subject.worst))}};
+    std::vector<Block> blocks{
+        Paragraph{tr("Of the %n part(s), the first of which is number 0, number %1 has the least "
+                     "margin. %2.",
+                     nullptr, static_cast<int>(summary.parts))
+                      .arg(summary.worstPart)
+                      .arg(sparkout::verdict::overall(*subject.worst))}};
     if (!values.empty()) {
         Facts facts;
         for (std::size_t f = 0; f < values.size(); ++f) {

@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QMessageBox>
 #include <QPrintDialog>
 #include <QPrintPreviewDialog>
@@ -69,6 +70,7 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     if (wantsBatch && !addBatch(subject, now.batch)) {
         return {};
     }
+    subject.breathe = [] { QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents); };
     return row.make(subject);
 }
 
@@ -110,8 +112,16 @@ void ReportCommands::preview(report::Kind kind) {
     QPrintPreviewDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
-    connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
-            [&report](QPrinter* target) { (void)report::printPages(*report, *target); });
+    std::optional<report::Pages> pages;
+    QSizeF area = report::areaOf(printer);
+    runAside([&] { pages.emplace(*report, area); });
+    connect(&dialog, &QPrintPreviewDialog::paintRequested, this, [&](QPrinter* target) {
+        if (report::areaOf(*target) != area) {
+            area = report::areaOf(*target);
+            pages.emplace(*report, area);
+        }
+        (void)report::printPages(*pages, *target);
+    });
     if (printer.outputFormat() != QPrinter::NativeFormat) {
         hidePageSetup(dialog); // it is the printer's, and there is none
     }
@@ -129,7 +139,15 @@ void ReportCommands::print(report::Kind kind) {
     QPrintDialog dialog(&printer, m_window);
     dialog.setWindowTitle(tr("Print: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
-    if (dialog.exec() == QDialog::Accepted && !report::printPages(*report, printer)) {
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    bool printed = false;
+    runAside([&] {
+        const report::Pages pages(*report, report::areaOf(printer));
+        printed = report::printPages(pages, printer);
+    });
+    if (!printed) {
         say(QMessageBox::Critical, tr("Not printed"),
             tr("The printer or the file did not take the pages."), m_window);
     }

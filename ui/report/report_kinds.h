@@ -6,6 +6,7 @@
 #include "ui/session/batch_runner.h"
 #include "ui/session/outcome.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -21,7 +22,8 @@ struct Subject {
     OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
     QString file;          ///< path of the project, or empty
     QDate date;
-    HandoutOptions handout; ///< what the course hand-out is to have
+    HandoutOptions handout;                ///< what the course hand-out is to have
+    std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
 };
 
 struct KindRow {
