@@ -84,14 +84,14 @@ QString handoutViewText(const std::set<HandoutView>& views) {
 }
 
 Report courseHandout(const OutcomePtr& outcome, const QString& file, const QDate& date,
-                     const HandoutOptions& options) {
+                     const HandoutOptions& options, const std::function<void()>& breathe) {
     const Project& project = outcome->result.project;
     Report report = begunReport(CourseHandout::tr("Course hand-out"), project, file, date);
     std::optional<HandoutStep> step = findStep(outcome->trajectory, options.step);
     if (!step) {
         step = findStep(outcome->trajectory); // roughing was over before it began
     }
-    const std::vector<Exercise> exercises = makeExercises(*outcome, step);
+    const std::vector<Exercise> exercises = makeExercises(*outcome, step, breathe);
     HandoutBlocks blocks(report.blocks);
     blocks.add(CourseHandout::header(project, file, date));
     blocks.heading(CourseHandout::tr("The task"));
@@ -105,7 +105,8 @@ Report courseHandout(const OutcomePtr& outcome, const QString& file, const QDate
         step ? CourseHandout::stepFormulas(*outcome, *step, citations) : StepBlocks();
     blocks.add(CourseHandout::inputs(*outcome, step, worked.symbols, citations));
     addStep(blocks, *outcome, step, worked.blocks);
-    if (auto figures = CourseHandout::figures(outcome, step, options.views); !figures.empty()) {
+    if (auto figures = CourseHandout::figures(outcome, step, options.views, breathe);
+        !figures.empty()) {
         blocks.heading(CourseHandout::tr("Figures"));
         blocks.add(std::move(figures));
     }

@@ -5,6 +5,7 @@
 #include "ui/report/report.h"
 #include "ui/session/outcome.h"
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -37,7 +38,9 @@ struct HandoutOptions {
 
 /// The course hand-out: a step of the cycle worked out formula by formula with its numbers,
 /// figures, and questions whose answers the engine has computed. Of an outcome that ran.
-[[nodiscard]] Report courseHandout(const OutcomePtr& outcome, const QString& file,
-                                   const QDate& date, const HandoutOptions& options);
+/// `breathe` is called between figures and runs, so that a window may live.
+[[nodiscard]] Report courseHandout(
+    const OutcomePtr& outcome, const QString& file, const QDate& date,
+    const HandoutOptions& options, const std::function<void()>& breathe = [] {});
 
 } // namespace sparkout::report

@@ -42,7 +42,8 @@ public:
     static Table limits(const Outcome& outcome, const HandoutStep& step);
     static std::vector<Block> figures(const OutcomePtr& outcome,
                                       const std::optional<HandoutStep>& step,
-                                      const std::set<HandoutView>& views);
+                                      const std::set<HandoutView>& views,
+                                      const std::function<void()>& breathe);
     static std::vector<Block> questions(const std::vector<Exercise>& exercises);
     static std::vector<Block> answers(const std::vector<Exercise>& exercises, Operation operation);
     static Table sources(const Citations& citations);

@@ -246,9 +246,11 @@ Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
 
 std::vector<Block> CourseHandout::figures(const OutcomePtr& outcome,
                                           const std::optional<HandoutStep>& step,
-                                          const std::set<HandoutView>& views) {
+                                          const std::set<HandoutView>& views,
+                                          const std::function<void()>& breathe) {
     std::vector<Block> blocks;
-    const auto add = [&blocks](std::optional<Figure> figure) {
+    const auto add = [&](std::optional<Figure> figure) {
+        breathe();
         if (figure) {
             blocks.emplace_back(std::move(*figure));
         }

@@ -241,14 +241,15 @@ QString askedNumber(Asked asked, double value) {
     }
 }
 
-std::vector<Exercise> makeExercises(const Outcome& outcome,
-                                    const std::optional<HandoutStep>& step) {
+std::vector<Exercise> makeExercises(const Outcome& outcome, const std::optional<HandoutStep>& step,
+                                    const std::function<void()>& breathe) {
     Project project = outcome.result.project;
     project.runs.clear();
     std::vector<Exercise> exercises;
     for (const auto make : {duller, softer, slower, rounder, thicker}) {
         if (MadeChange change = make(project);
             change && exercises.size() < mostExercises && !hasErrors(validate(change->project))) {
+            breathe();
             exercises.push_back(solved(std::move(*change), outcome, step));
         }
     }

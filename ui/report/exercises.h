@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,8 +45,9 @@ inline constexpr std::size_t mostExercises = 5;
 
 /// At most five, each of one input changed; a change that the inputs do not allow is left out.
 /// `step` is of the outcome's trajectory, if that was recorded.
-[[nodiscard]] std::vector<Exercise> makeExercises(const Outcome& outcome,
-                                                  const std::optional<HandoutStep>& step);
+[[nodiscard]] std::vector<Exercise> makeExercises(
+    const Outcome& outcome, const std::optional<HandoutStep>& step,
+    const std::function<void()>& breathe = [] {});
 
 [[nodiscard]] QString askedName(Asked asked, Operation operation); ///< with its unit
 [[nodiscard]] QString askedNumber(Asked asked, double value);

@@ -19,7 +19,8 @@ Report makeCard(const Subject& subject) {
 }
 
 Report makeHandout(const Subject& subject) {
-    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout);
+    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout,
+                         subject.breathe);
 }
 
 constexpr std::array allKinds{
