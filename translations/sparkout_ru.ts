@@ -3957,11 +3957,11 @@ target, µm</source>
         </message>
         <message>
             <source>Nominal part</source>
-            <translation>Номинальная деталь</translation>
+            <translation>Номинал</translation>
         </message>
         <message>
             <source>Smallest</source>
-            <translation>Наименьшее</translation>
+            <translation>Наим.</translation>
         </message>
         <message>
             <source>Mean</source>
@@ -3969,7 +3969,7 @@ target, µm</source>
         </message>
         <message>
             <source>Largest</source>
-            <translation>Наибольшее</translation>
+            <translation>Наиб.</translation>
         </message>
         <message>
             <source>s</source>

@@ -30,23 +30,30 @@ public:
     static QString number(int page, int count) { return tr("page %1 of %2").arg(page).arg(count); }
 };
 
-/// Widths of the columns that fill the page: each at least its longest word, the rest by need.
-std::vector<double> columnWidths(const Table& table, double width) {
+/// Widths of the columns that fill the page: each at least its longest word, or its longest number
+/// with all that belongs to it, the rest by need.
+std::vector<double> columnWidths(const Table& table, double width, bool wholeNumbers = true) {
     const auto columns = static_cast<std::size_t>(table.head.size());
     std::vector<double> least(columns), wanted(columns);
-    const auto measure = [&](const QStringList& cells, const QFont& font) {
+    const auto measure = [&](const QStringList& cells, const QFont& font, bool head) {
         for (std::size_t c = 0; c < columns; ++c) {
             const QString& text = cells[static_cast<qsizetype>(c)];
-            least[c] = std::max(least[c], TextBox::widestWord(text, font) + 2 * cellPad);
-            wanted[c] = std::max(wanted[c], TextBox::widestLine(text, font) + 2 * cellPad);
+            const bool isText = head || (c < table.texts.size() && table.texts[c]);
+            const double whole = TextBox::widestLine(text, font);
+            const double word = wholeNumbers && !isText ? whole : TextBox::widestWord(text, font);
+            least[c] = std::max(least[c], word + 2 * cellPad);
+            wanted[c] = std::max(wanted[c], whole + 2 * cellPad);
         }
     };
     for (const QStringList& row : table.rows) {
-        measure(row, reportFont(bodySize, table.lastIsSum && &row == &table.rows.back()));
+        measure(row, reportFont(bodySize, table.lastIsSum && &row == &table.rows.back()), false);
     }
-    measure(table.head, reportFont(smallSize, true));
+    measure(table.head, reportFont(smallSize, true), true);
     const double sumLeast = std::accumulate(least.begin(), least.end(), 0.0);
     const double sumWanted = std::accumulate(wanted.begin(), wanted.end(), 0.0);
+    if (wholeNumbers && sumLeast > width) {
+        return columnWidths(table, width, false);
+    }
     std::vector<double> widths(columns);
     for (std::size_t c = 0; c < columns; ++c) {
         if (sumLeast >= width) {

@@ -65,6 +65,16 @@ Table correlations(const std::vector<GivenFactor>& factors,
     return table;
 }
 
+/// A form of a factor's distribution that is not the given one.
+bool isOtherForm(const Leaf& leaf, bool isNumber) {
+    if (leaf.owner == nullptr || isNumber || !leaf.path.starts_with("/batch/factors/")) {
+        return false;
+    }
+    const bool isList = leaf.field->kind == sparkout::Kind::optionalNumberList;
+    return isList ? !leaf.field->as<std::optional<std::vector<double>>>(leaf.owner)
+                  : leaf.field->kind == sparkout::Kind::optionalInteger;
+}
+
 } // namespace
 
 Facts Passport::drawing(const Project& project) {
@@ -178,6 +188,9 @@ Table Passport::inputs(const Project& project) {
             continue;
         }
         const std::optional<double> number = singleNumberIn(field, leaf.owner);
+        if (isOtherForm(leaf, number.has_value())) {
+            continue;
+        }
         const QString value = number ? plainNumber(*number)
                               : field.kind == sparkout::Kind::text
                                   ? oneLine(field.as<std::string>(leaf.owner))
