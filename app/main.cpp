@@ -39,7 +39,8 @@ constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
-    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru]\n"
+    "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
@@ -48,6 +49,13 @@ constexpr const char* usageText =
     "%1"
     "  -o OUT             the file of the report; its ending says as what it is written:\n"
     "                     .pdf, .html or .md (Markdown)\n"
+    "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
+    "                     zone or section, stage, step, revolution of it and radius, as far as\n"
+    "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the deepest cut;\n"
+    "                     z1 unless told\n"
+    "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
+    "                     between; feeds,cycle,profiles unless told; none of them: \"\"\n"
+    "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
     "  --lang en|ru       language of the window or the report, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
@@ -70,6 +78,8 @@ struct Options {
     QString picture;
     QString report; ///< the kind of report
     QString output; ///< its file
+    ReportRequest request;
+    QString handoutOption; ///< one of --at, --views, --answers, if given
     QString language;
     QString theme;
     QString view;
@@ -110,6 +120,9 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         if (!report::formatOf(options.output)) {
             options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
         }
+    } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
+        options.handoutOption = word;
+        options.fault = readHandoutOption(word, words[++i], options.request);
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -156,6 +169,10 @@ Options readOptions(const QStringList& words) {
     }
     if (!options.report.isEmpty() != !options.output.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--report and -o go together");
+    }
+    if (!options.handoutOption.isEmpty() && options.report != u"handout"
+        && options.fault.isEmpty()) {
+        options.fault = QStringLiteral("%1 is of --report handout").arg(options.handoutOption);
     }
     if (!options.report.isEmpty() && options.fault.isEmpty()) {
         if (options.file.isEmpty()) {
@@ -306,7 +323,11 @@ int main(int argc, char** argv) {
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
     if (!options.report.isEmpty()) {
-        return writeReport(*report::kindOf(options.report), options.file, options.output);
+        ReportRequest request = options.request;
+        request.kind = *report::kindOf(options.report);
+        request.file = options.file;
+        request.output = options.output;
+        return writeReport(request);
     }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {

@@ -30,16 +30,44 @@ BatchOutcomePtr runWatched(const Project& project) {
 
 } // namespace
 
-int writeReport(report::Kind kind, const QString& file, const QString& output) {
+QString readHandoutOption(const QString& option, const QString& value, ReportRequest& request) {
+    if (option == u"--at") {
+        const auto step = report::readStepWish(value);
+        request.handout.step = step.value_or(report::StepWish());
+        request.stepAsked = true;
+        return step ? QString()
+                    : QStringLiteral("--at is a step as 12,nz,z1,e1,r1,k9, not “%1”").arg(value);
+    }
+    if (option == u"--views") {
+        const auto views = report::readHandoutViews(value);
+        request.handout.views = views.value_or(std::set<report::HandoutView>());
+        return views ? QString()
+                     : QStringLiteral("--views are feeds, cycle, profiles, limits, with commas "
+                                      "between, not “%1”")
+                           .arg(value);
+    }
+    request.handout.answers = value == u"on";
+    return value == u"on" || value == u"off" ? QString() : QStringLiteral("--answers is on or off");
+}
+
+int writeReport(const ReportRequest& request) {
     Document document;
-    if (!openOrSay(document, file)) {
+    if (!openOrSay(document, request.file)) {
         return exitRefused;
     }
-    const report::KindRow& row = report::rowOf(kind);
-    report::Subject subject{runProject(document.project(), {}), nullptr, nullptr, file,
-                            QDate::currentDate()};
+    const report::KindRow& row = report::rowOf(request.kind);
+    report::Subject subject{runProject(document.project(), {}),
+                            nullptr,
+                            nullptr,
+                            request.file,
+                            QDate::currentDate(),
+                            request.handout};
     if (!subject.outcome->ran()) {
         return refuse(subject.outcome->issues);
+    }
+    if (request.stepAsked && !report::findStep(subject.outcome->trajectory, request.handout.step)) {
+        say(stderr, QStringLiteral("sparkout: no step of this cycle is as --at says"));
+        return exitUsage;
     }
     if (row.takesBatch && document.project().batch) {
         subject.batch = runWatched(document.project());
@@ -52,7 +80,7 @@ int writeReport(report::Kind kind, const QString& file, const QString& output) {
         if (subject.batch) {
             subject.worst = report::runWorstPart(*subject.batch);
         }
-        bytes = report::bytesOf(row.make(subject), *report::formatOf(output));
+        bytes = report::bytesOf(row.make(subject), *report::formatOf(request.output));
     }
     if (cli::caughtSignal() != 0) {
         say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
@@ -62,7 +90,7 @@ int writeReport(report::Kind kind, const QString& file, const QString& output) {
         say(stderr, QStringLiteral("sparkout: the report could not be made"));
         return exitRefused;
     }
-    if (!writeBytes(bytes, output)) {
+    if (!writeBytes(bytes, request.output)) {
         return exitRefused;
     }
     return subject.outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;

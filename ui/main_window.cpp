@@ -285,7 +285,7 @@ void MainWindow::connectReports() {
                 runAside(
                     [&, project = m_document.project()] { outcome = runProject(project, {}); });
             }
-            return {outcome, m_document.filePath(), m_batch->batch()};
+            return {outcome, m_document.filePath(), m_batch->batch(), &m_cursor};
         },
         m_settings, this);
     const auto on = [this](QAction* action, const std::function<void()>& command) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
 #include "core/batch/batch_summary.h"
+#include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -261,6 +263,13 @@ private slots:
         for (const char* name : {"shaft-30h6-factory", "shaft-30h6-optimal"}) {
             const Project project = TestExamples::project(name);
             QCOMPARE(project.batch->parts, 50);
+            std::set<std::string> factors;
+            for (const GivenFactor& factor : givenFactors(project)) {
+                factors.insert(factorKey(factor.kind));
+            }
+            QCOMPARE(factors, (std::set<std::string>{"stock_mm", "initial_runout_mm", "dullness"}));
+            QVERIFY(project.notes.find("the first three scatter here by estimates")
+                    != std::string::npos);
             std::vector<Row> rows;
             for (const CharacteristicSummary& of : summarise(runBatch(project)).characteristics) {
                 if (std::string(of.characteristic.name) == "diameter") {

@@ -121,6 +121,33 @@ private slots:
         QVERIFY(bytesOf(path).startsWith("# Паспорт точности"));
     }
 
+    void theHandoutIsOfTheStepAskedFor() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("handout.md"));
+        const auto handout = [&](const QStringList& more) {
+            return sparkout(QStringList{QStringLiteral("--report"), QStringLiteral("handout"),
+                                        batch, QStringLiteral("-o"), path}
+                            + more);
+        };
+        const Run run = handout({QStringLiteral("--at"), QStringLiteral("20,nz,e2,k7"),
+                                 QStringLiteral("--answers"), QStringLiteral("off"),
+                                 QStringLiteral("--views"), QString()});
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        const QByteArray text = bytesOf(path);
+        QVERIFY(text.contains("* Double stroke: **20**"));
+        QVERIFY(text.contains("k = 7"));
+        QVERIFY(!text.contains("## Answers") && !text.contains("## Figures"));
+        for (const QStringList& wrong :
+             {QStringList{QStringLiteral("--at"), QStringLiteral("99999")},
+              QStringList{QStringLiteral("--at"), QStringLiteral("here")},
+              QStringList{QStringLiteral("--views"), QStringLiteral("film")},
+              QStringList{QStringLiteral("--answers"), QStringLiteral("yes")}}) {
+            QCOMPARE(handout(wrong).status, 2);
+        }
+        QCOMPARE(report(path, example, {QStringLiteral("--at"), QStringLiteral("5")}).status, 2);
+        QCOMPARE(bytesOf(path), text);
+    }
+
     void aFullDiskLeavesTheOldReport_data() {
         QTest::addColumn<QString>("kind");
         QTest::newRow("card") << QStringLiteral("card");

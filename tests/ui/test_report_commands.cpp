@@ -10,11 +10,13 @@
 #include "ui/views/batch_view.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -185,13 +187,40 @@ private slots:
                  qPrintable(answers.text()));
     }
 
+    void theHandoutAsksWhatItIsToHave() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("handout.md"));
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        bench.window->cursor().toStroke(7);
+        DialogAnswers answers({QStringLiteral("makeHandout"), QStringLiteral("file:") + path});
+        QString english;
+        answers.seen = [&english](QDialog& dialog) {
+            if (const auto* step = dialog.findChild<QComboBox*>(QStringLiteral("handoutStep"))) {
+                english = englishIn(dialog.windowTitle() + step->currentText());
+            }
+        };
+        bench.action("markdown-handout")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(english, QString());
+        const QString text = QString::fromUtf8(bytesOf(path));
+        QVERIFY(text.startsWith(QStringLiteral("# Раздаточный материал")));
+        static const QRegularExpression count(
+            QStringLiteral("\\* (Двойной ход|Оборот): \\*\\*7\\*"));
+        QVERIFY2(text.contains(count), qPrintable(text.left(3000)));
+        const DialogAnswers none({QStringLiteral("Escape")}); // and no file dialog follows
+        bench.action("pdf-handout")->trigger();
+        QCOMPARE(none.fault(), QString());
+    }
+
     void withoutAResultItSaysWhy() {
         Bench bench(QStringLiteral("en"));
         Project project = newProject(Operation::traverse);
         project.part.diameter_mm = -2;
         bench.window->document().startUntitled(project);
         QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
-        for (const char* name : {"preview-card", "print-card", "pdf-card", "pdf-passport"}) {
+        for (const char* name :
+             {"preview-card", "print-card", "pdf-card", "pdf-passport", "pdf-handout"}) {
             const DialogAnswers answers({QStringLiteral("Escape")});
             bench.action(name)->trigger();
             QCOMPARE(answers.fault(), QString());

@@ -20,6 +20,12 @@ struct FeedsFigure {
 } // namespace
 
 std::optional<Figure> feedsFigure(const OutcomePtr& outcome) {
+    return feedsFigure(outcome, 0, outcome->feeds.end_s, {},
+                       FeedsFigure::tr("Feeds by stage over the whole cycle"));
+}
+
+std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s, double to_s,
+                                  std::optional<double> moment_s, const QString& caption) {
     if (outcome->trajectory.passes.empty()) {
         return {};
     }
@@ -31,8 +37,8 @@ std::optional<Figure> feedsFigure(const OutcomePtr& outcome) {
         outcome,
         shownSections(count, project.operation == Operation::plunge ? gaugeSection(project) : 0));
     plot.restyle();
-    plot.showAll();
-    const QString caption = FeedsFigure::tr("Feeds by stage over the whole cycle");
+    plot.setMoment(moment_s);
+    plot.showTimes(from_s, to_s);
     return plotFigure(plot, plot.legendEntries(), caption, caption);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/page_flow.h"
 
+#include "ui/report/formula_box.h"
 #include "ui/report/text_box.h"
 
 #include <QCoreApplication>
@@ -20,7 +21,8 @@ constexpr double gap = 60, cellPad = 30, rowPad = 14, line = 5;
 constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
 constexpr double headingRoom = 300; ///< for a heading, or the caption of a figure
-constexpr double leastLines = 3;    ///< that follow a heading on its page
+constexpr double formulaSize = 9.5, formulaIndent = 120, labelRoom = 260;
+constexpr double leastLines = 3; ///< that follow a heading on its page
 
 struct PageText {
     Q_DECLARE_TR_FUNCTIONS(PageText)
@@ -177,6 +179,9 @@ std::vector<TextBox> PageFlow::boxesOf(const QStringList& cells, const std::vect
         boxes.emplace_back(cells[static_cast<qsizetype>(c)], font, widths[c] - 2 * cellPad,
                            left ? Qt::AlignLeft : Qt::AlignRight);
     }
+    if (table.symbols && &cells != &table.head) {
+        boxes.front().showIndices();
+    }
     return boxes;
 }
 
@@ -271,6 +276,72 @@ void PageFlow::operator()(const Figure& figure) {
         caption.paint(p, 0, y);
     });
     m_y += caption.height() + gap / 2;
+}
+
+namespace {
+
+/// The sides of an equation in lines that fit: each begins with its sign.
+std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double width) {
+    const FormulaBox equals =
+        formulaBox({FormulaNode::Kind::sign, QStringLiteral(" = "), 2, 0, {}}, formulaSize);
+    std::vector<std::vector<FormulaBox>> lines(1);
+    double taken = 0;
+    for (const FormulaNode& side : formula.sides) {
+        const FormulaBox box = formulaBox(side, formulaSize);
+        const double needed = box.width + equals.width;
+        if (lines.back().size() > 1 && taken + needed > width) {
+            lines.emplace_back();
+            taken = formulaIndent;
+        }
+        if (&side != &formula.sides.front()) {
+            lines.back().push_back(equals);
+        }
+        lines.back().push_back(box);
+        taken += needed;
+    }
+    return lines;
+}
+
+} // namespace
+
+void PageFlow::operator()(const Formula& formula) {
+    const TextBox label(formula.label, reportFont(bodySize), labelRoom, Qt::AlignRight);
+    const double width = m_area.width() - formulaIndent - labelRoom;
+    double x = formulaIndent;
+    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
+        double wide = 0, ascent = 0, descent = 0;
+        for (const FormulaBox& box : boxes) {
+            wide += box.width;
+            ascent = std::max(ascent, box.ascent);
+            descent = std::max(descent, box.descent);
+        }
+        const double scale = std::min(1.0, (width + formulaIndent - x) / wide);
+        const double height = (ascent + descent) * scale;
+        need(height);
+        const bool first = x == formulaIndent;
+        add([=, y = m_y + ascent * scale, right = m_area.width() - labelRoom](QPainter& p) {
+            p.setPen(printInk);
+            if (first) {
+                label.paint(p, right, y - label.height() * 0.8);
+            }
+            p.translate(x, y);
+            p.scale(scale, scale);
+            double at = 0;
+            for (const FormulaBox& box : boxes) {
+                box.paint(p, at, 0);
+                at += box.width;
+            }
+        });
+        m_y += height + gap / 6;
+        x = 2 * formulaIndent;
+    }
+    m_y += gap / 4;
+}
+
+void PageFlow::operator()(const PageBreak&) {
+    if (m_y > m_top) {
+        newPage();
+    }
 }
 
 void PageFlow::addMargins() {

@@ -26,6 +26,8 @@ public:
     void operator()(const Facts& facts);
     void operator()(const Table& table);
     void operator()(const Figure& figure);
+    void operator()(const Formula& formula);
+    void operator()(const PageBreak&);
 
 private:
     /// Height of what must not be parted from the heading above.

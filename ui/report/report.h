@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/formula_node.h"
+
 #include <QDate>
 #include <QSizeF>
 #include <QString>
@@ -37,6 +39,7 @@ struct Table {
     std::vector<QStringList> rows;
     std::vector<bool> texts; ///< by column: set to the left
     bool lastIsSum = false;  ///< the last row adds up the others
+    bool symbols = false;    ///< the first column has symbols: "k_s"
 };
 
 /// A drawing in vectors.
@@ -47,7 +50,16 @@ struct Figure {
     std::function<void(QPainter&)> paint;
 };
 
-using Block = std::variant<Heading, Paragraph, Facts, Table, Figure>;
+/// An equation: its left side, then what that is equal to: symbols, numbers put in, the result.
+struct Formula {
+    std::vector<FormulaNode> sides;
+    QString label; ///< its number, at the edge
+};
+
+/// What follows begins on a page of its own.
+struct PageBreak {};
+
+using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak>;
 
 struct Report {
     QString title;

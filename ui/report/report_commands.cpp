@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_commands.h"
 
+#include "ui/dialogs/handout_dialog.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/help/help_topic.h"
 #include "ui/report/batch_wait.h"
@@ -62,6 +63,9 @@ std::optional<report::Report> ReportCommands::reportOfNow(report::Kind kind) {
     }
     const report::KindRow& row = report::rowOf(kind);
     report::Subject subject{now.outcome, nullptr, nullptr, now.file, QDate::currentDate(), {}};
+    if (kind == report::Kind::handout && now.cycle && !chooseHandout(subject, *now.cycle)) {
+        return {};
+    }
     const bool wantsBatch = row.takesBatch && now.outcome->result.project.batch;
     if (wantsBatch && !addBatch(subject, now.batch)) {
         return {};
@@ -86,6 +90,15 @@ bool ReportCommands::addBatch(report::Subject& subject, const BatchOutcomePtr& s
         return false;
     }
     runAside([&subject] { subject.worst = report::runWorstPart(*subject.batch); });
+    return true;
+}
+
+bool ReportCommands::chooseHandout(report::Subject& subject, const CycleCursor& cycle) {
+    HandoutDialog dialog(subject.outcome, cycle, m_settings, m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return false;
+    }
+    subject.handout = dialog.options();
     return true;
 }
 

@@ -14,6 +14,7 @@ class QWidget;
 
 namespace sparkout {
 
+class CycleCursor;
 class Settings;
 
 /// The commands that print a report, show it before, or write it into a file.
@@ -27,6 +28,7 @@ public:
         OutcomePtr outcome;
         QString file;
         BatchOutcomePtr batch;
+        const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
     };
 
     ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
@@ -40,6 +42,9 @@ private:
     [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
     /// Takes the batch that is shown, or runs one; false: none, and the user knows.
     [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
+
+    /// Asks what the hand-out is to have; false: not to make one.
+    [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);
 
     std::function<Subject()> m_subject;
     Settings& m_settings;

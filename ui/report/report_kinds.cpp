@@ -18,11 +18,18 @@ Report makeCard(const Subject& subject) {
     return cycleCard(subject.outcome, subject.file, subject.date);
 }
 
+Report makeHandout(const Subject& subject) {
+    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout,
+                         subject.breathe);
+}
+
 constexpr std::array allKinds{
     KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
             false, makeCard},
     KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
             QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, passport},
+    KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
+            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, makeHandout},
 };
 
 } // namespace

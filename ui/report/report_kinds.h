@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/report/course_handout.h"
 #include "ui/report/report.h"
 #include "ui/session/batch_runner.h"
 #include "ui/session/outcome.h"
@@ -12,7 +13,7 @@
 /// The kinds of reports, each described once: command line, menus and help go by this table.
 namespace sparkout::report {
 
-enum class Kind { card, passport };
+enum class Kind { card, passport, handout };
 
 /// What is reported.
 struct Subject {
@@ -21,6 +22,7 @@ struct Subject {
     OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
     QString file;          ///< path of the project, or empty
     QDate date;
+    HandoutOptions handout;                ///< what the course hand-out is to have
     std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_text.h"
 
+#include "ui/report/formula_markup.h"
 #include "ui/report/pages.h"
+#include "ui/session/texts.h"
 #include "ui/views/svg_device.h"
 
 #include <QFileInfo>
@@ -23,7 +25,11 @@ const char* const styleSheet =
     "tr.sum td{font-weight:bold;background:#eee}dl{display:grid;"
     "grid-template-columns:repeat(auto-fill,minmax(16em,1fr));gap:.4em 1em}dt{font-size:.8em;"
     "color:#555}dd{margin:0;font-weight:bold}figure{margin:1em 0}figure svg{width:100%;"
-    "height:auto}figcaption,footer{font-size:.8em;color:#555;text-align:center}";
+    "height:auto}div.formula{display:flex;align-items:center;gap:1em;overflow-x:auto;"
+    "margin:.4em 0 .4em 1.5em}div.formula math{margin:0}div.formula span{margin-left:auto;"
+    "color:#555}@media "
+    "print{div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:"
+    "center}";
 
 /// A drawing as an element of its page; the names in it are its own.
 QString svgOf(const Figure& figure, int number) {
@@ -72,6 +78,11 @@ public:
         m_text += QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
                       .arg(svgOf(figure, ++m_figures), figure.caption.toHtmlEscaped());
     }
+    void operator()(const Formula& formula) {
+        m_text += QStringLiteral("<div class=\"formula\">%1<span>%2</span></div>\n")
+                      .arg(mathMarkup(formula), formula.label.toHtmlEscaped());
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("<div class=\"page\"></div>\n"); }
     [[nodiscard]] const QString& text() const { return m_text; }
 
 private:
@@ -84,9 +95,11 @@ private:
         for (qsizetype c = 0; c < cells.size(); ++c) {
             const auto i = static_cast<std::size_t>(c);
             const bool isText = i < table.texts.size() && table.texts[i];
+            const bool isSymbol = table.symbols && c == 0 && &cells != &table.head;
             text += u'<' + name
                     + (isText ? QStringLiteral(" class=\"text\">") : QStringLiteral(">"))
-                    + lines(cells[c]) + QStringLiteral("</") + name + u'>';
+                    + (isSymbol ? withIndices(cells[c]) : lines(cells[c])) + QStringLiteral("</")
+                    + name + u'>';
         }
         return text + QStringLiteral("</tr>\n");
     }
@@ -126,13 +139,20 @@ public:
         }
         m_text += u'\n';
         for (const QStringList& cells : table.rows) {
-            m_text += row(cells);
+            m_text += row(cells, table.symbols);
         }
         m_text += u'\n';
     }
     void operator()(const Figure& figure) {
         m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.told)) + end();
     }
+    /// In one line, with indices and powers as HTML has them, which Markdown takes.
+    void operator()(const Formula& formula) {
+        static const QRegularExpression power(QStringLiteral("\\^\\(([0-9.,/]+)\\)"));
+        m_text += indexed(inOneLine(formula)).replace(power, QStringLiteral("<sup>\\1</sup>"))
+                  + QStringLiteral(" ") + plain(formula.label) + end();
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
     [[nodiscard]] const QString& text() const { return m_text; }
     /// Signs that mean something to Markdown or HTML stand for themselves.
     static QString plain(const QString& text) {
@@ -149,10 +169,17 @@ private:
     static QString inLine(const QString& text) {
         return plain(text).replace(u'\n', QStringLiteral("<br>"));
     }
-    static QString row(const QStringList& cells) {
+    /// "k_s" as HTML writes it, which Markdown takes.
+    static QString indexed(const QString& text) {
+        static const QRegularExpression index(QStringLiteral("\\\\_(\\w+)"),
+                                              QRegularExpression::UseUnicodePropertiesOption);
+        return plain(text).replace(index, QStringLiteral("<sub>\\1</sub>"));
+    }
+    static QString row(const QStringList& cells, bool symbols = false) {
         QString text = QStringLiteral("|");
         for (const QString& cell : cells) {
-            text += u' ' + inLine(cell) + QStringLiteral(" |");
+            const bool isSymbol = symbols && &cell == &cells.front();
+            text += u' ' + (isSymbol ? indexed(cell) : inLine(cell)) + QStringLiteral(" |");
         }
         return text + u'\n';
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/text_box.h"
 
+#include "ui/report/formula_box.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QRegularExpression>
@@ -57,8 +59,13 @@ void TextBox::paint(QPainter& painter, double x, double y) const {
         const double shift = m_align & Qt::AlignRight     ? spare
                              : m_align & Qt::AlignHCenter ? spare / 2
                                                           : 0;
-        painter.drawText(QPointF(x + std::max(0.0, shift), y + m_ascent + double(i) * m_lineHeight),
-                         m_lines[i]);
+        const QPointF at(x + std::max(0.0, shift), y + m_ascent + double(i) * m_lineHeight);
+        if (m_indices) {
+            formulaBox(leafNode(m_lines[i], 0), m_font.pixelSize() / unitsPerPoint)
+                .paint(painter, at.x(), at.y());
+        } else {
+            painter.drawText(at, m_lines[i]);
+        }
     }
 }
 

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] int lines() const { return static_cast<int>(m_lines.size()); }
     /// The lines from one on, as many as given.
     [[nodiscard]] TextBox part(int first, int count) const;
+    /// "k_s" is painted with its index below the line.
+    void showIndices() { m_indices = true; }
     void paint(QPainter& painter, double x, double y) const;
 
     [[nodiscard]] static double widestWord(const QString& text, const QFont& font);
@@ -31,6 +33,7 @@ private:
     double m_lineHeight;
     double m_ascent;
     QStringList m_lines;
+    bool m_indices = false;
 };
 
 /// The font of the report, so many points high on paper.

@@ -14,6 +14,7 @@ const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString csvKey = QStringLiteral("csvDialect");
+const QString handoutKey = QStringLiteral("handout");
 const QString folderKey = QStringLiteral("lastFolder");
 const QString recentKey = QStringLiteral("recentFiles");
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -90,6 +91,14 @@ QString Settings::csvDialect() const {
 
 void Settings::setCsvDialect(const QString& dialect) {
     m_file->set(csvKey, dialect);
+}
+
+QString Settings::handout() const {
+    return m_file->value(handoutKey).toString();
+}
+
+void Settings::setHandout(const QString& words) {
+    m_file->set(handoutKey, words);
 }
 
 QString Settings::lastFolder() const {

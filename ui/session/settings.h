@@ -27,6 +27,8 @@ public:
     void setTourSeen();
     [[nodiscard]] QString csvDialect() const; ///< "ru" (; and comma) or "en" (, and point)
     void setCsvDialect(const QString& dialect);
+    [[nodiscard]] QString handout() const; ///< what the last course hand-out had, in words
+    void setHandout(const QString& words);
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
     [[nodiscard]] QStringList recentFiles() const; ///< newest first

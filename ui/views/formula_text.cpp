@@ -25,8 +25,9 @@ namespace {
     QT_TRANSLATE_NOOP("Unit", "mm^0.75"),  QT_TRANSLATE_NOOP("Unit", "mm^1.5"),
 };
 
-constexpr int sheetDigits = 5;    ///< as many as a reader can check the next line with
-constexpr int lengthDecimals = 6; ///< of lengths in mm: a form error is the difference of two radii
+/// Decimals of a length in mm beyond its significant digits: a form error is the difference of two
+/// radii.
+constexpr int moreDecimals = 1;
 
 /// "8.38·10⁻⁷" for "8.38e-07".
 QString withPower(QString text) {
@@ -42,14 +43,13 @@ QString withPower(QString text) {
     return text.left(e) + QStringLiteral("·10") + power;
 }
 
-QString sheetNumber(const FormulaTerm& term) {
-    QLocale locale;
+QString digitsOf(const FormulaTerm& term, int digits, QLocale locale) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     const bool length = term.unit && QLatin1StringView(term.unit) == QLatin1StringView("mm");
     if (!length || std::abs(term.value) < 1) {
-        return withPower(locale.toString(term.value, 'g', sheetDigits));
+        return locale.toString(term.value, 'g', digits);
     }
-    QString text = locale.toString(term.value, 'f', lengthDecimals);
+    QString text = locale.toString(term.value, 'f', digits + moreDecimals);
     while (text.endsWith(u'0')) {
         text.chop(1);
     }
@@ -58,11 +58,11 @@ QString sheetNumber(const FormulaTerm& term) {
 
 QString stepText(const FormulaStep& step) {
     const TermWriter write = [](const FormulaTerm& term) {
-        return sheetNumber(term).toStdString();
+        return formulaNumber(term).toStdString();
     };
     const QString symbols = QString::fromStdString(formulaInSymbols(step, write));
     const QString numbers = QString::fromStdString(formulaInNumbers(step, write));
-    QString result = sheetNumber(step.result);
+    QString result = formulaNumber(step.result);
     if (step.result.unit && *step.result.unit) {
         result += QChar::Nbsp + unitText(step.result.unit);
     }
@@ -86,6 +86,14 @@ QStringList paragraphs(const FormulaSheet& sheet) {
 }
 
 } // namespace
+
+QString formulaNumber(const FormulaTerm& term, int digits) {
+    return withPower(digitsOf(term, digits, QLocale()));
+}
+
+double shownValue(const FormulaTerm& term, int digits) {
+    return digitsOf(term, digits, QLocale::c()).toDouble();
+}
 
 QString formulaText(const FormulaSheet& sheet) {
     return paragraphs(sheet).join(u'\n');

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/trajectory.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace sparkout::report {
+
+/// One radius under the wheel once: what the hand-out works out.
+struct HandoutStep {
+    std::size_t pass = 0; ///< index in the trajectory
+    int radius = 0;       ///< k
+    friend bool operator==(const HandoutStep&, const HandoutStep&) = default;
+};
+
+/// Which step is wanted; what is not told may be any.
+struct StepWish {
+    std::optional<Zone> zone;
+    std::optional<int> section, stage, count, step, revolution, radius;
+};
+
+/// The deepest cut of the roughing stage: what is worked out unless another step is wanted.
+[[nodiscard]] inline StepWish usualStep() {
+    StepWish wish;
+    wish.stage = 1;
+    return wish;
+}
+
+/// "27,nz,e1,r1,k9": the double stroke (plunge: the revolution), then in any order a zone or
+/// section (rz1, nz, rz2, s0), a stage (z1), a step (e1), a revolution within it (r1), a radius
+/// (k9). Nothing for what cannot be read.
+[[nodiscard]] std::optional<StepWish> readStepWish(const QString& text);
+
+/// Of the visits that fit the one with the deepest cut, the first of equals. Nothing when none fits
+/// or none was recorded.
+[[nodiscard]] std::optional<HandoutStep> findStep(const Trajectory& trajectory,
+                                                  const StepWish& wish = {});
+
+[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const HandoutStep& step);
+
+/// The visit of a radius at a place; null: there is none.
+[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius);
+
+/// The double stroke or revolution nearest to that of a place in which both runs are at this zone,
+/// stage, step and revolution; nothing when there is none.
+[[nodiscard]] std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
+                                               const Place& place);
+
+} // namespace sparkout::report
