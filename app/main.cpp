@@ -3,6 +3,7 @@
 #include "core/version.h"
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
+#include "ui/export/export_file.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/language.h"
@@ -21,6 +22,7 @@
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QSysInfo>
 #include <QTimer>
 
@@ -45,14 +47,19 @@ constexpr const char* usage =
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
     "       sparkout --report card -o OUT.pdf|OUT.html|OUT.md [--lang en|ru] FILE\n"
+    "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
     "  --report card      write the cycle card of FILE into OUT, show nothing\n"
-    "  -o OUT             the file of the report; its ending says as what it is written:\n"
-    "                     .pdf, .html or .md (Markdown)\n"
-    "  --lang en|ru       language of the window or the report, this time only\n"
+    "  --export PART      write results of FILE as tables into OUT, show nothing: all, inputs,\n"
+    "                     cycle, stages, zones, profiles, requirements or trace\n"
+    "  -o OUT             the file of the report or the tables; its ending says as what it is\n"
+    "                     written: .pdf, .html or .md (Markdown); .xlsx, .csv (one part; with\n"
+    "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
+    "                     .json (all: the object of sparkout-cli simulate --json)\n"
+    "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
@@ -61,14 +68,15 @@ constexpr const char* usage =
     "  --help             print this text\n"
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (the report is written). sparkout-cli does without\n"
-    "a display.\n";
+    "no display, 3 the cycle cannot reach size (report or tables are written). sparkout-cli does\n"
+    "without a display.\n";
 
 struct Options {
     QString file;
     QString picture;
-    QString report; ///< the kind of report
-    QString output; ///< its file
+    QString report;   ///< the kind of report
+    QString exported; ///< the part of the result
+    QString output;   ///< the file of either
     QString language;
     QString theme;
     QString view;
@@ -105,9 +113,8 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         }
     } else if (word == u"-o") {
         options.output = words[++i];
-        if (!report::formatOf(options.output)) {
-            options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
-        }
+    } else if (word == u"--export") {
+        options.exported = words[++i];
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -135,6 +142,56 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
     }
 }
 
+/// The parts of a result that --export names, and as what; nothing when that does not go.
+std::optional<ExportChoice> exportChoice(const Options& options) {
+    const QString suffix = QFileInfo(options.output).suffix().toLower();
+    const bool russian = QLocale().language() == QLocale::Russian; // of the words, too
+    const bool all = options.exported == u"all";
+    ExportChoice choice{suffix == u"xlsx"   ? ExportFormat::xlsx
+                        : suffix == u"json" ? ExportFormat::json
+                        : russian           ? ExportFormat::csvRussian
+                                            : ExportFormat::csvEnglish,
+                        {}};
+    for (const ResultPart part : allResultParts) {
+        if (all || options.exported == QLatin1StringView(partKey(part))) {
+            choice.parts.push_back(part);
+        }
+    }
+    const bool fits = suffix == u"xlsx" || (suffix == u"csv" && !all) || (suffix == u"json" && all);
+    return fits && !choice.parts.empty() ? std::optional(choice) : std::nullopt;
+}
+
+/// What is wrong with --report, --export and -o.
+QString outputFault(const Options& options) {
+    const bool report = !options.report.isEmpty();
+    const bool exported = !options.exported.isEmpty();
+    if (!report && !exported && options.output.isEmpty()) {
+        return {};
+    }
+    if (report == exported || options.output.isEmpty()) {
+        return QStringLiteral("-o goes with --report or with --export");
+    }
+    if (options.file.isEmpty()) {
+        return QStringLiteral("%1 needs a FILE")
+            .arg(report ? QStringLiteral("--report") : QStringLiteral("--export"));
+    }
+    if (!options.picture.isEmpty()) {
+        return QStringLiteral("--picture goes with neither --report nor --export");
+    }
+    if (report && !report::formatOf(options.output)) {
+        return QStringLiteral("the file of -o ends in .pdf, .html or .md");
+    }
+    if (exported && !exportChoice(options)) {
+        return QStringLiteral(
+            "--export is all (into .xlsx or .json), inputs, cycle, stages, zones, "
+            "profiles, requirements or trace (into .xlsx or .csv)");
+    }
+    const QString target = QFileInfo(options.output).canonicalFilePath();
+    return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()
+               ? QStringLiteral("the output would take the place of the project")
+               : QString();
+}
+
 Options readOptions(const QStringList& words) {
     Options options;
     bool optionsOver = false;
@@ -152,18 +209,8 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
-    if (!options.report.isEmpty() != !options.output.isEmpty() && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("--report and -o go together");
-    }
-    if (!options.report.isEmpty() && options.fault.isEmpty()) {
-        if (options.file.isEmpty()) {
-            options.fault = QStringLiteral("--report needs a FILE");
-        } else if (!options.picture.isEmpty()) {
-            options.fault = QStringLiteral("--report and --picture do not go together");
-        } else if (const QString target = QFileInfo(options.output).canonicalFilePath();
-                   !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()) {
-            options.fault = QStringLiteral("the report would take the place of the project");
-        }
+    if (options.fault.isEmpty()) {
+        options.fault = outputFault(options);
     }
     return options;
 }
@@ -262,28 +309,55 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     return app.exec();
 }
 
-int makeReport(const Options& options) {
+/// Runs the cycle of the file; null: what is wrong with it is said.
+OutcomePtr runOrSay(const Options& options) {
     Document document;
     if (!openOrSay(document, options.file)) {
-        return exitRefused;
+        return nullptr;
     }
-    const OutcomePtr outcome = runProject(document.project(), {});
+    OutcomePtr outcome = runProject(document.project(), {});
     if (!outcome->ran()) {
         for (const QString& line : FaultsDialog::lines(outcome->issues)) {
             say(stderr, QStringLiteral("sparkout: %1").arg(line));
         }
-        return exitRefused;
+        return nullptr;
     }
-    const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
-    const QByteArray bytes = report::bytesOf(card, *report::formatOf(options.output));
+    return outcome;
+}
+
+/// Writes what was made of a run; returns the exit status.
+int writeMade(const QByteArray& bytes, const Options& options, const Outcome& outcome) {
     if (bytes.isEmpty()) {
-        say(stderr, QStringLiteral("sparkout: the report could not be made"));
+        say(stderr, QStringLiteral("sparkout: the output could not be made"));
         return exitRefused;
     }
     if (!writeBytes(bytes, options.output)) {
         return exitRefused;
     }
-    return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
+    return outcome.result.status == RunStatus::completed ? 0 : exitCannotReachSize;
+}
+
+int makeReport(const Options& options) {
+    const OutcomePtr outcome = runOrSay(options);
+    if (!outcome) {
+        return exitRefused;
+    }
+    const report::Report card = report::cycleCard(outcome, options.file, QDate::currentDate());
+    return writeMade(report::bytesOf(card, *report::formatOf(options.output)), options, *outcome);
+}
+
+int makeExport(const Options& options) {
+    const OutcomePtr outcome = runOrSay(options);
+    if (!outcome) {
+        return exitRefused;
+    }
+    const ExportChoice choice = *exportChoice(options);
+    if (const QString obstacle = exportObstacle(outcome, choice); !obstacle.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(obstacle));
+        return exitRefused;
+    }
+    const auto make = exportWork(outcome, choice, QDateTime::currentDateTime());
+    return writeMade(make({}), options, *outcome);
 }
 
 int runWindow(QApplication& app, MainWindow& window, const Options& options) {
@@ -331,14 +405,14 @@ int main(int argc, char** argv) {
         return 0;
     }
     const bool picture = !options.picture.isEmpty();
-    const bool hidden = picture || !options.report.isEmpty();
+    const bool hidden = picture || !options.output.isEmpty();
     if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     if (displayMissing()) {
         say(stderr, QStringLiteral("sparkout: there is no display (DISPLAY and WAYLAND_DISPLAY are "
-                                   "not set). Use sparkout-cli, sparkout --picture or "
-                                   "sparkout --report."));
+                                   "not set). Use sparkout-cli, sparkout --picture, "
+                                   "--report or --export."));
         return exitUsage;
     }
     int noArguments = 1; // the options are ours, Qt reads none of them
@@ -354,8 +428,8 @@ int main(int argc, char** argv) {
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
-    if (!options.report.isEmpty()) {
-        return makeReport(options);
+    if (!options.output.isEmpty()) {
+        return options.report.isEmpty() ? makeExport(options) : makeReport(options);
     }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {

@@ -728,6 +728,17 @@
         </message>
     </context>
     <context>
+        <name>ExportFile</name>
+        <message>
+            <source>JSON files (*.json)</source>
+            <translation>Файлы JSON (*.json)</translation>
+        </message>
+        <message>
+            <source>There is no trace: of a run of %1 rows only the results are kept; a trace has %2 at most.</source>
+            <translation>Трассы нет: в ней было бы %1 строк, а записывается не больше %2. Результаты сохранены полностью.</translation>
+        </message>
+    </context>
+    <context>
         <name>FactorLines</name>
         <message>
             <source>Lowest</source>
@@ -3532,6 +3543,164 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>ResultParts</name>
+        <message>
+            <source>Gauge reading, diameter</source>
+            <translation>Показание прибора, диаметр</translation>
+        </message>
+        <message>
+            <source>Stock left per side by the gauge</source>
+            <translation>Остаток припуска на сторону по прибору</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Конусообразность</translation>
+        </message>
+        <message>
+            <source>Crown</source>
+            <translation>Бочкообразность</translation>
+        </message>
+        <message>
+            <source>Engine</source>
+            <translation>Версия расчёта</translation>
+        </message>
+        <message>
+            <source>Radius no.</source>
+            <translation>Радиус №</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Угол, °</translation>
+        </message>
+        <message>
+            <source>%1: radius from nominal, µm</source>
+            <translation>%1: радиус от номинала, мкм</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Whole cycle</source>
+            <translation>Цикл в целом</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступени</translation>
+        </message>
+        <message>
+            <source>Zones</source>
+            <translation>Зоны</translation>
+        </message>
+        <message>
+            <source>Sections</source>
+            <translation>Сечения</translation>
+        </message>
+        <message>
+            <source>Final profiles</source>
+            <translation>Конечные профили</translation>
+        </message>
+        <message>
+            <source>Requirements</source>
+            <translation>Требования</translation>
+        </message>
+        <message>
+            <source>Trace</source>
+            <translation>Трасса</translation>
+        </message>
+    </context>
+    <context>
+        <name>ResultTables</name>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Used up, %</source>
+            <translation>Занято, %</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Worst place</source>
+            <translation>Худшее место</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Volume removed, mm³</source>
+            <translation>Снятый объём, мм³</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>From the headstock end, mm</source>
+            <translation>От передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Compliance, mm/N</source>
+            <translation>Податливость, мм/Н</translation>
+        </message>
+        <message>
+            <source>Smallest diameter from nominal, µm</source>
+            <translation>Отклонение наименьшего диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Largest diameter from nominal, µm</source>
+            <translation>Отклонение наибольшего диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Radial runout, µm</source>
+            <translation>Радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Roundness, minimum zone, µm</source>
+            <translation>Отклонение от круглости, минимальная зона, мкм</translation>
+        </message>
+        <message>
+            <source>Roundness, least squares, µm</source>
+            <translation>Отклонение от круглости, наименьшие квадраты, мкм</translation>
+        </message>
+        <message>
+            <source>Largest normal force, N</source>
+            <translation>Наибольшая нормальная сила, Н</translation>
+        </message>
+        <message>
+            <source>Roughness Ra, µm</source>
+            <translation>Шероховатость Ra, мкм</translation>
+        </message>
+        <message>
+            <source>Total energy, kJ</source>
+            <translation>Энергия всего, кДж</translation>
+        </message>
+    </context>
+    <context>
         <name>RunTable</name>
         <message>
             <source>until size</source>
@@ -3584,6 +3753,30 @@ target, µm</source>
         <message>
             <source>another number of values</source>
             <translation>другое число значений</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Параметр</translation>
+        </message>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Key in the file</source>
+            <translation>Ключ в файле</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
         </message>
     </context>
     <context>
@@ -4072,6 +4265,53 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>TableFile</name>
+        <message>
+            <source>Too many rows</source>
+            <translation>Слишком много строк</translation>
+        </message>
+        <message>
+            <source>“%1” would have %2 rows; a sheet of a workbook holds %3, its head included. As CSV it can be saved whole.</source>
+            <translation>На листе «%1» было бы %2 строк, а лист книги вмещает %3 вместе с шапкой. В формате CSV таблицу можно сохранить целиком.</translation>
+        </message>
+        <message>
+            <source>&amp;XLSX workbook…</source>
+            <translation>Книга &amp;XLSX…</translation>
+        </message>
+        <message>
+            <source>&amp;Russian Excel: semicolons, decimal commas…</source>
+            <translation>&amp;Русский Excel: точка с запятой, десятичная запятая…</translation>
+        </message>
+        <message>
+            <source>&amp;English: commas, decimal points…</source>
+            <translation>&amp;Английский: запятая, десятичная точка…</translation>
+        </message>
+        <message>
+            <source>Numbers with all their digits, units in a row of their own</source>
+            <translation>Числа со всеми знаками, единицы в отдельной строке</translation>
+        </message>
+        <message>
+            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <translation>Заголовки на языке окна; Excel открывает файл сразу</translation>
+        </message>
+        <message>
+            <source>XLSX workbooks (*.xlsx)</source>
+            <translation>Книги XLSX (*.xlsx)</translation>
+        </message>
+        <message>
+            <source>CSV tables: semicolons, decimal commas, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: точка с запятой, десятичная запятая, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>CSV tables: commas, decimal points, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: запятая, десятичная точка, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Save the data</source>
+            <translation>Сохранить данные</translation>
+        </message>
+    </context>
+    <context>
         <name>Tour</name>
         <message>
             <source>An example to begin with</source>
@@ -4128,6 +4368,69 @@ target, µm</source>
         <message>
             <source>Dashed: the feed of the program. Solid: what the part really gets, zone by zone, because everything yields. The other tabs show form, limits, compliance, layers, a batch and compared runs.</source>
             <translation>Штриховая линия — подача по программе. Сплошная — то, что на деле достаётся детали, по зонам: ведь всё отжимается. На других вкладках — форма, пределы, податливость, слои, партия и сравнение расчётов.</translation>
+        </message>
+    </context>
+    <context>
+        <name>TraceSheet</name>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Этап</translation>
+        </message>
+        <message>
+            <source>Pass of the step</source>
+            <translation>Проход этапа</translation>
+        </message>
+        <message>
+            <source>Radius no.</source>
+            <translation>Радиус №</translation>
+        </message>
+        <message>
+            <source>Programmed feed</source>
+            <translation>Программная подача</translation>
+        </message>
+        <message>
+            <source>Actual feed</source>
+            <translation>Фактическая подача</translation>
+        </message>
+        <message>
+            <source>Accumulated actual feed</source>
+            <translation>Накопленная фактическая подача</translation>
+        </message>
+        <message>
+            <source>Radius from nominal</source>
+            <translation>Радиус от номинала</translation>
+        </message>
+        <message>
+            <source>Normal force</source>
+            <translation>Нормальная сила</translation>
+        </message>
+        <message>
+            <source>Trace %1</source>
+            <translation>Трасса %1</translation>
         </message>
     </context>
     <context>
@@ -4272,6 +4575,34 @@ target, µm</source>
             <source>W</source>
             <translation>Вт</translation>
         </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>nm/N</source>
+            <translation>нм/Н</translation>
+        </message>
+        <message>
+            <source>mm³</source>
+            <translation>мм³</translation>
+        </message>
+        <message>
+            <source>kJ</source>
+            <translation>кДж</translation>
+        </message>
+        <message>
+            <source>J/mm³</source>
+            <translation>Дж/мм³</translation>
+        </message>
+        <message>
+            <source>mm³/(mm·s)</source>
+            <translation>мм³/(мм·с)</translation>
+        </message>
+        <message>
+            <source>m/min</source>
+            <translation>м/мин</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -4390,6 +4721,17 @@ target, µm</source>
         <message>
             <source>%1 in %2: the blank has %3 µm, the end of the cycle %4 µm</source>
             <translation>%1 (%2): у заготовки %3 мкм, в конце цикла %4 мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>WatchDialog</name>
+        <message>
+            <source>Progress</source>
+            <translation>Ход работы</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>О&amp;становить</translation>
         </message>
     </context>
     <context>
@@ -4655,6 +4997,10 @@ target, µm</source>
         <message>
             <source>&amp;Log</source>
             <translation>&amp;Журнал</translation>
+        </message>
+        <message>
+            <source>Export resu&amp;lts…</source>
+            <translation>Экспорт &amp;результатов…</translation>
         </message>
     </context>
     <context>
@@ -5894,12 +6240,16 @@ target, µm</source>
     <context>
         <name>sparkout::CopyTable</name>
         <message>
-            <source>Ctrl+C copies the table</source>
-            <translation>Ctrl+C копирует таблицу</translation>
-        </message>
-        <message>
             <source>Copy the table</source>
             <translation>Копировать таблицу</translation>
+        </message>
+        <message>
+            <source>Ctrl+C copies the table; its menu saves it</source>
+            <translation>Ctrl+C копирует таблицу, её контекстное меню сохраняет в файл</translation>
+        </message>
+        <message>
+            <source>Save the table as</source>
+            <translation>Сохранить таблицу как</translation>
         </message>
     </context>
     <context>
@@ -5976,6 +6326,108 @@ target, µm</source>
             <translation>%1. %2. %3.
 
 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ExportCommands</name>
+        <message>
+            <source>No results</source>
+            <translation>Нет результатов</translation>
+        </message>
+        <message>
+            <source>There is no result of these inputs, so there is nothing to export. The messages say what is wrong with them.</source>
+            <translation>С этими исходными данными результата нет, экспортировать нечего. Что в них не так, сказано в сообщениях.</translation>
+        </message>
+        <message>
+            <source>Results</source>
+            <translation>Результаты</translation>
+        </message>
+        <message>
+            <source>Export results</source>
+            <translation>Экспорт результатов</translation>
+        </message>
+        <message>
+            <source>The results are exported.</source>
+            <translation>Результаты экспортированы.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ExportDialog</name>
+        <message>
+            <source>Export results</source>
+            <translation>Экспорт результатов</translation>
+        </message>
+        <message>
+            <source>XLSX workbook</source>
+            <translation>Книга XLSX</translation>
+        </message>
+        <message>
+            <source>CSV for Russian Excel: semicolons, decimal commas</source>
+            <translation>CSV для русского Excel: точка с запятой, десятичная запятая</translation>
+        </message>
+        <message>
+            <source>English CSV: commas, decimal points</source>
+            <translation>Английский CSV: запятая, десятичная точка</translation>
+        </message>
+        <message>
+            <source>JSON for programs</source>
+            <translation>JSON для программ</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>Формат</translation>
+        </message>
+        <message>
+            <source>Content</source>
+            <translation>Содержание</translation>
+        </message>
+        <message>
+            <source>&amp;Format:</source>
+            <translation>&amp;Формат:</translation>
+        </message>
+        <message>
+            <source>&amp;Content:</source>
+            <translation>&amp;Содержание:</translation>
+        </message>
+        <message>
+            <source>Choose the &amp;place…</source>
+            <translation>&amp;Выбрать место…</translation>
+        </message>
+        <message>
+            <source>C&amp;ancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>Inputs, results, requirements and the trace</source>
+            <translation>Исходные данные, результаты, требования и трасса</translation>
+        </message>
+        <message>
+            <source>The same without the trace</source>
+            <translation>То же без трассы</translation>
+        </message>
+        <message>
+            <source>Results, shop's numbers and requirements</source>
+            <translation>Результаты, показатели шлифования и требования</translation>
+        </message>
+        <message>
+            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every time a radius passed the wheel.</source>
+            <translation>Каждая часть на своих листах; в трассе %1 строк на %2 листах, по строке на каждое прохождение радиуса под кругом.</translation>
+        </message>
+        <message>
+            <source>Every part on a sheet of its own.</source>
+            <translation>Каждая часть на своём листе.</translation>
+        </message>
+        <message>
+            <source>One table; it has %1 rows, a row for every time a radius passed the wheel.</source>
+            <translation>Одна таблица; в ней %1 строк, по строке на каждое прохождение радиуса под кругом.</translation>
+        </message>
+        <message>
+            <source>One table.</source>
+            <translation>Одна таблица.</translation>
+        </message>
+        <message>
+            <source>The object that the command line prints of a run; its keys are the same in every language.</source>
+            <translation>Объект, который печатает о расчёте командная строка; его ключи на всех языках одинаковы.</translation>
         </message>
     </context>
     <context>
@@ -7442,10 +7894,6 @@ target, µm</source>
             <translation>Сохранить рисунок</translation>
         </message>
         <message>
-            <source>Save the data</source>
-            <translation>Сохранить данные</translation>
-        </message>
-        <message>
             <source>Show all</source>
             <translation>Показать всё</translation>
         </message>
@@ -7482,14 +7930,6 @@ target, µm</source>
             <translation>Документ P&amp;DF…</translation>
         </message>
         <message>
-            <source>&amp;Russian Excel: semicolons, decimal commas…</source>
-            <translation>&amp;Русский Excel: точка с запятой, десятичная запятая…</translation>
-        </message>
-        <message>
-            <source>&amp;English: commas, decimal points…</source>
-            <translation>&amp;Английский: запятая, десятичная точка…</translation>
-        </message>
-        <message>
             <source>&amp;%1×: %2 × %3 pixels…</source>
             <translation>&amp;%1×: %2 × %3 точек…</translation>
         </message>
@@ -7522,24 +7962,12 @@ target, µm</source>
             <translation>Данные сохранены.</translation>
         </message>
         <message>
-            <source>CSV tables: semicolons, decimal commas, UTF-8 (*.csv)</source>
-            <translation>Таблицы CSV: точки с запятой, десятичная запятая, UTF-8 (*.csv)</translation>
-        </message>
-        <message>
-            <source>CSV tables: commas, decimal points, UTF-8 (*.csv)</source>
-            <translation>Таблицы CSV: запятые, десятичная точка, UTF-8 (*.csv)</translation>
-        </message>
-        <message>
             <source>Export: %1</source>
             <translation>Экспорт: %1</translation>
         </message>
         <message>
             <source>Copy or save: %1</source>
             <translation>Копировать или сохранить: %1</translation>
-        </message>
-        <message>
-            <source>Headers in the language of the window; Excel opens the file as it is</source>
-            <translation>Заголовки на языке окна; Excel открывает файл как есть</translation>
         </message>
     </context>
     <context>

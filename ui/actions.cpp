@@ -31,6 +31,7 @@ Actions::Actions(QMainWindow& window)
     , exportPdf(make("exportPdf", u""))
     , exportHtml(make("exportHtml", u""))
     , exportMarkdown(make("exportMarkdown", u""))
+    , exportResults(make("exportResults", u""))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
@@ -90,6 +91,7 @@ void Actions::buildMenus(QMainWindow& window) {
     m_file->addActions({printPreview, print});
     m_export = m_file->addMenu(themeIcon(u"export"), QString());
     m_export->addActions({exportPdf, exportHtml, exportMarkdown});
+    m_file->addAction(exportResults);
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -204,6 +206,7 @@ void Actions::retranslate() {
     exportPdf->setText(tr("&PDF…"));
     exportHtml->setText(tr("&HTML…"));
     exportMarkdown->setText(tr("&Markdown…"));
+    exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));
     english->setText(QStringLiteral("English"));

@@ -49,6 +49,7 @@ public:
     QAction* exportPdf;
     QAction* exportHtml;
     QAction* exportMarkdown;
+    QAction* exportResults; ///< and trace, as tables
     QAction* quit;
     QAction* undo;
     QAction* redo;

@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/export/export_commands.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/inputs/inputs_panel.h"
@@ -81,7 +82,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_feeds(new FeedsView(this, &m_settings))
     , m_profiles(new ProfilesView(this, &m_settings))
     , m_constraints(new ConstraintsView(this, &m_settings))
-    , m_verdict(new VerdictPanel(this))
+    , m_verdict(new VerdictPanel(this, &m_settings))
     , m_messages(new MessagesPanel(this))
     , m_playback(new PlaybackBar(m_cursor, this))
     , m_sheet(new StepSheet(m_cursor, this))
@@ -239,22 +240,27 @@ void MainWindow::connectActions() {
     const auto on = [this](QAction* action, auto slot) {
         connect(action, &QAction::triggered, this, slot);
     };
+    const auto outcomeOfNow = [this] {
+        OutcomePtr outcome = m_outcome;
+        if (m_runs.running()) { // that one is of the inputs before
+            runAside([&, project = m_document.project()] { outcome = runProject(project, {}); });
+        }
+        return outcome;
+    };
     auto* reports = new ReportCommands(
-        [this]() -> ReportCommands::Subject {
-            OutcomePtr outcome = m_outcome;
-            if (m_runs.running()) { // that one is of the inputs before
-                runAside(
-                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
-            }
-            return {outcome, m_document.filePath()};
+        [this, outcomeOfNow]() -> ReportCommands::Subject {
+            return {outcomeOfNow(), m_document.filePath()};
         },
         m_settings, this);
+    auto* exports = new ExportCommands(outcomeOfNow, m_settings, this);
+    connect(exports, &ExportCommands::told, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     for (QAction* action :
          {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
           m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
           m_actions->undo, m_actions->redo, m_actions->keepRun, m_actions->printPreview,
-          m_actions->print, m_actions->exportPdf, m_actions->exportHtml,
-          m_actions->exportMarkdown}) {
+          m_actions->print, m_actions->exportPdf, m_actions->exportHtml, m_actions->exportMarkdown,
+          m_actions->exportResults}) {
         on(action, [this] { m_inputs->endTyping(); }); // first
     }
     on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
@@ -270,6 +276,7 @@ void MainWindow::connectActions() {
     on(m_actions->exportPdf, [reports] { reports->exportReport(report::Format::pdf); });
     on(m_actions->exportHtml, [reports] { reports->exportReport(report::Format::html); });
     on(m_actions->exportMarkdown, [reports] { reports->exportReport(report::Format::markdown); });
+    on(m_actions->exportResults, [exports] { exports->exportResults(); });
     on(m_actions->quit, [this] { close(); });
     on(m_actions->undo, [this] {
         if (!m_inputs->dropNewestRefusal()) {
