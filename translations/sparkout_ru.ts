@@ -6251,6 +6251,14 @@ target, µm</source>
             <source>Save the table as</source>
             <translation>Сохранить таблицу как</translation>
         </message>
+        <message>
+            <source>CSV for &amp;Russian Excel: semicolons, decimal commas…</source>
+            <translation>CSV для &amp;русского Excel: точка с запятой, десятичная запятая…</translation>
+        </message>
+        <message>
+            <source>&amp;English CSV: commas, decimal points…</source>
+            <translation>&amp;Английский CSV: запятая, десятичная точка…</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CorrelationBox</name>

@@ -19,7 +19,7 @@ namespace sparkout {
 namespace {
 
 constexpr int exportDialogWidth = 460;
-constexpr int noteLines = 4;
+constexpr int noteLines = 3;
 
 } // namespace
 

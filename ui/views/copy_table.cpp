@@ -10,6 +10,21 @@
 
 namespace sparkout {
 
+namespace {
+
+/// In a menu of its own a format says by itself that it is CSV.
+QString savingText(TableFormat format) {
+    switch (format) {
+    case TableFormat::csvRussian:
+        return CopyTable::tr("CSV for &Russian Excel: semicolons, decimal commas…");
+    case TableFormat::csvEnglish: return CopyTable::tr("&English CSV: commas, decimal points…");
+    case TableFormat::xlsx: break;
+    }
+    return tableFormatText(format);
+}
+
+} // namespace
+
 CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
     : QTableView(parent), m_text(std::move(text)) {
     setShowGrid(false);
@@ -67,7 +82,7 @@ void CopyTable::addSaving(QMenu& menu) {
     formats->setToolTipsVisible(true);
     formats->setEnabled(!m_table().empty());
     for (const TableFormat format : allTableFormats) {
-        QAction* action = formats->addAction(tableFormatText(format));
+        QAction* action = formats->addAction(savingText(format));
         action->setToolTip(tableFormatHint(format));
         connect(action, &QAction::triggered, this, [this, format] { save(format); });
     }
