@@ -469,7 +469,8 @@ private:
 
     /// No name of a column ends in a unit; returns how many have one of their own.
     static int checkUnits(const XlsxReader& read) {
-        static const QRegularExpression tail(QStringLiteral(", [^ ,]{1,12}$"));
+        static const QRegularExpression tail(
+            QStringLiteral(", ([^ ,]+/[^ ,]+|[µмmcс%°НNWВтkкВJДж]{1,3}³?|min|мин|мкм|кВт)$"));
         int units = 0;
         for (int sheet = 0; sheet < read.names().size(); ++sheet) {
             for (int i = 0; i < read.columns(sheet); ++i) {

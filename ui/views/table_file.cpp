@@ -10,6 +10,7 @@
 #include <QMessageBox>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -19,6 +20,16 @@ namespace {
 struct TableFile {
     Q_DECLARE_TR_FUNCTIONS(TableFile)
 };
+
+/// A sheet that has more rows than a workbook takes.
+std::optional<Sheet> longSheet(const CsvTable& table, const QString& name) {
+    if (table.rows.size() + 2 <= xlsxRows) { // with names and units
+        return std::nullopt;
+    }
+    const std::vector<Sheet> sheets = sheetsOf(table, name);
+    const Sheet* sheet = sheetTooLong(sheets);
+    return sheet ? std::optional(*sheet) : std::nullopt;
+}
 
 void sayTooLong(QWidget* window, const Sheet& sheet) {
     QMessageBox box(QMessageBox::Information, TableFile::tr("Too many rows"),
@@ -78,6 +89,7 @@ QString programText() {
 
 bool saveTable(QWidget* window, Settings* settings, NamedTable named, TableFormat format) {
     const QString name = named.heading.value(0);
+    const auto table = std::make_shared<const CsvTable>(std::move(named.table));
     SaveRequest request{TableFile::tr("Save the data"),
                         fileNameOf({named.heading.value(1), name}),
                         tableFormatSuffix(format),
@@ -85,20 +97,17 @@ bool saveTable(QWidget* window, Settings* settings, NamedTable named, TableForma
                         {},
                         {}};
     if (format == TableFormat::xlsx) {
-        Book book{named.heading.join(QStringLiteral(" — ")),
-                  {},
-                  programText(),
-                  QDateTime::currentDateTime(),
-                  sheetsOf(named.table, name)};
-        if (const Sheet* sheet = sheetTooLong(book.sheets)) {
+        if (const auto sheet = longSheet(*table, name)) {
             sayTooLong(window, *sheet);
             return false;
         }
-        request.longWork = [book = std::move(book)](const KeepGoing& keepGoing) {
-            return xlsxBytes(book, keepGoing);
+        request.longWork = [table, name, title = named.heading.join(QStringLiteral(" — "))](
+                               const KeepGoing& keepGoing) {
+            return xlsxBytes(
+                {title, {}, programText(), QDateTime::currentDateTime(), sheetsOf(*table, name)},
+                keepGoing);
         };
     } else {
-        const auto table = std::make_shared<const CsvTable>(std::move(named.table));
         request.prepare = [table, format]() -> std::function<QByteArray()> {
             return [table, format] { return csvBytes(*table, dialectOf(format)); };
         };
