@@ -6,6 +6,7 @@
 #include "app/cli_report.h"
 #include "app/examples.h"
 #include "core/quality/remarks.h"
+#include "core/quality/result_json.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 

@@ -13,17 +13,10 @@ namespace sparkout::cli {
 /// One line a fault: "FILE: /path: sentence".
 [[nodiscard]] std::string issueLine(const std::string& file, const Issue& issue);
 
-/// Where in the cycle, as the command line says it: "nz E1 stage 1 double stroke 27".
-[[nodiscard]] std::string placeText(const Place& place);
-
 /// So many decimals, with a point, whatever the locale; never "-0".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
-/// The object of `simulate --json`; its named keys are fixed.
-[[nodiscard]] std::string resultJson(const SimulationResult& result,
-                                     const std::vector<ConstraintResult>& constraints);
-
-/// The same for people.
+/// A result for people; resultJson() is the same for programs.
 [[nodiscard]] std::string resultText(const SimulationResult& result,
                                      const std::vector<ConstraintResult>& constraints);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export_command.h"
 #include "app/report_command.h"
 #include "app/window_io.h"
 #include "core/version.h"
@@ -41,14 +42,19 @@ constexpr const char* usageText =
     "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
     "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru]\n"
     "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
+    "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
     "\n"
     "Opens the workbench, with FILE or with an example.\n"
     "\n"
     "  --picture OUT.png  write a picture of the window with FILE and its result, show nothing\n"
     "  --report KIND      write a report of FILE into OUT, show nothing; KIND is\n"
     "%1"
-    "  -o OUT             the file of the report; its ending says as what it is written:\n"
-    "                     .pdf, .html or .md (Markdown)\n"
+    "  --export PART      write results of FILE as tables into OUT, show nothing: all, inputs,\n"
+    "                     cycle, stages, zones, profiles, requirements or trace\n"
+    "  -o OUT             the file of the report or the tables; its ending says as what it is\n"
+    "                     written: .pdf, .html or .md (Markdown); .xlsx, .csv (one part; with\n"
+    "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
+    "                     .json (all: the object of sparkout-cli simulate --json)\n"
     "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
     "                     zone or section, stage, step, revolution of it and radius, as far as\n"
     "                     wanted, as in 12,nz,z1,e1,r1,k9; of those that fit the deepest cut;\n"
@@ -56,7 +62,7 @@ constexpr const char* usageText =
     "  --views VIEWS      figures of a hand-out: feeds, cycle, profiles, limits, with commas\n"
     "                     between; feeds,cycle,profiles unless told; none of them: \"\"\n"
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
-    "  --lang en|ru       language of the window or the report, this time only\n"
+    "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
@@ -65,9 +71,8 @@ constexpr const char* usageText =
     "  --help             print this text\n"
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (the report is written), 130 ended by Ctrl+C "
-    "(nothing\n"
-    "is written). sparkout-cli does without a display.\n";
+    "no display, 3 the cycle cannot reach size (report or tables are written), 130 ended by\n"
+    "Ctrl+C (nothing is written). sparkout-cli does without a display.\n";
 
 QString usage() {
     return QString::fromUtf8(usageText).arg(reportUsage());
@@ -77,7 +82,8 @@ struct Options {
     QString file;
     QString picture;
     QString report; ///< the kind of report
-    QString output; ///< its file
+    ExportRequest exported;
+    QString output; ///< the file of either
     ReportRequest request;
     QString handoutOption; ///< one of --at, --views, --answers, if given
     QString language;
@@ -117,12 +123,11 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         }
     } else if (word == u"-o") {
         options.output = words[++i];
-        if (!report::formatOf(options.output)) {
-            options.fault = QStringLiteral("the file of -o ends in .pdf, .html or .md");
-        }
     } else if (word == u"--at" || word == u"--views" || word == u"--answers") {
         options.handoutOption = word;
         options.fault = readHandoutOption(word, words[++i], options.request);
+    } else if (word == u"--export") {
+        options.exported.part = words[++i];
     } else if (word == u"--lang") {
         options.language = words[++i];
         if (options.language != u"en" && options.language != u"ru") {
@@ -150,6 +155,37 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
     }
 }
 
+/// What is wrong with --report, --export and -o.
+QString outputFault(const Options& options) {
+    const bool report = !options.report.isEmpty();
+    const bool exported = !options.exported.part.isEmpty();
+    if (!report && !exported && options.output.isEmpty()) {
+        return {};
+    }
+    if (report == exported || options.output.isEmpty()) {
+        return QStringLiteral("-o goes with --report or with --export");
+    }
+    if (options.file.isEmpty()) {
+        return QStringLiteral("%1 needs a FILE")
+            .arg(report ? QStringLiteral("--report") : QStringLiteral("--export"));
+    }
+    if (!options.picture.isEmpty()) {
+        return QStringLiteral("--picture goes with neither --report nor --export");
+    }
+    if (report && !report::formatOf(options.output)) {
+        return QStringLiteral("the file of -o ends in .pdf, .html or .md");
+    }
+    if (exported && !canExport(options.exported)) {
+        return QStringLiteral(
+            "--export is all (into .xlsx or .json), inputs, cycle, stages, zones, "
+            "profiles, requirements or trace (into .xlsx or .csv)");
+    }
+    const QString target = QFileInfo(options.output).canonicalFilePath();
+    return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()
+               ? QStringLiteral("the output would take the place of the project")
+               : QString();
+}
+
 Options readOptions(const QStringList& words) {
     Options options;
     bool optionsOver = false;
@@ -167,22 +203,14 @@ Options readOptions(const QStringList& words) {
     if (!options.picture.isEmpty() && options.file.isEmpty() && options.fault.isEmpty()) {
         options.fault = QStringLiteral("--picture needs a FILE");
     }
-    if (!options.report.isEmpty() != !options.output.isEmpty() && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("--report and -o go together");
-    }
     if (!options.handoutOption.isEmpty() && options.report != u"handout"
         && options.fault.isEmpty()) {
         options.fault = QStringLiteral("%1 is of --report handout").arg(options.handoutOption);
     }
-    if (!options.report.isEmpty() && options.fault.isEmpty()) {
-        if (options.file.isEmpty()) {
-            options.fault = QStringLiteral("--report needs a FILE");
-        } else if (!options.picture.isEmpty()) {
-            options.fault = QStringLiteral("--report and --picture do not go together");
-        } else if (const QString target = QFileInfo(options.output).canonicalFilePath();
-                   !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()) {
-            options.fault = QStringLiteral("the report would take the place of the project");
-        }
+    options.exported.file = options.file;
+    options.exported.output = options.output;
+    if (options.fault.isEmpty()) {
+        options.fault = outputFault(options);
     }
     return options;
 }
@@ -299,7 +327,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     const bool picture = !options.picture.isEmpty();
-    const bool hidden = picture || !options.report.isEmpty();
+    const bool hidden = picture || !options.output.isEmpty();
     if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
@@ -328,6 +356,9 @@ int main(int argc, char** argv) {
         request.file = options.file;
         request.output = options.output;
         return writeReport(request);
+    }
+    if (!options.output.isEmpty()) {
+        return writeExport(options.exported);
     }
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {

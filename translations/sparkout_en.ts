@@ -53,6 +53,37 @@
         </message>
     </context>
     <context>
+        <name>Passport</name>
+        <message numerus="yes">
+            <source>as measured, %n value(s), %1</source>
+            <translation>
+                <numerusform>as measured, %n value, %1</numerusform>
+                <numerusform>as measured, %n values, %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n part(s) between dressings</source>
+            <translation>
+                <numerusform>%1, %n part between dressings</numerusform>
+                <numerusform>%1, %n parts between dressings</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Smallest and largest tried: of the first %n parts.</source>
+            <translation>
+                <numerusform>Smallest and largest tried: of the first part.</numerusform>
+                <numerusform>Smallest and largest tried: of the first %n parts.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Of the %n part, which is number 0, number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n parts, the first of which is number 0, number %1 has the least margin. %2.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message numerus="yes">
             <source>it holds %n values; needed: an even number, %1</source>

@@ -342,6 +342,237 @@
         </message>
     </context>
     <context>
+        <name>CourseFigure</name>
+        <message>
+            <source>Cross-sections at the end of the cycle</source>
+            <translation>Поперечные сечения в конце цикла</translation>
+        </message>
+        <message>
+            <source>%1: actual feed over the stock left, under its limits</source>
+            <translation>%1: фактическая подача в зависимости от оставшегося припуска и её ограничения</translation>
+        </message>
+    </context>
+    <context>
+        <name>CourseHandout</name>
+        <message>
+            <source>The step worked out</source>
+            <translation>Разбор шага цикла</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be recorded, so no step of it can be worked out.</source>
+            <translation>Цикл слишком длинный и не записан, поэтому разобрать его шаг нельзя.</translation>
+        </message>
+        <message>
+            <source>Every formula stands in symbols, then with its numbers, then with its result. Numbers are put in with as many digits as the printed result needs.</source>
+            <translation>Каждая формула записана в обозначениях, затем с подставленными числами и с результатом. Числа подставлены со столькими знаками, сколько нужно для напечатанного результата.</translation>
+        </message>
+        <message>
+            <source>Course hand-out</source>
+            <translation>Раздаточный материал</translation>
+        </message>
+        <message>
+            <source>The task</source>
+            <translation>Задача</translation>
+        </message>
+        <message>
+            <source>Stages of the cycle</source>
+            <translation>Ступени цикла</translation>
+        </message>
+        <message>
+            <source>Inputs of the formulas</source>
+            <translation>Исходные данные формул</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Графики</translation>
+        </message>
+        <message>
+            <source>Questions</source>
+            <translation>Вопросы</translation>
+        </message>
+        <message>
+            <source>Sources</source>
+            <translation>Источники</translation>
+        </message>
+        <message>
+            <source>Answers</source>
+            <translation>Ответы</translation>
+        </message>
+        <message>
+            <source>Course</source>
+            <translation>Курс</translation>
+        </message>
+        <message>
+            <source>Project file</source>
+            <translation>Файл проекта</translation>
+        </message>
+        <message>
+            <source>A shaft of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
+            <translation>Шлифуется вал ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
+        </message>
+        <message>
+            <source>A bore of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
+            <translation>Шлифуется отверстие ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
+        </message>
+        <message>
+            <source>By the model the cycle takes %1. Follow one step of it, formula by formula, and find what limits the feed there.</source>
+            <translation>По модели цикл длится %1. Проследите один его шаг формула за формулой и найдите, что ограничивает там подачу.</translation>
+        </message>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Meaning</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Источник</translation>
+        </message>
+        <message>
+            <source>Compliance of the system, %1</source>
+            <translation>Податливость технологической системы, %1</translation>
+        </message>
+        <message>
+            <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
+            <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
+        </message>
+        <message>
+            <source>With this input the cycle does not end as it should: %1.</source>
+            <translation>С этим исходным данным цикл не завершается как следует: %1.</translation>
+        </message>
+        <message>
+            <source>Asked for</source>
+            <translation>Что найти</translation>
+        </message>
+        <message>
+            <source>Before</source>
+            <translation>Было</translation>
+        </message>
+        <message>
+            <source>Changed</source>
+            <translation>Стало</translation>
+        </message>
+        <message>
+            <source>Difference, %</source>
+            <translation>Изменение, %</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>Ключ</translation>
+        </message>
+        <message>
+            <source>%1, eq. %2</source>
+            <comment>key of a source, its equation</comment>
+            <translation>%1, ф. %2</translation>
+        </message>
+        <message>
+            <source>Source: %1</source>
+            <translation>Источник: %1</translation>
+        </message>
+        <message>
+            <source>Feeds in double stroke %1; the line marks the step</source>
+            <translation>Подачи за двойной ход %1; линия отмечает разобранный шаг</translation>
+        </message>
+        <message>
+            <source>Feeds around revolution %1; the line marks the step</source>
+            <translation>Подачи около оборота %1; линия отмечает разобранный шаг</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Этап</translation>
+        </message>
+        <message>
+            <source>Revolution of the step</source>
+            <translation>Оборот этапа</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Радиус</translation>
+        </message>
+        <message>
+            <source>Effective width b</source>
+            <translation>Эффективная ширина резания b</translation>
+        </message>
+        <message>
+            <source>Programmed so far, tП</source>
+            <translation>Накопленная программная подача tП</translation>
+        </message>
+        <message>
+            <source>Actual feed a</source>
+            <translation>Фактическая подача a</translation>
+        </message>
+        <message>
+            <source>Stock left at this radius</source>
+            <translation>Оставшийся припуск на этом радиусе</translation>
+        </message>
+        <message>
+            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
+            <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
+        </message>
+        <message>
+            <source>What limits the feed at this step</source>
+            <translation>Что ограничивает подачу на этом шаге</translation>
+        </message>
+        <message>
+            <source>No requirement of this project limits the feed.</source>
+            <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
+        </message>
+        <message>
+            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, µm</source>
+            <translation>Предельная фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>As a feed, mm/min</source>
+            <translation>Скорость подачи, мм/мин</translation>
+        </message>
+        <message>
+            <source>Depth of cut of the step, µm</source>
+            <translation>Фактическая подача шага, мкм</translation>
+        </message>
+        <message>
+            <source>Share of the limit, %</source>
+            <translation>Доля предела, %</translation>
+        </message>
+        <message>
+            <source>not met at any depth</source>
+            <translation>не выполнено ни при какой подаче</translation>
+        </message>
+    </context>
+    <context>
         <name>CycleCard</name>
         <message>
             <source>Prediction for the part</source>
@@ -736,6 +967,108 @@
         </message>
     </context>
     <context>
+        <name>Exercises</name>
+        <message>
+            <source>The wheel has become dull: η rises from %1 to %2. How do the actual feed a and the normal force Py change, at the same zone, step and radius as above, and how the machining time?</source>
+            <translation>Круг затупился: η выросла с %1 до %2. Как изменятся фактическая подача a и радиальная сила Py в той же зоне, на том же этапе и радиусе, что и выше, и как изменится машинное время?</translation>
+        </message>
+        <message>
+            <source>The friction of the wear flats, kr·√a, grows with η. At the same lag less is cut, so the lag and the force grow until the programmed feed is cut again. What the system has yielded goes on cutting in the next, slower stage.</source>
+            <translation>Трение площадок износа kr·√a растёт вместе с η. При том же отставании срезается меньше, поэтому отставание и сила растут, пока снова не будет срезаться программная подача. То, на что отжата система, срезается ещё на следующей, более медленной ступени.</translation>
+        </message>
+        <message>
+            <source>The technological system is %1 times as compliant in every zone. How do the difference of diameters along the part and the largest normal force change?</source>
+            <translation>Технологическая система во всех зонах податливее в %1 раза. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+        </message>
+        <message>
+            <source>A zone differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end. The lag of a compliant system takes longer to build up, and goes on cutting when the feed is reduced.</source>
+            <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
+        </message>
+        <message>
+            <source>The units of the machine yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
+            <translation>Узлы станка отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+        </message>
+        <message>
+            <source>A smaller feed ends the cycle with a smaller force, hence a smaller deflection that differs less from zone to zone; for the same stock it takes longer.</source>
+            <translation>При меньшей подаче цикл заканчивается с меньшей силой, а значит, с меньшим отжатием, которое меньше различается по зонам; тот же припуск снимается дольше.</translation>
+        </message>
+        <message>
+            <source>The radial feed of stage %1 is halved, from %2 to %3. What does that cost in time, and what does it gain in accuracy?</source>
+            <translation>Радиальная подача ступени %1 уменьшена вдвое, с %2 до %3. Сколько времени это стоит и что даёт для точности?</translation>
+        </message>
+        <message>
+            <source>The blanks come with twice the runout, %1 instead of %2. How much of it is left on the part, and what does it cost?</source>
+            <translation>Биение заготовок вдвое больше: %1 вместо %2. Сколько от него останется на детали и во что это обойдётся?</translation>
+        </message>
+        <message>
+            <source>The stock is the least that any radius has, so a larger runout is more metal to take off. High places are cut deeper than low ones: pass by pass little of the runout is left.</source>
+            <translation>Припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла. Выступающие места срезаются глубже, чем впадины: от прохода к проходу от биения остаётся всё меньше.</translation>
+        </message>
+        <message>
+            <source>The first stage lasts longer. Force and power are those of its feeds: once the lag is built up, they no longer depend on how much is left. How far the gauge lets a stage overrun depends on the phase, and with it the time of the slow stage.</source>
+            <translation>Первая ступень длится дольше. Сила и мощность определяются её подачами: когда отставание установилось, они уже не зависят от оставшегося припуска. Насколько ступень пройдёт дальше своего порога, зависит от момента отсчёта прибора, а от этого — время медленной ступени.</translation>
+        </message>
+        <message>
+            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off. How do the machining time and the largest power change?</source>
+            <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень. Как изменятся машинное время и наибольшая мощность?</translation>
+        </message>
+        <message>
+            <source>Take double stroke %1, which both cycles have.</source>
+            <translation>Возьмите двойной ход %1: он есть в обоих циклах.</translation>
+        </message>
+        <message>
+            <source>Take revolution %1, which both cycles have.</source>
+            <translation>Возьмите оборот %1: он есть в обоих циклах.</translation>
+        </message>
+        <message>
+            <source>Actual feed a of the step, µm</source>
+            <translation>Фактическая подача a шага, мкм</translation>
+        </message>
+        <message>
+            <source>Normal force Py of the step, N</source>
+            <translation>Радиальная сила Py шага, Н</translation>
+        </message>
+        <message>
+            <source>Machining time, min</source>
+            <translation>Машинное время, мин</translation>
+        </message>
+        <message>
+            <source>Double strokes</source>
+            <translation>Двойные ходы</translation>
+        </message>
+        <message>
+            <source>Revolutions</source>
+            <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Largest less smallest diameter along the part, µm</source>
+            <translation>Наибольший диаметр детали минус наименьший, мкм</translation>
+        </message>
+        <message>
+            <source>Largest radial runout, µm</source>
+            <translation>Наибольшее радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Largest normal force Py, N</source>
+            <translation>Наибольшая радиальная сила Py, Н</translation>
+        </message>
+        <message>
+            <source>Largest power, kW</source>
+            <translation>Наибольшая мощность, кВт</translation>
+        </message>
+    </context>
+    <context>
+        <name>ExportFile</name>
+        <message>
+            <source>JSON files (*.json)</source>
+            <translation>Файлы JSON (*.json)</translation>
+        </message>
+        <message>
+            <source>There is no trace: of a run of %1 rows only the results are kept; a trace has %2 at most.</source>
+            <translation>Трассы нет: в ней было бы %1 строк, а записывается не больше %2. Результаты сохранены полностью.</translation>
+        </message>
+    </context>
+    <context>
         <name>FactorLines</name>
         <message>
             <source>Lowest</source>
@@ -862,6 +1195,25 @@
         <message>
             <source>Feeds by stage over the whole cycle</source>
             <translation>Подачи по ступеням за весь цикл</translation>
+        </message>
+    </context>
+    <context>
+        <name>FieldText</name>
+        <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message>
+            <source>%1…%2 in steps of %3</source>
+            <translation>%1…%2 с шагом %3</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
         </message>
     </context>
     <context>
@@ -1262,6 +1614,25 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from the middle of the field</source>
             <translation>Прибор на %1 мм: диаметры от %2 (%3) до %4 мкм (%5), не дальше %6 мкм от середины поля</translation>
+        </message>
+    </context>
+    <context>
+        <name>HandoutView</name>
+        <message>
+            <source>Feeds around the step, with E1…E5</source>
+            <translation>Подачи около разобранного шага с этапами Э1…Э5</translation>
+        </message>
+        <message>
+            <source>Feeds over the whole cycle</source>
+            <translation>Подачи за весь цикл</translation>
+        </message>
+        <message>
+            <source>Zone profiles at the end</source>
+            <translation>Профили зон в конце цикла</translation>
+        </message>
+        <message>
+            <source>Actual feed under its limits</source>
+            <translation>Фактическая подача и её ограничения</translation>
         </message>
     </context>
     <context>
@@ -3427,6 +3798,387 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Passport</name>
+        <message>
+            <source>Accuracy passport of a grinding cycle</source>
+            <translation>Паспорт точности обработки цикла шлифования</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Drawing and part</source>
+            <translation>Чертёж и деталь</translation>
+        </message>
+        <message>
+            <source>Tooling and settings</source>
+            <translation>Оснастка и режимы</translation>
+        </message>
+        <message>
+            <source>Regimes by stage</source>
+            <translation>Режимы по ступеням</translation>
+        </message>
+        <message>
+            <source>Batch: factors and scenarios</source>
+            <translation>Партия: факторы и сценарии</translation>
+        </message>
+        <message>
+            <source>Worst part of the batch</source>
+            <translation>Худшая деталь партии</translation>
+        </message>
+        <message>
+            <source>Requirements of the nominal part</source>
+            <translation>Требования для номинальной детали</translation>
+        </message>
+        <message>
+            <source>Recomputing</source>
+            <translation>Как повторить расчёт</translation>
+        </message>
+        <message>
+            <source>Appendix: all inputs</source>
+            <translation>Приложение: все исходные данные</translation>
+        </message>
+        <message>
+            <source>Predicted accuracy against the drawing</source>
+            <translation>Ожидаемая точность по сравнению с чертежом</translation>
+        </message>
+        <message>
+            <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
+            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не индексы воспроизводимости.</translation>
+        </message>
+        <message>
+            <source>Capability and share out of tolerance</source>
+            <translation>Воспроизводимость и доля вне допуска</translation>
+        </message>
+        <message>
+            <source>Percentiles</source>
+            <translation>Квантили</translation>
+        </message>
+        <message>
+            <source>Distribution against the tolerance field</source>
+            <translation>Распределение относительно поля допуска</translation>
+        </message>
+        <message>
+            <source>Nominal part at the end of the cycle</source>
+            <translation>Номинальная деталь в конце цикла</translation>
+        </message>
+        <message>
+            <source>What rests on estimates</source>
+            <translation>Что опирается на оценки</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Замечания</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <comment>zone, range of values</comment>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>%1: number of parts, where the Cpk is least</source>
+            <translation>%1: число деталей, где Cpk наименьший</translation>
+        </message>
+        <message>
+            <source>%1: number of parts</source>
+            <translation>%1: число деталей</translation>
+        </message>
+        <message>
+            <source>Cpk with its 95 % bounds, the least first; dashed: 1 and %1</source>
+            <translation>Cpk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
+        </message>
+        <message>
+            <source>Diameter along the part against the tolerance field</source>
+            <translation>Диаметр вдоль детали в поле допуска</translation>
+        </message>
+        <message>
+            <source>Cross-sections, deviations magnified</source>
+            <translation>Поперечные сечения, отклонения увеличены</translation>
+        </message>
+        <message>
+            <source>Correlation</source>
+            <translation>Корреляция</translation>
+        </message>
+        <message>
+            <source>constant %1</source>
+            <translation>постоянная величина %1</translation>
+        </message>
+        <message>
+            <source>uniform, %1</source>
+            <translation>равномерное, %1</translation>
+        </message>
+        <message>
+            <source>normal, mean %1, standard deviation %2</source>
+            <translation>нормальное, среднее %1, стандартное отклонение %2</translation>
+        </message>
+        <message>
+            <source>%1, truncated to %2</source>
+            <comment>normal distribution</comment>
+            <translation>%1, усечено до %2</translation>
+        </message>
+        <message>
+            <source>triangular, %1, most frequent %2</source>
+            <translation>треугольное, %1, наиболее частое %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>as measured, %n value(s), %1</source>
+            <translation>
+                <numerusform>по измерениям, %n значение, %1</numerusform>
+                <numerusform>по измерениям, %n значения, %1</numerusform>
+                <numerusform>по измерениям, %n значений, %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>grows part by part from %1 to %2</source>
+            <translation>растёт от детали к детали с %1 до %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1, %n part(s) between dressings</source>
+            <translation>
+                <numerusform>%1, между правками %n деталь</numerusform>
+                <numerusform>%1, между правками %n детали</numerusform>
+                <numerusform>%1, между правками %n деталей</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 over the whole batch</source>
+            <translation>%1 по всей партии</translation>
+        </message>
+        <message>
+            <source>This project describes no batch, so the passport tells the nominal part alone: no scatter, no capability, no share out of tolerance.</source>
+            <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без индексов воспроизводимости и без доли вне допуска.</translation>
+        </message>
+        <message>
+            <source>A batch is added on the page Batch of the inputs, where each factor that scatters gets its distribution, or with “Add a usual batch” in the view Batch.</source>
+            <translation>Партию добавляют на странице «Партия» исходных данных, где каждому рассеивающемуся фактору задают распределение, или кнопкой «Добавить обычную партию» вида «Партия».</translation>
+        </message>
+        <message>
+            <source>Parts run</source>
+            <translation>Рассчитано деталей</translation>
+        </message>
+        <message>
+            <source>Scenarios</source>
+            <translation>Сценарии</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Начальное число</translation>
+        </message>
+        <message>
+            <source>none is drawn</source>
+            <translation>случайных чисел нет</translation>
+        </message>
+        <message>
+            <source>Correlation of the factors</source>
+            <translation>Корреляция факторов</translation>
+        </message>
+        <message>
+            <source>as in the table below</source>
+            <translation>по таблице ниже</translation>
+        </message>
+        <message>
+            <source>independent</source>
+            <translation>независимы</translation>
+        </message>
+        <message>
+            <source>Factor</source>
+            <translation>Фактор</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Distribution</source>
+            <translation>Распределение</translation>
+        </message>
+        <message>
+            <source>Smallest tried</source>
+            <translation>Наименьшее из испытанных</translation>
+        </message>
+        <message>
+            <source>Largest tried</source>
+            <translation>Наибольшее из испытанных</translation>
+        </message>
+        <message numerus="yes">
+            <source>Smallest and largest tried: of the first %n parts.</source>
+            <translation>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первой %n детали.</numerusform>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первым %n деталям.</numerusform>
+                <numerusform>Наименьшее и наибольшее из испытанных — по первым %n деталям.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Program</source>
+            <translation>Программа</translation>
+        </message>
+        <message>
+            <source>Version of the engine</source>
+            <translation>Версия расчётного ядра</translation>
+        </message>
+        <message>
+            <source>What was run</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Command that computes it again</source>
+            <translation>Команда, повторяющая расчёт</translation>
+        </message>
+        <message>
+            <source>The same inputs and the same seed give the same numbers, with any number of threads. All that the computation reads is in the appendix, each number with all its digits.</source>
+            <translation>Те же исходные данные и то же начальное число дают те же результаты при любом числе потоков. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+        </message>
+        <message>
+            <source>The same inputs give the same numbers. All that the computation reads is in the appendix, each number with all its digits.</source>
+            <translation>Те же исходные данные дают те же результаты. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
+        </message>
+        <message>
+            <source>The cycle, by the prediction</source>
+            <translation>Цикл по результатам расчёта</translation>
+        </message>
+        <message>
+            <source>conforms to the drawing</source>
+            <translation>годен</translation>
+        </message>
+        <message>
+            <source>does not conform to the drawing</source>
+            <translation>не годен</translation>
+        </message>
+        <message>
+            <source>Nominal part: %1.</source>
+            <translation>Номинальная деталь: %1.</translation>
+        </message>
+        <message>
+            <source>Parts of the batch that are not good</source>
+            <translation>Негодных деталей в партии</translation>
+        </message>
+        <message>
+            <source>Least Cpk</source>
+            <translation>Наименьший Cpk</translation>
+        </message>
+        <message>
+            <source>%1: out of tolerance %2.</source>
+            <translation>%1: вне допуска %2.</translation>
+        </message>
+        <message>
+            <source>Worst part, number %1: %2.</source>
+            <translation>Худшая деталь, номер %1: %2.</translation>
+        </message>
+        <message>
+            <source>no batch is described</source>
+            <translation>партия не описана</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part reaches size and holds every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Цикл годен, если номинальная деталь доводится до размера и выдерживает все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Пределы</translation>
+        </message>
+        <message>
+            <source>Nominal part</source>
+            <translation>Номинал</translation>
+        </message>
+        <message>
+            <source>Smallest</source>
+            <translation>Наим.</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Наиб.</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>с</translation>
+        </message>
+        <message>
+            <source>Mean, 95 %</source>
+            <translation>Среднее, 95 %</translation>
+        </message>
+        <message>
+            <source>Cp</source>
+            <translation>Cp</translation>
+        </message>
+        <message>
+            <source>Cpk</source>
+            <translation>Cpk</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Вне допуска</translation>
+        </message>
+        <message>
+            <source>Normality, p</source>
+            <translation>Нормальность, p</translation>
+        </message>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Из %n детали, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Where in the cycle</source>
+            <translation>Место в цикле</translation>
+        </message>
+        <message>
+            <source>a setting</source>
+            <translation>настройка</translation>
+        </message>
+        <message>
+            <source>at the end</source>
+            <translation>в конце</translation>
+        </message>
+    </context>
+    <context>
         <name>ProfileCsv</name>
         <message>
             <source>line %1: “%2” cannot be read as a number</source>
@@ -3663,23 +4415,180 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>ReportKind</name>
+        <message>
+            <source>Cycle car&amp;d</source>
+            <translation>Операционная &amp;карта</translation>
+        </message>
+        <message>
+            <source>Accuracy &amp;passport</source>
+            <translation>&amp;Паспорт точности</translation>
+        </message>
+        <message>
+            <source>Course &amp;hand-out</source>
+            <translation>&amp;Раздаточный материал</translation>
+        </message>
+    </context>
+    <context>
+        <name>ResultParts</name>
+        <message>
+            <source>Gauge reading, diameter</source>
+            <translation>Показание прибора, диаметр</translation>
+        </message>
+        <message>
+            <source>Stock left per side by the gauge</source>
+            <translation>Остаток припуска на сторону по прибору</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>Конусообразность</translation>
+        </message>
+        <message>
+            <source>Crown</source>
+            <translation>Бочкообразность</translation>
+        </message>
+        <message>
+            <source>Engine</source>
+            <translation>Версия расчёта</translation>
+        </message>
+        <message>
+            <source>Radius no.</source>
+            <translation>Радиус №</translation>
+        </message>
+        <message>
+            <source>Angle, °</source>
+            <translation>Угол, °</translation>
+        </message>
+        <message>
+            <source>%1: radius from nominal, µm</source>
+            <translation>%1: радиус от номинала, мкм</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Whole cycle</source>
+            <translation>Цикл в целом</translation>
+        </message>
+        <message>
+            <source>Stages</source>
+            <translation>Ступени</translation>
+        </message>
+        <message>
+            <source>Zones</source>
+            <translation>Зоны</translation>
+        </message>
+        <message>
+            <source>Sections</source>
+            <translation>Сечения</translation>
+        </message>
+        <message>
+            <source>Final profiles</source>
+            <translation>Конечные профили</translation>
+        </message>
+        <message>
+            <source>Requirements</source>
+            <translation>Требования</translation>
+        </message>
+        <message>
+            <source>Trace</source>
+            <translation>Трасса</translation>
+        </message>
+    </context>
+    <context>
+        <name>ResultTables</name>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Used up, %</source>
+            <translation>Занято, %</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Worst place</source>
+            <translation>Худшее место</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Volume removed, mm³</source>
+            <translation>Снятый объём, мм³</translation>
+        </message>
+        <message>
+            <source>Total energy, kJ</source>
+            <translation>Энергия всего, кДж</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Цикл</translation>
+        </message>
+        <message>
+            <source>From the headstock end, mm</source>
+            <translation>От передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Compliance, mm/N</source>
+            <translation>Податливость, мм/Н</translation>
+        </message>
+        <message>
+            <source>Smallest diameter from nominal, µm</source>
+            <translation>Отклонение наименьшего диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Largest diameter from nominal, µm</source>
+            <translation>Отклонение наибольшего диаметра, мкм</translation>
+        </message>
+        <message>
+            <source>Radial runout, µm</source>
+            <translation>Радиальное биение, мкм</translation>
+        </message>
+        <message>
+            <source>Roundness, minimum zone, µm</source>
+            <translation>Отклонение от круглости, минимальная зона, мкм</translation>
+        </message>
+        <message>
+            <source>Roundness, least squares, µm</source>
+            <translation>Отклонение от круглости, наименьшие квадраты, мкм</translation>
+        </message>
+        <message>
+            <source>Largest normal force, N</source>
+            <translation>Наибольшая нормальная сила, Н</translation>
+        </message>
+        <message>
+            <source>Roughness Ra, µm</source>
+            <translation>Шероховатость Ra, мкм</translation>
+        </message>
+    </context>
+    <context>
         <name>RunTable</name>
-        <message>
-            <source>until size</source>
-            <translation>до размера</translation>
-        </message>
-        <message>
-            <source>%1…%2 in steps of %3</source>
-            <translation>%1…%2 с шагом %3</translation>
-        </message>
-        <message>
-            <source>yes</source>
-            <translation>да</translation>
-        </message>
-        <message>
-            <source>no</source>
-            <translation>нет</translation>
-        </message>
         <message>
             <source>%1 %</source>
             <translation>%1 %</translation>
@@ -3715,6 +4624,30 @@ target, µm</source>
         <message>
             <source>another number of values</source>
             <translation>другое число значений</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Параметр</translation>
+        </message>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Key in the file</source>
+            <translation>Ключ в файле</translation>
+        </message>
+        <message>
+            <source>Quantity</source>
+            <translation>Величина</translation>
         </message>
     </context>
     <context>
@@ -4203,6 +5136,244 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>Symbol</name>
+        <message>
+            <source>equivalent diameter of wheel and part</source>
+            <translation>эквивалентный диаметр круга и детали</translation>
+        </message>
+        <message>
+            <source>surface speed of the part</source>
+            <translation>окружная скорость заготовки</translation>
+        </message>
+        <message>
+            <source>normal force of shear, per width and depth</source>
+            <translation>радиальная сила сдвига на единицу ширины и подачи</translation>
+        </message>
+        <message>
+            <source>normal force of the wear flats, per width and root of the depth</source>
+            <translation>радиальная сила площадок износа на единицу ширины и корня из подачи</translation>
+        </message>
+        <message>
+            <source>tangential force of shear, per width and depth</source>
+            <translation>тангенциальная сила сдвига на единицу ширины и подачи</translation>
+        </message>
+        <message>
+            <source>normal force</source>
+            <translation>радиальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>tangential force</source>
+            <translation>тангенциальная составляющая силы резания</translation>
+        </message>
+        <message>
+            <source>limiting depth of cut</source>
+            <translation>предельная фактическая подача</translation>
+        </message>
+        <message>
+            <source>actual feed: the depth of this cut</source>
+            <translation>фактическая подача: глубина этого среза</translation>
+        </message>
+        <message>
+            <source>effective width of cut</source>
+            <translation>эффективная ширина резания</translation>
+        </message>
+        <message>
+            <source>accumulated programmed feed, from the first touch on</source>
+            <translation>накопленная программная подача от первого касания</translation>
+        </message>
+        <message>
+            <source>largest radius of the blank</source>
+            <translation>наибольший радиус заготовки</translation>
+        </message>
+        <message>
+            <source>smallest radius of the blank</source>
+            <translation>наименьший радиус заготовки</translation>
+        </message>
+        <message>
+            <source>radius k before the cut</source>
+            <translation>радиус k до среза</translation>
+        </message>
+        <message>
+            <source>radius k after the cut</source>
+            <translation>радиус k после среза</translation>
+        </message>
+        <message>
+            <source>target radius</source>
+            <translation>радиус, на который настроен размер</translation>
+        </message>
+        <message>
+            <source>stock left at radius k</source>
+            <translation>оставшийся припуск на радиусе k</translation>
+        </message>
+        <message>
+            <source>stock left below the cut</source>
+            <translation>припуск, оставшийся под срезом</translation>
+        </message>
+        <message>
+            <source>lag of the radius: what the wheel head is ahead of it</source>
+            <translation>отставание радиуса: насколько шлифовальная бабка подана дальше него</translation>
+        </message>
+        <message>
+            <source>compliance of the system</source>
+            <translation>податливость технологической системы</translation>
+        </message>
+        <message>
+            <source>lag per depth of cut, without the wear flats</source>
+            <translation>отставание на единицу подачи без площадок износа</translation>
+        </message>
+        <message>
+            <source>deflection by the wear flats, per root of the depth</source>
+            <translation>отжатие от площадок износа на единицу корня из подачи</translation>
+        </message>
+        <message>
+            <source>root of the depth of cut</source>
+            <translation>корень из фактической подачи</translation>
+        </message>
+        <message>
+            <source>deflection of the system</source>
+            <translation>упругое отжатие системы</translation>
+        </message>
+        <message>
+            <source>deflection of all that yields</source>
+            <translation>отжатие всего, что податливо</translation>
+        </message>
+        <message>
+            <source>temperature rise of the surface that is just allowed</source>
+            <translation>предельно допустимый нагрев поверхности</translation>
+        </message>
+        <message>
+            <source>depth that the heat reaches during the contact</source>
+            <translation>глубина прогрева за время контакта</translation>
+        </message>
+        <message>
+            <source>that stock over twice this depth</source>
+            <translation>этот припуск, делённый на две таких глубины</translation>
+        </message>
+        <message>
+            <source>temperature rise per force, from the heat conduction</source>
+            <translation>нагрев на единицу силы, из теплопроводности</translation>
+        </message>
+        <message>
+            <source>coefficient of the cubic equation w³ + p·w = Q</source>
+            <translation>коэффициент кубического уравнения w³ + p·w = Q</translation>
+        </message>
+        <message>
+            <source>right side of that equation</source>
+            <translation>правая часть этого уравнения</translation>
+        </message>
+        <message>
+            <source>Cardano's root on the way to w</source>
+            <translation>корень Кардано на пути к w</translation>
+        </message>
+        <message>
+            <source>fourth root of the depth of cut</source>
+            <translation>корень четвёртой степени из фактической подачи</translation>
+        </message>
+        <message>
+            <source>structure number of the wheel</source>
+            <translation>номер структуры круга</translation>
+        </message>
+        <message>
+            <source>profile of the dressed grains</source>
+            <translation>профиль правленых зёрен</translation>
+        </message>
+        <message>
+            <source>opening of the wheel's profile by the cut</source>
+            <translation>раскрытие профиля круга при срезе</translation>
+        </message>
+        <message>
+            <source>share of the profile that the cut takes</source>
+            <translation>доля профиля, занятая срезом</translation>
+        </message>
+        <message>
+            <source>calibration of Ra: measured over computed</source>
+            <translation>поправка Ra: измеренная к вычисленной</translation>
+        </message>
+        <message>
+            <source>limiting actual feed</source>
+            <translation>предельная скорость фактической подачи</translation>
+        </message>
+        <message>
+            <source>section of a bond bridge</source>
+            <translation>сечение мостика связки</translation>
+        </message>
+        <message>
+            <source>diameter of a bond bridge</source>
+            <translation>диаметр мостика связки</translation>
+        </message>
+        <message>
+            <source>grains on a square millimetre of the wheel</source>
+            <translation>число зёрен на квадратном миллиметре круга</translation>
+        </message>
+        <message>
+            <source>force that breaks a grain</source>
+            <translation>сила, разрушающая зерно</translation>
+        </message>
+        <message>
+            <source>force that breaks its bond</source>
+            <translation>сила, разрушающая его связку</translation>
+        </message>
+        <message>
+            <source>critical force of one grain</source>
+            <translation>критическая сила на одно зерно</translation>
+        </message>
+        <message>
+            <source>force that the wheel bears, per width and root of the depth</source>
+            <translation>сила, которую выдерживает круг, на единицу ширины и корня из подачи</translation>
+        </message>
+        <message>
+            <source>tangential force that the drive allows, per width</source>
+            <translation>тангенциальная сила, которую допускает привод, на единицу ширины</translation>
+        </message>
+    </context>
+    <context>
+        <name>TableFile</name>
+        <message>
+            <source>Too many rows</source>
+            <translation>Слишком много строк</translation>
+        </message>
+        <message>
+            <source>“%1” would have %2 rows; a sheet of a workbook holds %3, its head included. As CSV it can be saved whole.</source>
+            <translation>На листе «%1» было бы %2 строк, а лист книги вмещает %3 вместе с шапкой. В формате CSV таблицу можно сохранить целиком.</translation>
+        </message>
+        <message>
+            <source>&amp;XLSX workbook…</source>
+            <translation>Книга &amp;XLSX…</translation>
+        </message>
+        <message>
+            <source>&amp;Russian Excel: semicolons, decimal commas…</source>
+            <translation>&amp;Русский Excel: точка с запятой, десятичная запятая…</translation>
+        </message>
+        <message>
+            <source>&amp;English: commas, decimal points…</source>
+            <translation>&amp;Английский: запятая, десятичная точка…</translation>
+        </message>
+        <message>
+            <source>Numbers with all their digits, units in a row of their own</source>
+            <translation>Числа со всеми знаками, единицы в отдельной строке</translation>
+        </message>
+        <message>
+            <source>Headers in the language of the window; Excel opens the file as it is</source>
+            <translation>Заголовки на языке окна; Excel открывает файл сразу</translation>
+        </message>
+        <message>
+            <source>XLSX workbooks (*.xlsx)</source>
+            <translation>Книги XLSX (*.xlsx)</translation>
+        </message>
+        <message>
+            <source>CSV tables: semicolons, decimal commas, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: точка с запятой, десятичная запятая, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>CSV tables: commas, decimal points, UTF-8 (*.csv)</source>
+            <translation>Таблицы CSV: запятая, десятичная точка, UTF-8 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Save the data</source>
+            <translation>Сохранить данные</translation>
+        </message>
+    </context>
+    <context>
         <name>Tour</name>
         <message>
             <source>An example to begin with</source>
@@ -4259,6 +5430,69 @@ target, µm</source>
         <message>
             <source>The last button of the tool bar opens the shipped examples, each as a copy: change what you like. The first one begins a project of your own.</source>
             <translation>Последняя кнопка панели инструментов открывает примеры из поставки, каждый копией: меняйте что угодно. Первая начинает ваш собственный проект.</translation>
+        </message>
+    </context>
+    <context>
+        <name>TraceSheet</name>
+        <message>
+            <source>Time</source>
+            <translation>Время</translation>
+        </message>
+        <message>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
+        </message>
+        <message>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>Ступень</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>Зона</translation>
+        </message>
+        <message>
+            <source>Section</source>
+            <translation>Сечение</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Этап</translation>
+        </message>
+        <message>
+            <source>Pass of the step</source>
+            <translation>Проход этапа</translation>
+        </message>
+        <message>
+            <source>Radius no.</source>
+            <translation>Радиус №</translation>
+        </message>
+        <message>
+            <source>Programmed feed</source>
+            <translation>Программная подача</translation>
+        </message>
+        <message>
+            <source>Actual feed</source>
+            <translation>Фактическая подача</translation>
+        </message>
+        <message>
+            <source>Accumulated actual feed</source>
+            <translation>Накопленная фактическая подача</translation>
+        </message>
+        <message>
+            <source>Radius from nominal</source>
+            <translation>Радиус от номинала</translation>
+        </message>
+        <message>
+            <source>Normal force</source>
+            <translation>Нормальная сила</translation>
+        </message>
+        <message>
+            <source>Trace %1</source>
+            <translation>Трасса %1</translation>
         </message>
     </context>
     <context>
@@ -4403,6 +5637,34 @@ target, µm</source>
             <source>W</source>
             <translation>Вт</translation>
         </message>
+        <message>
+            <source>%</source>
+            <translation>%</translation>
+        </message>
+        <message>
+            <source>nm/N</source>
+            <translation>нм/Н</translation>
+        </message>
+        <message>
+            <source>mm³</source>
+            <translation>мм³</translation>
+        </message>
+        <message>
+            <source>kJ</source>
+            <translation>кДж</translation>
+        </message>
+        <message>
+            <source>J/mm³</source>
+            <translation>Дж/мм³</translation>
+        </message>
+        <message>
+            <source>mm³/(mm·s)</source>
+            <translation>мм³/(мм·с)</translation>
+        </message>
+        <message>
+            <source>m/min</source>
+            <translation>м/мин</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>
@@ -4521,6 +5783,17 @@ target, µm</source>
         <message>
             <source>%1 in %2: the blank has %3 µm, the end of the cycle %4 µm</source>
             <translation>%1 (%2): у заготовки %3 мкм, в конце цикла %4 мкм</translation>
+        </message>
+    </context>
+    <context>
+        <name>WatchDialog</name>
+        <message>
+            <source>Progress</source>
+            <translation>Ход работы</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>О&amp;становить</translation>
         </message>
     </context>
     <context>
@@ -4752,22 +6025,6 @@ target, µm</source>
             <translation>Пе&amp;чать…</translation>
         </message>
         <message>
-            <source>Export repor&amp;t</source>
-            <translation>&amp;Экспорт отчёта</translation>
-        </message>
-        <message>
-            <source>&amp;PDF…</source>
-            <translation>&amp;PDF…</translation>
-        </message>
-        <message>
-            <source>&amp;HTML…</source>
-            <translation>&amp;HTML…</translation>
-        </message>
-        <message>
-            <source>&amp;Markdown…</source>
-            <translation>&amp;Markdown…</translation>
-        </message>
-        <message>
             <source>&amp;Help on what is in focus</source>
             <translation>&amp;Справка по месту курсора</translation>
         </message>
@@ -4786,6 +6043,22 @@ target, µm</source>
         <message>
             <source>&amp;Log</source>
             <translation>&amp;Журнал</translation>
+        </message>
+        <message>
+            <source>Export P&amp;DF…</source>
+            <translation>Экспорт P&amp;DF…</translation>
+        </message>
+        <message>
+            <source>Export &amp;HTML…</source>
+            <translation>Экспорт &amp;HTML…</translation>
+        </message>
+        <message>
+            <source>Export &amp;Markdown…</source>
+            <translation>Экспорт &amp;Markdown…</translation>
+        </message>
+        <message>
+            <source>Export resu&amp;lts…</source>
+            <translation>Экспорт &amp;результатов…</translation>
         </message>
     </context>
     <context>
@@ -5143,6 +6416,25 @@ target, µm</source>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::BatchWait</name>
+        <message>
+            <source>The batch of this report is being run.</source>
+            <translation>Рассчитывается партия для отчёта.</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Остановить</translation>
+        </message>
+        <message>
+            <source>Progress of the batch</source>
+            <translation>Ход расчёта партии</translation>
+        </message>
+        <message>
+            <source>End the batch; no report is made</source>
+            <translation>Прекратить расчёт партии; отчёт не создаётся</translation>
         </message>
     </context>
     <context>
@@ -6025,12 +7317,24 @@ target, µm</source>
     <context>
         <name>sparkout::CopyTable</name>
         <message>
-            <source>Ctrl+C copies the table</source>
-            <translation>Ctrl+C копирует таблицу</translation>
-        </message>
-        <message>
             <source>Copy the table</source>
             <translation>Копировать таблицу</translation>
+        </message>
+        <message>
+            <source>CSV for &amp;Russian Excel: semicolons, decimal commas…</source>
+            <translation>CSV для &amp;русского Excel: точка с запятой, десятичная запятая…</translation>
+        </message>
+        <message>
+            <source>&amp;English CSV: commas, decimal points…</source>
+            <translation>&amp;Английский CSV: запятая, десятичная точка…</translation>
+        </message>
+        <message>
+            <source>Ctrl+C copies the table; its menu saves it</source>
+            <translation>Ctrl+C копирует таблицу, её контекстное меню сохраняет в файл</translation>
+        </message>
+        <message>
+            <source>Save the table as</source>
+            <translation>Сохранить таблицу как</translation>
         </message>
     </context>
     <context>
@@ -6107,6 +7411,108 @@ target, µm</source>
             <translation>%1. %2. %3.
 
 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ExportCommands</name>
+        <message>
+            <source>No results</source>
+            <translation>Нет результатов</translation>
+        </message>
+        <message>
+            <source>There is no result of these inputs, so there is nothing to export. The messages say what is wrong with them.</source>
+            <translation>С этими исходными данными результата нет, экспортировать нечего. Что в них не так, сказано в сообщениях.</translation>
+        </message>
+        <message>
+            <source>Results</source>
+            <translation>Результаты</translation>
+        </message>
+        <message>
+            <source>Export results</source>
+            <translation>Экспорт результатов</translation>
+        </message>
+        <message>
+            <source>The results are exported.</source>
+            <translation>Результаты экспортированы.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ExportDialog</name>
+        <message>
+            <source>Export results</source>
+            <translation>Экспорт результатов</translation>
+        </message>
+        <message>
+            <source>XLSX workbook</source>
+            <translation>Книга XLSX</translation>
+        </message>
+        <message>
+            <source>CSV for Russian Excel: semicolons, decimal commas</source>
+            <translation>CSV для русского Excel: точка с запятой, десятичная запятая</translation>
+        </message>
+        <message>
+            <source>English CSV: commas, decimal points</source>
+            <translation>Английский CSV: запятая, десятичная точка</translation>
+        </message>
+        <message>
+            <source>JSON for programs</source>
+            <translation>JSON для программ</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>Формат</translation>
+        </message>
+        <message>
+            <source>Content</source>
+            <translation>Содержание</translation>
+        </message>
+        <message>
+            <source>&amp;Format:</source>
+            <translation>&amp;Формат:</translation>
+        </message>
+        <message>
+            <source>&amp;Content:</source>
+            <translation>&amp;Содержание:</translation>
+        </message>
+        <message>
+            <source>Choose the &amp;place…</source>
+            <translation>&amp;Выбрать место…</translation>
+        </message>
+        <message>
+            <source>C&amp;ancel</source>
+            <translation>&amp;Отмена</translation>
+        </message>
+        <message>
+            <source>Inputs, results, requirements and the trace</source>
+            <translation>Исходные данные, результаты, требования и трасса</translation>
+        </message>
+        <message>
+            <source>The same without the trace</source>
+            <translation>То же без трассы</translation>
+        </message>
+        <message>
+            <source>Results, shop's numbers and requirements</source>
+            <translation>Результаты, показатели шлифования и требования</translation>
+        </message>
+        <message>
+            <source>The object that the command line prints of a run; its keys are the same in every language.</source>
+            <translation>Объект, который печатает о расчёте командная строка; его ключи на всех языках одинаковы.</translation>
+        </message>
+        <message>
+            <source>Every part on sheets of its own; the trace has %1 rows on %2 sheets, a row for every time a radius passed the wheel.</source>
+            <translation>Каждая часть на своих листах; в трассе %1 строк на %2 листах, по строке на каждое прохождение радиуса под кругом.</translation>
+        </message>
+        <message>
+            <source>Every part on a sheet of its own.</source>
+            <translation>Каждая часть на своём листе.</translation>
+        </message>
+        <message>
+            <source>One table; it has %1 rows, a row for every time a radius passed the wheel.</source>
+            <translation>Одна таблица; в ней %1 строк, по строке на каждое прохождение радиуса под кругом.</translation>
+        </message>
+        <message>
+            <source>One table.</source>
+            <translation>Одна таблица.</translation>
         </message>
     </context>
     <context>
@@ -6767,6 +8173,53 @@ mm/min</source>
         <message>
             <source>Feeds and stocks of the stages</source>
             <translation>Подачи и припуски ступеней</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::HandoutDialog</name>
+        <message>
+            <source>&amp;Answers to the questions, on a last page</source>
+            <translation>&amp;Ответы на вопросы на последней странице</translation>
+        </message>
+        <message>
+            <source>Course hand-out</source>
+            <translation>Раздаточный материал</translation>
+        </message>
+        <message>
+            <source>&amp;Step that is worked out:</source>
+            <translation>Разбираемый &amp;шаг:</translation>
+        </message>
+        <message>
+            <source>Step that is worked out</source>
+            <translation>Разбираемый шаг</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>Графики</translation>
+        </message>
+        <message>
+            <source>&amp;Continue</source>
+            <translation>&amp;Продолжить</translation>
+        </message>
+        <message>
+            <source>Cance&amp;l</source>
+            <translation>От&amp;мена</translation>
+        </message>
+        <message>
+            <source>%1, revolution %2</source>
+            <translation>%1, оборот %2</translation>
+        </message>
+        <message>
+            <source>Where the cycle stands: %1, k = %2</source>
+            <translation>Где стоит цикл: %1, k = %2</translation>
+        </message>
+        <message>
+            <source>The deepest cut of a stage: %1, k = %2</source>
+            <translation>Наибольшая подача ступени: %1, k = %2</translation>
+        </message>
+        <message>
+            <source>The deepest cut of the cycle: %1, k = %2</source>
+            <translation>Наибольшая подача цикла: %1, k = %2</translation>
         </message>
     </context>
     <context>
@@ -7819,10 +9272,6 @@ target, µm</source>
             <translation>Сохранить рисунок</translation>
         </message>
         <message>
-            <source>Save the data</source>
-            <translation>Сохранить данные</translation>
-        </message>
-        <message>
             <source>Show all</source>
             <translation>Показать всё</translation>
         </message>
@@ -7859,14 +9308,6 @@ target, µm</source>
             <translation>Документ P&amp;DF…</translation>
         </message>
         <message>
-            <source>&amp;Russian Excel: semicolons, decimal commas…</source>
-            <translation>&amp;Русский Excel: точка с запятой, десятичная запятая…</translation>
-        </message>
-        <message>
-            <source>&amp;English: commas, decimal points…</source>
-            <translation>&amp;Английский: запятая, десятичная точка…</translation>
-        </message>
-        <message>
             <source>&amp;%1×: %2 × %3 pixels…</source>
             <translation>&amp;%1×: %2 × %3 точек…</translation>
         </message>
@@ -7899,24 +9340,12 @@ target, µm</source>
             <translation>Данные сохранены.</translation>
         </message>
         <message>
-            <source>CSV tables: semicolons, decimal commas, UTF-8 (*.csv)</source>
-            <translation>Таблицы CSV: точки с запятой, десятичная запятая, UTF-8 (*.csv)</translation>
-        </message>
-        <message>
-            <source>CSV tables: commas, decimal points, UTF-8 (*.csv)</source>
-            <translation>Таблицы CSV: запятые, десятичная точка, UTF-8 (*.csv)</translation>
-        </message>
-        <message>
             <source>Export: %1</source>
             <translation>Экспорт: %1</translation>
         </message>
         <message>
             <source>Copy or save: %1</source>
             <translation>Копировать или сохранить: %1</translation>
-        </message>
-        <message>
-            <source>Headers in the language of the window; Excel opens the file as it is</source>
-            <translation>Заголовки на языке окна; Excel открывает файл как есть</translation>
         </message>
     </context>
     <context>
@@ -8378,10 +9807,6 @@ target, µm</source>
             <translation>Печать: %1</translation>
         </message>
         <message>
-            <source>Export the cycle card</source>
-            <translation>Экспорт операционной карты</translation>
-        </message>
-        <message>
             <source>PDF documents (*.pdf)</source>
             <translation>Документы PDF (*.pdf)</translation>
         </message>
@@ -8400,6 +9825,18 @@ target, µm</source>
         <message>
             <source>The printer or the file did not take the pages.</source>
             <translation>Принтер или файл не принял страницы.</translation>
+        </message>
+        <message>
+            <source>Batch of the report</source>
+            <translation>Партия для отчёта</translation>
+        </message>
+        <message>
+            <source>The batch cannot be run:</source>
+            <translation>Партию нельзя рассчитать:</translation>
+        </message>
+        <message>
+            <source>Export: %1</source>
+            <translation>Экспорт: %1</translation>
         </message>
     </context>
     <context>

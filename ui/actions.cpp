@@ -26,6 +26,7 @@ Actions::Actions(QMainWindow& window)
     , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , earlierVersions(make("earlierVersions", u""))
     , recoverWork(make("recoverWork", u""))
+    , exportResults(make("exportResults", u"export"))
     , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
     , undo(make("undo", u"undo", QKeySequence::Undo))
     , redo(make("redo", u"redo", QKeySequence::Redo))
@@ -109,6 +110,7 @@ void Actions::buildMenus(QMainWindow& window) {
         report.menu->addSeparator();
         report.menu->addActions({report.pdf, report.html, report.markdown});
     }
+    m_file->addAction(exportResults);
     m_file->addSeparator();
     m_file->addAction(quit);
     m_edit = bar.addMenu(QString());
@@ -225,6 +227,7 @@ void Actions::retranslate() {
         report.html->setText(tr("Export &HTML…"));
         report.markdown->setText(tr("Export &Markdown…"));
     }
+    exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));
     english->setText(QStringLiteral("English"));

@@ -55,6 +55,7 @@ public:
     QAction* earlierVersions;
     QAction* recoverWork;
     std::vector<ReportActions> reports; ///< in the order of the table of kinds
+    QAction* exportResults;             ///< and trace, as tables
     QAction* quit;
     QAction* undo;
     QAction* redo;

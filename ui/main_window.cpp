@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
+#include "ui/export/export_commands.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/inputs/inputs_panel.h"
@@ -278,22 +279,28 @@ void MainWindow::connectActions() {
 }
 
 void MainWindow::connectReports() {
+    const auto outcomeOfNow = [this] {
+        OutcomePtr outcome = m_outcome;
+        if (m_runs.running()) { // that one is of the inputs before
+            runAside([&, project = m_document.project()] { outcome = runProject(project, {}); });
+        }
+        return outcome;
+    };
     auto* commands = new ReportCommands(
-        [this]() -> ReportCommands::Subject {
-            OutcomePtr outcome = m_outcome;
-            if (m_runs.running()) { // that one is of the inputs before
-                runAside(
-                    [&, project = m_document.project()] { outcome = runProject(project, {}); });
-            }
-            return {outcome, m_document.filePath(), m_batch->batch(), &m_cursor};
+        [this, outcomeOfNow]() -> ReportCommands::Subject {
+            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
         },
         m_settings, this);
+    auto* exports = new ExportCommands(outcomeOfNow, m_settings, this);
+    connect(exports, &ExportCommands::told, this,
+            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
     const auto on = [this](QAction* action, const std::function<void()>& command) {
         connect(action, &QAction::triggered, this, [this, command] {
             m_inputs->endTyping(); // first
             command();
         });
     };
+    on(m_actions->exportResults, [exports] { exports->exportResults(); });
     for (const ReportActions& report : m_actions->reports) {
         const report::Kind kind = report.kind;
         const auto writes = [commands, kind](report::Format format) {

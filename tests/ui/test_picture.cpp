@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sparkout --picture and --report: the whole program, as the documents and the gallery on the web
-// use it.
+// sparkout --picture, --report and --export: the whole program, as the documents and the gallery on
+// the web use it.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -49,6 +49,11 @@ Run report(const QString& path, const QString& project, const QStringList& more 
     return sparkout(QStringList{QStringLiteral("--report"), QStringLiteral("card"), project,
                                 QStringLiteral("-o"), path}
                     + more);
+}
+
+Run exported(const QString& part, const QString& path, const QString& language) {
+    return sparkout({QStringLiteral("--export"), part, QStringLiteral("-o"), path,
+                     QStringLiteral("--lang"), language, example});
 }
 
 } // namespace
@@ -215,6 +220,57 @@ private slots:
                      .status,
                  2);
         QCOMPARE(sparkout({QStringLiteral("--report"), QStringLiteral("card"), example}).status, 2);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void theResultIsExportedAsTheEndingSays_data() {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QByteArray>("beginning");
+        const auto row = [](const char* part, const char* ending, const char* language,
+                            const char* beginning) {
+            QTest::addRow("%s %s %s", part, ending, language)
+                << QString::fromLatin1(part) << QString::fromLatin1(ending)
+                << QString::fromLatin1(language) << QByteArray(beginning);
+        };
+        row("all", "xlsx", "ru", "PK\x03\x04");
+        row("all", "json", "ru", "{\n  \"status\": \"completed\"");
+        row("trace", "csv", "ru", "\xEF\xBB\xBFВремя, мин;");
+        row("trace", "csv", "en", "\xEF\xBB\xBF\"Time, min\",");
+    }
+
+    void theResultIsExportedAsTheEndingSays() {
+        QFETCH(QString, part);
+        QFETCH(QString, ending);
+        QFETCH(QString, language);
+        QFETCH(QByteArray, beginning);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("out.") + ending);
+        const Run run = exported(part, path, language);
+        QVERIFY2(run.status == 0, qPrintable(run.said));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        QVERIFY2(bytes.startsWith(beginning), bytes.left(60));
+    }
+
+    void anExportThatCannotBeIsRefused() {
+        const QTemporaryDir folder;
+        const QStringList refused = {QStringLiteral("all csv"), QStringLiteral("trace json"),
+                                     QStringLiteral("everything xlsx"), QStringLiteral("all pdf"),
+                                     QStringLiteral("trace sparkout")};
+        for (const QString& wrong : refused) {
+            const QStringList parts = wrong.split(u' ');
+            const Run run = exported(parts[0], folder.filePath(QStringLiteral("a.") + parts[1]),
+                                     QStringLiteral("en"));
+            QVERIFY2(run.status == 2 && run.said.contains(QStringLiteral("requirements")),
+                     qPrintable(wrong));
+        }
+        QCOMPARE(exported(QStringLiteral("all"), folder.filePath(QStringLiteral("none/a.xlsx")),
+                          QStringLiteral("en"))
+                     .status,
+                 1);
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 };

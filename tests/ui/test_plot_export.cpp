@@ -454,7 +454,7 @@ void TestPlotExport::savingDoesNotStallTheWindow() {
     m_view->resize(1600, 1000);
     m_view->grab();
     for (QAction* action : {m_view->tools()->png[3], m_view->tools()->svg, m_view->tools()->pdf,
-                            m_view->tools()->csvRussian}) {
+                            m_view->tools()->csvRussian, m_view->tools()->xlsx}) {
         User user;
         user.paths << path("large");
         QElapsedTimer clock, whole;
@@ -474,7 +474,7 @@ void TestPlotExport::savingDoesNotStallTheWindow() {
               target_ms);
         QVERIFY(worst_ms < 4 * target_ms);
     }
-    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 4);
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files).size(), 5);
 }
 
 } // namespace test_plot_export

@@ -2,6 +2,7 @@
 #include "ui/dialogs/save_dialog.h"
 
 #include "core/project/safe_file.h"
+#include "ui/dialogs/watched_work.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
@@ -51,22 +52,31 @@ bool SaveDialog::offerAnother(QWidget* window, const QString& text) {
     return box.clickedButton() == other;
 }
 
-/// Nothing, or why the file was not saved.
-QString save(const QString& path, const SaveRequest& request) {
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const std::function<QByteArray()> make = request.prepare();
+/// Nothing, or why the file was not saved; nothing at all: it was given up.
+std::optional<QString> save(QWidget* window, const QString& path, const SaveRequest& request) {
     const std::string target = QFile::encodeName(path).toStdString();
     bool made = false;
     std::optional<FileError> error;
-    runAside([&] {
-        const QByteArray bytes = make();
+    const auto write = [&](const QByteArray& bytes) {
         made = !bytes.isEmpty();
         if (made) {
             error = writeFileSafely(target,
                                     {bytes.constData(), static_cast<std::size_t>(bytes.size())});
         }
-    });
-    QGuiApplication::restoreOverrideCursor();
+    };
+    if (request.longWork) {
+        const bool whole = runWatched(window, request.title, [&](const KeepGoing& keepGoing) {
+            write(request.longWork(keepGoing));
+        });
+        if (!whole && !made) {
+            return std::nullopt;
+        }
+    } else {
+        QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+        const std::function<QByteArray()> make = request.prepare();
+        runAside([&] { write(make()); });
+        QGuiApplication::restoreOverrideCursor();
+    }
     return !made ? SaveDialog::failure() : error ? saveErrorText(*error) : QString();
 }
 
@@ -79,7 +89,11 @@ bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& requ
         if (path.isEmpty()) {
             return false;
         }
-        const QString failure = save(path, request);
+        const std::optional<QString> outcome = save(window, path, request);
+        if (!outcome) {
+            return false;
+        }
+        const QString& failure = *outcome;
         const QDir chosen = QFileInfo(path).absoluteDir();
         if (failure.isEmpty() && settings) {
             settings->setLastFolder(chosen.absolutePath());

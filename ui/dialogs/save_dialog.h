@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/sheet.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -21,6 +23,9 @@ struct SaveRequest {
     /// Called once a place is chosen. What it returns makes the bytes, in a thread of its own; no
     /// bytes: they could not be made.
     std::function<std::function<QByteArray()>()> prepare;
+    /// In its place, for what may take long: the bytes are made in a thread of their own, it is
+    /// shown how far that is, and it can be stopped.
+    std::function<QByteArray(const KeepGoing&)> longWork = {};
 };
 
 /// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown

@@ -32,14 +32,6 @@ QString cellText(const CsvCell& cell, QChar decimal) {
     return text ? harmlessCell(*text) : QString();
 }
 
-QString csvLine(const std::vector<CsvCell>& cells, QChar separator, QChar decimal) {
-    QStringList texts;
-    for (const CsvCell& cell : cells) {
-        texts << quoted(cellText(cell, decimal), separator);
-    }
-    return texts.join(separator) + QStringLiteral("\r\n");
-}
-
 std::vector<CsvCell> headerCells(const CsvTable& table) {
     return {table.header.begin(), table.header.end()};
 }
@@ -51,15 +43,28 @@ QString harmlessCell(const QString& text) {
     return formula ? u'\'' + text : text;
 }
 
-QByteArray csvBytes(const CsvTable& table, CsvDialect dialect) {
+QByteArray csvBegin() {
+    return "\xEF\xBB\xBF";
+}
+
+QByteArray csvLine(const std::vector<CsvCell>& cells, CsvDialect dialect) {
     const bool russian = dialect == CsvDialect::russianExcel;
     const QChar separator = russian ? u';' : u',';
     const QChar decimal = russian ? u',' : u'.';
-    QString text = csvLine(headerCells(table), separator, decimal);
-    for (const std::vector<CsvCell>& row : table.rows) {
-        text += csvLine(row, separator, decimal);
+    QString line;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        line += (i > 0 ? QString(separator) : QString())
+                + quoted(cellText(cells[i], decimal), separator);
     }
-    return "\xEF\xBB\xBF" + text.toUtf8();
+    return (line + QStringLiteral("\r\n")).toUtf8();
+}
+
+QByteArray csvBytes(const CsvTable& table, CsvDialect dialect) {
+    QByteArray bytes = csvBegin() + csvLine(headerCells(table), dialect);
+    for (const std::vector<CsvCell>& row : table.rows) {
+        bytes += csvLine(row, dialect);
+    }
+    return bytes;
 }
 
 QString tabSeparated(const CsvTable& table, const QLocale& locale) {

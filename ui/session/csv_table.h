@@ -19,6 +19,8 @@ using CsvCell = std::variant<std::monostate, double, QString>;
 struct CsvTable {
     QStringList header;
     std::vector<std::vector<CsvCell>> rows;
+    bool byPlace = false;  ///< the first column names a place; a workbook has a sheet for each
+    bool ownUnits = false; ///< every row has a unit of its own, so columns have no common digits
 
     [[nodiscard]] bool empty() const { return rows.empty(); }
 };
@@ -32,6 +34,10 @@ enum class CsvDialect {
 /// so that they read back as the same double; a text that a spreadsheet would take for a formula
 /// gets an apostrophe in front.
 [[nodiscard]] QByteArray csvBytes(const CsvTable& table, CsvDialect dialect);
+
+/// The byte-order mark, and a line of cells.
+[[nodiscard]] QByteArray csvBegin();
+[[nodiscard]] QByteArray csvLine(const std::vector<CsvCell>& cells, CsvDialect dialect);
 
 /// Lines of cells separated by tabs, for the clipboard; numbers as the locale writes them, with all
 /// their digits and no group separators.

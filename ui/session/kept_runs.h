@@ -48,8 +48,8 @@ public:
     [[nodiscard]] const ReadSummary* summary(int index) const;
 
 signals:
-    void replaced(); ///< the runs of another document; changed() follows
-    void changed();  ///< other runs, names or choices
+    void replaced();    ///< the runs of another document; changed() follows
+    void changed();     ///< other runs, names or choices
     void runRecalled(); ///< one more has been computed again
 
 private:

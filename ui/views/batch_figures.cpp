@@ -166,6 +166,7 @@ QVariant BatchFigures::headerData(int section, Qt::Orientation orientation, int 
 
 CsvTable batchFiguresTable(const BatchSummary& summary) {
     CsvTable table;
+    table.ownUnits = true;
     table.header << BatchFigures::tr("Where") << BatchFigures::tr("Characteristic")
                  << BatchFigures::tr("Unit") << BatchFigures::tr("Lower limit")
                  << BatchFigures::tr("Upper limit") << BatchFigures::tr("Values")

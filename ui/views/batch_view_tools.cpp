@@ -76,6 +76,9 @@ void BatchView::build(Settings* settings) {
     }
     m_splitter->addWidget(m_stack);
     m_splitter->addWidget(buildFigures());
+    m_table->setSaving(
+        [this] { return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable(); },
+        [this] { return heading().value(1); }, settings);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setSizes({histogramShare, figuresShare});
     m_splitter->setStretchFactor(0, histogramShare);

@@ -106,6 +106,8 @@ void CompareView::build(Settings* settings) {
     column->addWidget(m_values);
     m_halves->addWidget(upper);
     m_halves->addWidget(buildTable());
+    m_table->setSaving([this] { return m_tableModel->table(); },
+                       [this] { return heading().value(1); }, settings);
     m_halves->setStretchFactor(0, 1);
     m_halves->setSizes({curvesHeight, tableHeight});
     for (QSplitter* splitter : {m_columns, m_halves}) {

@@ -69,6 +69,11 @@ void ConstraintsView::build(Settings* settings) {
     curves->addWidget(m_values);
     auto* lower = new QSplitter(Qt::Horizontal, m_splitter);
     lower->addWidget(buildMargins());
+    const auto project = [this] {
+        return m_good ? QString::fromStdString(m_good->result.project.title).simplified()
+                      : QString();
+    };
+    m_table->setSaving([this] { return m_model->table(); }, project, settings);
     lower->addWidget(buildSheet());
     lower->setChildrenCollapsible(false);
     lower->setSizes({tableShare, sheetShare});

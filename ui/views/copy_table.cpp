@@ -10,6 +10,21 @@
 
 namespace sparkout {
 
+namespace {
+
+/// In a menu of its own a format says by itself that it is CSV.
+QString savingText(TableFormat format) {
+    switch (format) {
+    case TableFormat::csvRussian:
+        return CopyTable::tr("CSV for &Russian Excel: semicolons, decimal commas…");
+    case TableFormat::csvEnglish: return CopyTable::tr("&English CSV: commas, decimal points…");
+    case TableFormat::xlsx: break;
+    }
+    return tableFormatText(format);
+}
+
+} // namespace
+
 CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
     : QTableView(parent), m_text(std::move(text)) {
     setShowGrid(false);
@@ -32,8 +47,15 @@ void CopyTable::copy() const {
     QGuiApplication::clipboard()->setText(m_text());
 }
 
+void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,
+                          Settings* settings) {
+    m_table = std::move(table);
+    m_project = std::move(project);
+    m_settings = settings;
+}
+
 void CopyTable::retranslate() {
-    setToolTip(tr("Ctrl+C copies the table"));
+    setToolTip(tr("Ctrl+C copies the table; its menu saves it"));
 }
 
 void CopyTable::keyPressEvent(QKeyEvent* event) {
@@ -52,12 +74,33 @@ void CopyTable::keyPressEvent(QKeyEvent* event) {
     QTableView::keyPressEvent(event);
 }
 
+void CopyTable::addSaving(QMenu& menu) {
+    if (!m_table) {
+        return;
+    }
+    QMenu* formats = menu.addMenu(tr("Save the table as"));
+    formats->setToolTipsVisible(true);
+    formats->setEnabled(!m_table().empty());
+    for (const TableFormat format : allTableFormats) {
+        QAction* action = formats->addAction(savingText(format));
+        action->setToolTip(tableFormatHint(format));
+        connect(action, &QAction::triggered, this, [this, format] { save(format); });
+    }
+}
+
+void CopyTable::save(TableFormat format) {
+    QStringList heading{accessibleName(), m_project()};
+    heading.removeAll(QString());
+    (void)saveTable(window(), m_settings, {heading, m_table()}, format);
+}
+
 void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QAction* action = menu->addAction(tr("Copy the table"));
     action->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
     connect(action, &QAction::triggered, this, [this] { copy(); });
+    addSaving(*menu);
     menu->popup(event->globalPos());
     event->accept();
 }

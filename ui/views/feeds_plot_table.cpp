@@ -23,6 +23,7 @@ bool within(const FeedPoint& point, double from_s, double to_s) {
 
 CsvTable FeedsPlot::table() const {
     CsvTable table;
+    table.byPlace = true;
     std::vector<Figure> figures;
     const bool byRadius = m_detail == Detail::radius;
     const bool spread = !byRadius && m_choice.shows(spreadKey);

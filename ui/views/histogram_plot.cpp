@@ -195,6 +195,7 @@ LegendEntries HistogramPlot::legendEntries() const {
 
 CsvTable HistogramPlot::table() const {
     CsvTable table;
+    table.byPlace = true;
     table.header << tr("Where") << tr("From") << tr("To") << tr("Unit") << tr("Parts");
     for (std::size_t i = 0; i < m_cells.size() && m_choice.shows(partsKey); ++i) {
         const Characteristic& of = m_cells[i].summary.characteristic;

@@ -5,6 +5,7 @@
 #include "ui/theme.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
+#include "ui/views/result_tables.h"
 #include "ui/views/verdict_model.h"
 
 #include <QApplication>
@@ -167,6 +168,10 @@ QString MarginModel::asTsv() const {
                      .join(u'\t');
     }
     return lines.join(u'\n') + u'\n';
+}
+
+CsvTable MarginModel::table() const {
+    return m_outcome ? requirementTable(m_rows, m_outcome->result.project.operation) : CsvTable();
 }
 
 // --- the bar ------------------------------------------------------------------------------------

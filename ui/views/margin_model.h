@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/csv_table.h"
 #include "ui/session/outcome.h"
 
 #include <QAbstractTableModel>
@@ -38,6 +39,7 @@ public:
     /// The row of the same requirement at the same place, else of its kind; −1: none.
     [[nodiscard]] int rowOf(const ConstraintResult& wanted) const;
     [[nodiscard]] QString asTsv() const;
+    [[nodiscard]] CsvTable table() const; ///< with all digits
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -72,6 +72,8 @@ void OptimiseView::build(Settings* settings) {
     }
     m_splitter->addWidget(m_stack);
     m_splitter->addWidget(buildTable());
+    m_table->setSaving([this] { return m_found->table(); }, [this] { return heading().value(1); },
+                       settings);
     m_splitter->setChildrenCollapsible(false);
     m_splitter->setSizes({plotShare, foundShare});
     m_splitter->setStretchFactor(0, plotShare);

@@ -43,7 +43,7 @@ std::vector<QRect> headingRects(const PlotPicture& picture, int width) {
 }
 
 /// Where the parts of a picture stand.
-struct Sheet {
+struct PictureSheet {
     std::vector<QRect> heading;
     LegendEntries entries;
     std::vector<QRect> legend; ///< from (0, 0)
@@ -52,8 +52,8 @@ struct Sheet {
     QSize size;
 };
 
-Sheet layOut(const PlotPicture& picture) {
-    Sheet sheet;
+PictureSheet layOut(const PlotPicture& picture) {
+    PictureSheet sheet;
     const int width = picture.plot->width();
     sheet.heading = headingRects(picture, width);
     int y = sheet.heading.empty() ? margin : sheet.heading.back().bottom() + 1 + margin / 2;
@@ -67,7 +67,7 @@ Sheet layOut(const PlotPicture& picture) {
     return sheet;
 }
 
-void paint(QCPPainter& painter, const PlotPicture& picture, const Sheet& sheet) {
+void paint(QCPPainter& painter, const PlotPicture& picture, const PictureSheet& sheet) {
     QCustomPlot& plot = *picture.plot;
     const QColor text = plot.palette().color(QPalette::Text);
     painter.fillRect(QRect(QPoint(), sheet.size), plot.palette().color(QPalette::Base));
@@ -97,7 +97,7 @@ struct Recording {
 };
 
 Recording record(const PlotPicture& picture, bool vectors) {
-    const Sheet sheet = layOut(picture);
+    const PictureSheet sheet = layOut(picture);
     Recording recording{QPicture(), sheet.size, picture.plot->logicalDpiX(),
                         picture.heading.join(QStringLiteral(" — "))};
     QCPPainter painter(&recording.drawing);

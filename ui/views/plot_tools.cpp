@@ -33,6 +33,7 @@ PlotTools::PlotTools(QCustomPlot& plot, PlotSubject subject)
     , copyData(make(u"", {Qt::CTRL | Qt::SHIFT | Qt::Key_C}))
     , svg(make(u""))
     , pdf(make(u""))
+    , xlsx(make(u""))
     , csvRussian(make(u""))
     , csvEnglish(make(u""))
     , m_plot(plot)
@@ -69,6 +70,7 @@ void PlotTools::buildMenus() {
     m_export->addMenu(m_png);
     m_export->addActions({svg, pdf});
     m_export->addSeparator();
+    m_export->addAction(xlsx);
     m_export->addMenu(m_csv);
     for (QAction* action : png) {
         m_png->addAction(action);
@@ -97,8 +99,9 @@ void PlotTools::connectActions() {
             [this] { savePicture(QStringLiteral("svg"), tr("SVG drawings (*.svg)"), svgWork); });
     connect(pdf, &QAction::triggered, this,
             [this] { savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), pdfWork); });
-    connect(csvRussian, &QAction::triggered, this, [this] { saveTable(CsvDialect::russianExcel); });
-    connect(csvEnglish, &QAction::triggered, this, [this] { saveTable(CsvDialect::english); });
+    connect(xlsx, &QAction::triggered, this, [this] { saveData(TableFormat::xlsx); });
+    connect(csvRussian, &QAction::triggered, this, [this] { saveData(TableFormat::csvRussian); });
+    connect(csvEnglish, &QAction::triggered, this, [this] { saveData(TableFormat::csvEnglish); });
 }
 
 void PlotTools::setEnabled(bool enabled) {
@@ -110,7 +113,7 @@ void PlotTools::follow() {
     back->setEnabled(m_enabled && m_navigation.canGoBack());
     forward->setEnabled(m_enabled && m_navigation.canGoForward());
     const bool table = m_enabled && m_subject.table;
-    for (QAction* action : {copyData, csvRussian, csvEnglish, m_csv->menuAction()}) {
+    for (QAction* action : {copyData, xlsx, csvRussian, csvEnglish, m_csv->menuAction()}) {
         action->setEnabled(table);
     }
     for (QAction* action : {fit, copyPicture, svg, pdf, m_png->menuAction()}) {
@@ -204,17 +207,8 @@ void PlotTools::savePicture(const QString& suffix, const QString& filter,
     }
 }
 
-void PlotTools::saveTable(CsvDialect dialect) {
-    SaveRequest request{tr("Save the data"), fileName(), QStringLiteral("csv"),
-                        dialect == CsvDialect::russianExcel
-                            ? tr("CSV tables: semicolons, decimal commas, UTF-8 (*.csv)")
-                            : tr("CSV tables: commas, decimal points, UTF-8 (*.csv)"),
-                        [&]() -> PictureWork {
-                            return [table = m_subject.table(), dialect] {
-                                return csvBytes(table, dialect);
-                            };
-                        }};
-    if (saveWithDialog(m_plot.window(), m_settings, request)) {
+void PlotTools::saveData(TableFormat format) {
+    if (saveTable(m_plot.window(), m_settings, {m_subject.heading(), m_subject.table()}, format)) {
         say(tr("The data are saved."));
     }
 }
@@ -246,11 +240,12 @@ void PlotTools::retranslate() {
     m_csv->setTitle(tr("CSV &table"));
     svg->setText(tr("&SVG drawing…"));
     pdf->setText(tr("&PDF drawing…"));
-    csvRussian->setText(tr("&Russian Excel: semicolons, decimal commas…"));
-    csvEnglish->setText(tr("&English: commas, decimal points…"));
-    for (QAction* action : {csvRussian, csvEnglish}) {
-        action->setToolTip(
-            tr("Headers in the language of the window; Excel opens the file as it is"));
+    const std::pair<QAction*, TableFormat> tables[] = {{xlsx, TableFormat::xlsx},
+                                                       {csvRussian, TableFormat::csvRussian},
+                                                       {csvEnglish, TableFormat::csvEnglish}};
+    for (const auto& [action, format] : tables) {
+        action->setText(tableFormatText(format));
+        action->setToolTip(tableFormatHint(format));
     }
     const QSize size = pictureSize(picture());
     for (std::size_t i = 0; i < png.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "ui/views/legend_drawing.h"
 #include "ui/views/plot_export.h"
 #include "ui/views/plot_navigation.h"
+#include "ui/views/table_file.h"
 
 #include <QAction>
 #include <QObject>
@@ -32,9 +33,9 @@ struct PlotSubject {
     PlotNavigation::Hooks navigation; ///< how wheel, drag and keys move it
 };
 
-/// The tools every plot has: fit, back and forward; copy as picture or data; PNG, SVG, PDF and CSV
-/// files; all in the plot's context menu and as actions and buttons for the view's tool row.
-/// Pictures show what is on the screen, in the light look.
+/// The tools every plot has: fit, back and forward; copy as picture or data; PNG, SVG, PDF, XLSX
+/// and CSV files; all in the plot's context menu and as actions and buttons for the view's tool
+/// row. Pictures show what is on the screen, in the light look.
 class PlotTools : public QObject {
     Q_OBJECT
 public:
@@ -57,6 +58,7 @@ public:
     std::vector<QAction*> png; ///< scales 1…4
     QAction* svg;
     QAction* pdf;
+    QAction* xlsx;
     QAction* csvRussian;
     QAction* csvEnglish;
 
@@ -75,7 +77,7 @@ private:
     void copyDataNow();
     void savePicture(const QString& suffix, const QString& filter,
                      const std::function<PictureWork(const PlotPicture&)>& draw);
-    void saveTable(CsvDialect dialect);
+    void saveData(TableFormat format);
     void say(const QString& text); ///< in the status bar, for a while
 
     QCustomPlot& m_plot;

@@ -33,6 +33,7 @@ struct RunValue {
     QString unit;
     QString shown;
     CsvCell cell;
+    QString symbol = {}; ///< of an input
 };
 using RunValues = std::vector<RunValue>;
 
@@ -53,7 +54,8 @@ RunValues inputValues(const Project& project) {
                           {},
                           unitText(field.unit),
                           shown,
-                          number ? CsvCell(*number) : CsvCell(shown)});
+                          number ? CsvCell(*number) : CsvCell(shown),
+                          QString::fromUtf8(field.symbol)});
     }
     return values;
 }
@@ -294,6 +296,33 @@ QStringList changesShown(const ReadSummary& kept, const RunSummary& now) {
         lines << (unit.isEmpty() || !change.now ? line : line + u'\u00a0' + unit);
     }
     return lines;
+}
+
+CsvTable inputTable(const Project& project) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << RunTable::tr("Input") << RunTable::tr("Symbol") << RunTable::tr("Unit")
+                 << RunTable::tr("Value") << RunTable::tr("Key in the file");
+    for (const RunValue& value : inputValues(project)) {
+        table.rows.push_back({locationText(value.path).remove(QChar::SoftHyphen), value.symbol,
+                              value.unit, value.cell, QString::fromStdString(value.path)});
+    }
+    return table;
+}
+
+CsvTable cycleTable(const RunSummary& summary) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << RunTable::tr("Quantity") << RunTable::tr("Unit") << RunTable::tr("Value");
+    for (const RunValue& value : resultValues({summary, {}})) {
+        const bool elsewhere = value.path.starts_with("/requirements")
+                               || value.path.starts_with("/zones")
+                               || value.path.starts_with("/counts_by_stage");
+        if (!elsewhere) {
+            table.rows.push_back({value.what, value.unit, value.cell});
+        }
+    }
+    return table;
 }
 
 Light verdictOf(const RunSummary& summary) {

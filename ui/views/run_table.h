@@ -35,6 +35,13 @@ struct RunRow {
 /// What a kept run has otherwise now, a line each: "RZ1 › Roundness: 1.23 → 1.25 µm".
 [[nodiscard]] QStringList changesShown(const ReadSummary& kept, const RunSummary& now);
 
+/// All inputs the model reads, in the order of the tables: a row an input with its symbol, unit,
+/// value and path in the project file.
+[[nodiscard]] CsvTable inputTable(const Project& project);
+
+/// What the cycle as a whole comes to, a row a number or verdict.
+[[nodiscard]] CsvTable cycleTable(const RunSummary& summary);
+
 /// The verdict's light by a summary alone.
 [[nodiscard]] Light verdictOf(const RunSummary& summary);
 

@@ -92,6 +92,7 @@ QVariant RunTableModel::headerData(int section, Qt::Orientation orientation, int
 
 CsvTable RunTableModel::table() const {
     CsvTable table;
+    table.ownUnits = true;
     table.header << tr("What differs") << tr("Unit") << m_runs;
     for (const RunRow& row : m_rows) {
         std::vector<CsvCell> cells{row.what, row.unit};

@@ -4,6 +4,7 @@
 #include "ui/session/texts.h"
 #include "ui/views/estimate_names.h"
 #include "ui/views/names.h"
+#include "ui/views/result_tables.h"
 
 #include <QCoreApplication>
 #include <QFont>
@@ -281,6 +282,11 @@ QString VerdictModel::asTsv() const {
         lines << (cells << lightName(lightOf(*row.constraint))).join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+CsvTable VerdictModel::table() const {
+    return m_outcome ? requirementTable(m_outcome->constraints, m_outcome->result.project.operation)
+                     : CsvTable();
 }
 
 } // namespace sparkout

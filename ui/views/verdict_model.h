@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/csv_table.h"
 #include "ui/session/outcome.h"
 
 #include <QAbstractTableModel>
@@ -40,6 +41,7 @@ public:
     /// The whole table as tab-separated text with a head line, zone and light in columns of their
     /// own.
     [[nodiscard]] QString asTsv() const;
+    [[nodiscard]] CsvTable table() const; ///< with all digits
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

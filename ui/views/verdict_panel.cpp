@@ -6,6 +6,8 @@
 #include "ui/views/copy_table.h"
 #include "ui/views/light_icon.h"
 #include "ui/views/names.h"
+#include "ui/views/result_tables.h"
+#include "ui/views/verdict_model.h"
 #include "ui/views/verdict_shop.h"
 #include "ui/views/verdict_text.h"
 #include "ui/views/verdict_why.h"
@@ -24,10 +26,11 @@ namespace {
 using metrics::iconSmall;
 } // namespace
 
-VerdictPanel::VerdictPanel(QWidget* parent) : QWidget(parent) {
+VerdictPanel::VerdictPanel(QWidget* parent, Settings* settings) : QWidget(parent) {
     setHelpTopic(*this, QStringLiteral("verdict"));
     build();
     buildTable();
+    buildSaving(settings);
     drawIcons();
     retranslate();
 }
@@ -110,6 +113,18 @@ void VerdictPanel::buildTable() {
             emit requirementActivated(*constraint);
         }
     });
+}
+
+void VerdictPanel::buildSaving(Settings* settings) {
+    const auto project = [this] {
+        return m_good ? QString::fromStdString(m_good->result.project.title).simplified()
+                      : QString();
+    };
+    m_table->setSaving([this] { return m_model->table(); }, project, settings);
+    const auto stages = [this] {
+        return m_good ? stageTable(m_good->shop, m_good->result.project.operation) : CsvTable();
+    };
+    m_shop->table()->setSaving(stages, project, settings);
 }
 
 void VerdictPanel::setOutcome(OutcomePtr outcome) {

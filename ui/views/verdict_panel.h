@@ -13,6 +13,7 @@ class QVBoxLayout;
 namespace sparkout {
 
 class CopyTable;
+class Settings;
 class ShopSection;
 class VerdictModel;
 
@@ -22,7 +23,7 @@ class VerdictModel;
 class VerdictPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit VerdictPanel(QWidget* parent = nullptr);
+    explicit VerdictPanel(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] VerdictModel* model() const { return m_model; }
     [[nodiscard]] ShopSection* shop() const { return m_shop; }
@@ -47,6 +48,7 @@ private:
     void buildHead(QWidget* head);
     QLabel* addText(QVBoxLayout* layout, const char* name);
     void buildTable();
+    void buildSaving(Settings* settings); ///< of its tables
     void showOutcome();
     void showTexts();
     void showRefusedFields();

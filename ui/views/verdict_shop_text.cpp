@@ -128,23 +128,30 @@ QString number(double value) {
     return Names::significant(value, std::max(1, 3 - zeros));
 }
 
-QString value(ShopRow row, const ShopColumn& column) {
-    const auto optional = [](const std::optional<double>& v) { return v ? number(*v) : QString(); };
+std::optional<double> amount(ShopRow row, const ShopColumn& column) {
     switch (row) {
-    case ShopRow::count: return QString::number(column.count);
-    case ShopRow::time: return number(column.time_s / units::secondsPerMinute);
-    case ShopRow::removalRate: return number(column.removalRate_mm2_s);
-    case ShopRow::meanRemovalRate: return number(column.meanRemovalRate_mm2_s);
-    case ShopRow::chip: return number(column.equivalentChip_um);
-    case ShopRow::aggressiveness: return number(column.aggressiveness);
-    case ShopRow::overlap: return optional(column.overlap);
-    case ShopRow::energy: return optional(column.energy_j_mm3);
-    case ShopRow::peakPower: return number(column.power_w.value / units::wPerKw);
-    case ShopRow::meanPower: return number(column.meanPower_w / units::wPerKw);
-    case ShopRow::normalForce: return number(column.normalForce_n.value);
+    case ShopRow::count: return column.count;
+    case ShopRow::time: return column.time_s / units::secondsPerMinute;
+    case ShopRow::removalRate: return column.removalRate_mm2_s;
+    case ShopRow::meanRemovalRate: return column.meanRemovalRate_mm2_s;
+    case ShopRow::chip: return column.equivalentChip_um;
+    case ShopRow::aggressiveness: return column.aggressiveness;
+    case ShopRow::overlap: return column.overlap;
+    case ShopRow::energy: return column.energy_j_mm3;
+    case ShopRow::peakPower: return column.power_w.value / units::wPerKw;
+    case ShopRow::meanPower: return column.meanPower_w / units::wPerKw;
+    case ShopRow::normalForce: return column.normalForce_n.value;
     case ShopRow::rotationRatio: break;
     }
     return {};
+}
+
+QString value(ShopRow row, const ShopColumn& column) {
+    if (row == ShopRow::count) {
+        return QString::number(column.count);
+    }
+    const std::optional<double> v = amount(row, column);
+    return v ? number(*v) : QString();
 }
 
 QString detail(ShopRow row, const ShopColumn& column, Operation operation) {

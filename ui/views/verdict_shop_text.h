@@ -36,7 +36,10 @@ namespace sparkout::shop {
 /// Three significant digits, three decimals at most, but one digit always. 0 for what is not
 /// positive.
 [[nodiscard]] QString number(double value);
-/// The number of a stage, or of the cycle; empty where there is none. Not the rotation ratio.
+/// The number of a stage, or of the cycle, in the unit of its name; nothing where there is none.
+/// Not the rotation ratio.
+[[nodiscard]] std::optional<double> amount(ShopRow row, const ShopColumn& column);
+/// The same as a text.
 [[nodiscard]] QString value(ShopRow row, const ShopColumn& column);
 /// Where a peak was or what a number is made of; empty for most.
 [[nodiscard]] QString detail(ShopRow row, const ShopColumn& column, Operation operation);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/export_command.h"
+
+#include "app/window_io.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/export/export_file.h"
+#include "ui/session/document.h"
+#include "ui/session/run_controller.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+
+namespace sparkout {
+
+namespace {
+
+/// Nothing when the part does not go into such a file.
+std::optional<ExportChoice> choiceOf(const ExportRequest& request) {
+    const QString suffix = QFileInfo(request.output).suffix().toLower();
+    const bool russian = QLocale().language() == QLocale::Russian; // of the words, too
+    const bool all = request.part == u"all";
+    ExportChoice choice{suffix == u"xlsx"   ? ExportFormat::xlsx
+                        : suffix == u"json" ? ExportFormat::json
+                        : russian           ? ExportFormat::csvRussian
+                                            : ExportFormat::csvEnglish,
+                        {}};
+    for (const ResultPart part : allResultParts) {
+        if (all || request.part == QLatin1StringView(partKey(part))) {
+            choice.parts.push_back(part);
+        }
+    }
+    const bool fits = suffix == u"xlsx" || (suffix == u"csv" && !all) || (suffix == u"json" && all);
+    return fits && !choice.parts.empty() ? std::optional(choice) : std::nullopt;
+}
+
+} // namespace
+
+bool canExport(const ExportRequest& request) {
+    return choiceOf(request).has_value();
+}
+
+int writeExport(const ExportRequest& request) {
+    Document document;
+    if (!openOrSay(document, request.file)) {
+        return exitRefused;
+    }
+    const OutcomePtr outcome = runProject(document.project(), {});
+    if (!outcome->ran()) {
+        for (const QString& line : FaultsDialog::lines(outcome->issues)) {
+            say(stderr, QStringLiteral("sparkout: %1").arg(line));
+        }
+        return exitRefused;
+    }
+    const ExportChoice choice = *choiceOf(request);
+    if (const QString obstacle = exportObstacle(outcome, choice); !obstacle.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(obstacle));
+        return exitRefused;
+    }
+    const QByteArray bytes = exportWork(outcome, choice, QDateTime::currentDateTime())({});
+    if (bytes.isEmpty()) {
+        say(stderr, QStringLiteral("sparkout: the output could not be made"));
+        return exitRefused;
+    }
+    if (!writeBytes(bytes, request.output)) {
+        return exitRefused;
+    }
+    return outcome->result.status == RunStatus::completed ? 0 : exitCannotReachSize;
+}
+
+} // namespace sparkout

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace sparkout {
+
+/// What the command line asks for.
+struct ExportRequest {
+    QString part; ///< "all", or a part of the result
+    QString file;
+    QString output;
+};
+
+/// Whether the part goes into a file of that ending.
+[[nodiscard]] bool canExport(const ExportRequest& request);
+
+/// `sparkout --export PART -o OUT FILE`: writes results of a project as tables and returns the exit
+/// status.
+[[nodiscard]] int writeExport(const ExportRequest& request);
+
+} // namespace sparkout

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/result_json.h"
+
+#include "core/project/strict_json.h"
+#include "core/quality/cycle_constraints.h"
+#include "core/quality/result_names.h"
+#include "core/quality/roughness.h"
+#include "core/quality/shop_numbers.h"
+#include "core/units.h"
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+bool isTraverse(const SimulationResult& result) {
+    return result.project.operation == Operation::traverse;
+}
+
+ordered_json zoneJson(const SimulationResult& result, const SectionResult& section,
+                      const SectionAccuracy& accuracy) {
+    const double nominal = result.project.part.diameter_mm / 2;
+    ordered_json radii = ordered_json::array();
+    for (const double radius : section.radii_mm) {
+        radii.push_back((radius - nominal) * units::umPerMm);
+    }
+    ordered_json roughness; // null where none is required
+    if (section.lastCut) {
+        roughness =
+            RoughnessModel(result.project).roughness(section.lastCut->depth_mm) * units::umPerMm;
+    }
+    return {{"diameter_deviation_um",
+             {section.diameterDeviationMin_mm * units::umPerMm,
+              section.diameterDeviationMax_mm * units::umPerMm}},
+            {"radial_runout_um", section.radialRunout_mm * units::umPerMm},
+            {"roundness_um", accuracy.minimumZone.deviation() * units::umPerMm},
+            {"roundness_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
+            {"roughness_ra_um", std::move(roughness)},
+            {"peak_normal_force_n", section.peakNormalForce_n},
+            {"position_mm", section.position_mm},
+            {"compliance_mm_per_n", section.compliance_mm_per_n},
+            {"radii_um", std::move(radii)}};
+}
+
+ordered_json constraintJson(const ConstraintResult& constraint) {
+    return {{"name", constraintName(constraint.kind)},
+            {"unit", constraintUnit(constraint.kind)},
+            {"limit", constraint.limit},
+            {"value", constraint.value},
+            {"margin", constraint.margin},
+            {"relative_margin", constraint.relativeMargin},
+            {"where", whereText(constraint)},
+            {"ok", constraint.holds}};
+}
+
+ordered_json partJson(const PartAccuracy& accuracy) {
+    return {{"cylindricity_um", accuracy.minimumZone.deviation() * units::umPerMm},
+            {"cylindricity_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
+            {"total_runout_um", accuracy.totalRunout_mm * units::umPerMm},
+            {"taper_um", accuracy.profile.taper_mm * units::umPerMm},
+            {"crown_um", accuracy.profile.crown_mm * units::umPerMm},
+            {"form", formKey(accuracy.profile.form)}};
+}
+
+ordered_json burnJson(const BurnState& burn) {
+    return {{"depth_of_cut_um", burn.visit.depth_mm * units::umPerMm},
+            {"limit_depth_um", burn.limitDepth_mm * units::umPerMm},
+            {"stock_left_um", burn.visit.stock_mm * units::umPerMm},
+            {"damaged_depth_um", burn.damagedDepth_mm * units::umPerMm},
+            {"rise_at_stock_left_k", burn.rise_k}};
+}
+
+ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
+    ordered_json list = ordered_json::array();
+    for (const ConstraintResult& constraint : worstByKind(constraints)) {
+        list.push_back(constraintJson(constraint));
+    }
+    return list;
+}
+
+/// The zones as an object, or the sections as a list.
+ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
+    ordered_json all = isTraverse(result) ? ordered_json::object() : ordered_json::array();
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const SectionResult& section = result.sections[i];
+        ordered_json one = zoneJson(result, section, accuracy.sections[i]);
+        isTraverse(result) ? void(all[zoneKey(section.zone)] = std::move(one))
+                           : all.push_back(std::move(one));
+    }
+    return all;
+}
+
+ordered_json numberOrNull(const std::optional<double>& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+/// Null for a stage that removed nothing.
+ordered_json whereJson(const Peak& peak) {
+    return peak.value > 0 ? ordered_json(placeText(peak.at)) : ordered_json(nullptr);
+}
+
+ordered_json columnJson(const ShopColumn& column) {
+    const BandSide band = column.specificEnergyBand();
+    ordered_json json = {{"largest_depth_um", column.depth_mm.value * units::umPerMm},
+                         {"largest_depth_where", whereJson(column.depth_mm)},
+                         {"removal_rate_mm3_mm_s", column.removalRate_mm2_s},
+                         {"mean_removal_rate_mm3_mm_s", column.meanRemovalRate_mm2_s},
+                         {"equivalent_chip_um", column.equivalentChip_um},
+                         {"aggressiveness", column.aggressiveness},
+                         {"overlap_ratio", numberOrNull(column.overlap)},
+                         {"specific_energy_j_mm3", numberOrNull(column.energy_j_mm3)},
+                         {"specific_energy_plausible", nullptr},
+                         {"removed_volume_mm3", column.removedVolume_mm3},
+                         {"energy_j", column.energy_j},
+                         {"grinding_time_min", column.grindingTime_s / units::secondsPerMinute},
+                         {"peak_power_w", column.power_w.value},
+                         {"peak_power_where", whereJson(column.power_w)},
+                         {"mean_power_w", column.meanPower_w},
+                         {"peak_normal_force_n", column.normalForce_n.value},
+                         {"peak_normal_force_where", whereJson(column.normalForce_n)}};
+    if (band != BandSide::none) {
+        json["specific_energy_plausible"] = band == BandSide::inside;
+    }
+    return json;
+}
+
+ordered_json shopJson(const ShopNumbers& shop) {
+    ordered_json stages = ordered_json::array();
+    for (const ShopColumn& stage : shop.stages) {
+        stages.push_back(columnJson(stage));
+    }
+    return {{"stages", std::move(stages)},
+            {"cycle", columnJson(shop.cycle)},
+            {"wheel_speed_rpm", shop.wheelSpeed_rpm},
+            {"rotation_ratio", shop.rotationRatio},
+            {"rotation_ratio_near_integer", shop.ratioNearInteger()}};
+}
+
+} // namespace
+
+std::string resultJson(const SimulationResult& result,
+                       const std::vector<ConstraintResult>& constraints) {
+    ordered_json root;
+    root["status"] = statusKey(result.status);
+    root["operation"] = isTraverse(result) ? "traverse" : "plunge";
+    root["engine_version"] = result.engineVersion;
+    root["cycle_time_min"] = result.time_s / units::secondsPerMinute;
+    root[isTraverse(result) ? "double_strokes" : "revolutions"] = result.cycleCount;
+    root[isTraverse(result) ? "double_strokes_by_stage" : "revolutions_by_stage"] =
+        result.countsByStage;
+    ordered_json stageTimes = ordered_json::array();
+    for (const double time_s : result.timeByStage_s) {
+        stageTimes.push_back(time_s / units::secondsPerMinute);
+    }
+    root["cycle_time_min_by_stage"] = std::move(stageTimes);
+    root["gauge"] = {{"reading_mm", result.gaugeReading_mm},
+                     {"remaining_stock_mm", result.remainingStock_mm}};
+    const PartAccuracy accuracy = accuracyOf(result);
+    root[isTraverse(result) ? "zones" : "sections"] = sectionsJson(result, accuracy);
+    root["part"] = partJson(accuracy);
+    root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
+                    {"normal_force_where", placeText(result.peakNormalForceAt)},
+                    {"power_w", result.peakPower_w},
+                    {"power_where", placeText(result.peakPowerAt)}};
+    root["shop"] = shopJson(shopNumbers(result));
+    if (const auto burn = burnStateOf(result)) {
+        root["burn"] = burnJson(*burn);
+    }
+    root["constraints"] = constraintsJson(constraints);
+    return printJson(root);
+}
+
+} // namespace sparkout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+#include "core/simulation/result.h"
+
+#include <string>
+
+/// Names in files and on the command line, which no language changes.
+namespace sparkout {
+
+[[nodiscard]] const char* zoneKey(Zone zone); ///< "rz1", "section"
+[[nodiscard]] const char* stepKey(Step step); ///< "E1"; empty for none
+[[nodiscard]] const char* statusKey(RunStatus status);
+[[nodiscard]] const char* formKey(LongitudinalForm form);
+
+/// "nz", "section 2" (from 0).
+[[nodiscard]] std::string sectionName(Zone zone, int section);
+
+/// Where in the cycle: "nz E1 stage 1 double stroke 27".
+[[nodiscard]] std::string placeText(const Place& place);
+
+/// Where a requirement is worst: a place in the cycle, "rz1", "part", "stage 2", "cycle".
+[[nodiscard]] std::string whereText(const ConstraintResult& constraint);
+
+} // namespace sparkout

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/export_commands.h"
+
+#include "ui/dialogs/save_dialog.h"
+#include "ui/export/export_dialog.h"
+#include "ui/session/example_texts.h"
+
+#include <QMessageBox>
+
+#include <utility>
+
+namespace sparkout {
+
+ExportCommands::ExportCommands(std::function<OutcomePtr()> outcome, Settings& settings,
+                               QWidget* window)
+    : QObject(window), m_outcome(std::move(outcome)), m_settings(settings), m_window(window) {}
+
+void ExportCommands::exportResults() {
+    const OutcomePtr outcome = m_outcome();
+    if (!outcome || !outcome->ran()) {
+        QMessageBox box(QMessageBox::Information, tr("No results"),
+                        tr("There is no result of these inputs, so there is nothing to export. The "
+                           "messages say what is wrong with them."),
+                        QMessageBox::Ok, m_window);
+        box.setTextFormat(Qt::PlainText);
+        box.exec();
+        return;
+    }
+    ExportDialog dialog(outcome, m_format, m_window);
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
+    }
+    const ExportChoice choice = dialog.choice();
+    m_format = choice.format;
+    const Project& project = outcome->result.project;
+    const QString content = choice.parts.size() == 1
+                                ? partName(choice.parts.front(), project.operation)
+                                : tr("Results");
+    const SaveRequest request{tr("Export results"),
+                              fileNameOf({exampleTitle(project.title), content}),
+                              exportSuffix(choice.format),
+                              exportFilter(choice.format),
+                              {},
+                              exportWork(outcome, choice, QDateTime::currentDateTime())};
+    if (saveWithDialog(m_window, &m_settings, request)) {
+        emit told(tr("The results are exported."));
+    }
+}
+
+} // namespace sparkout

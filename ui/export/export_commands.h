@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/export/export_file.h"
+
+#include <QObject>
+
+class QWidget;
+
+namespace sparkout {
+
+class Settings;
+
+/// The command that writes a result and its trace into a file.
+class ExportCommands : public QObject {
+    Q_OBJECT
+
+public:
+    /// `outcome` gives that of the inputs of now.
+    ExportCommands(std::function<OutcomePtr()> outcome, Settings& settings, QWidget* window);
+
+    void exportResults();
+
+signals:
+    void told(const QString& text); ///< what was done, for the status bar
+
+private:
+    std::function<OutcomePtr()> m_outcome;
+    Settings& m_settings;
+    QWidget* m_window;
+    ExportFormat m_format = ExportFormat::xlsx; ///< the last one chosen
+};
+
+} // namespace sparkout

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/result_parts.h"
+
+#include "core/process/profile.h"
+#include "core/quality/result_json.h"
+#include "core/quality/run_summary.h"
+#include "core/units.h"
+#include "ui/export/trace_sheet.h"
+#include "ui/session/example_texts.h"
+#include "ui/session/texts.h"
+#include "ui/views/names.h"
+#include "ui/views/result_tables.h"
+#include "ui/views/run_table.h"
+#include "ui/views/table_file.h"
+
+#include <QCoreApplication>
+
+namespace sparkout {
+
+namespace {
+
+using units::umPerMm;
+
+struct ResultParts {
+    Q_DECLARE_TR_FUNCTIONS(ResultParts)
+};
+
+/// Beside what a kept run says, what the gauge reads and how the part is shaped along its length.
+CsvTable wholeCycle(const Outcome& outcome) {
+    const SimulationResult& result = outcome.result;
+    CsvTable table = cycleTable(summarise(result, outcome.accuracy, outcome.constraints));
+    const auto add = [&table](const QString& name, const char* unit, double value) {
+        table.rows.push_back({name, unitText(unit), value});
+    };
+    add(ResultParts::tr("Gauge reading, diameter"), "mm", result.gaugeReading_mm);
+    add(ResultParts::tr("Stock left per side by the gauge"), "µm",
+        result.remainingStock_mm * umPerMm);
+    add(ResultParts::tr("Taper"), "µm", outcome.accuracy.profile.taper_mm * umPerMm);
+    add(ResultParts::tr("Crown"), "µm", outcome.accuracy.profile.crown_mm * umPerMm);
+    table.rows.push_back(
+        {ResultParts::tr("Engine"), QString(), QString::fromStdString(result.engineVersion)});
+    return table;
+}
+
+/// The final radii from the nominal one: a row an angle, a column a zone or section.
+CsvTable finalProfiles(const SimulationResult& result) {
+    const double nominal_mm = result.project.part.diameter_mm / 2;
+    CsvTable table;
+    table.header << ResultParts::tr("Radius no.") << ResultParts::tr("Angle, °");
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        table.header << ResultParts::tr("%1: radius from nominal, µm")
+                            .arg(Names::zone(result.sections[i].zone, static_cast<int>(i)));
+    }
+    const std::size_t radii = result.sections.empty() ? 0 : result.sections[0].radii_mm.size();
+    for (std::size_t k = 0; k < radii; ++k) {
+        std::vector<CsvCell> row{double(k), double(k) * 360.0 / double(radii)};
+        for (const SectionResult& section : result.sections) {
+            row.emplace_back((section.radii_mm[k] - nominal_mm) * umPerMm);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+CsvTable tableOfPart(const Outcome& outcome, ResultPart part) {
+    const Project& project = outcome.result.project;
+    switch (part) {
+    case ResultPart::inputs: return inputTable(project);
+    case ResultPart::cycle: return wholeCycle(outcome);
+    case ResultPart::stages: return stageTable(outcome.shop, project.operation);
+    case ResultPart::zones: return zoneTable(outcome);
+    case ResultPart::profiles: return finalProfiles(outcome.result);
+    case ResultPart::requirements: return requirementTable(outcome.constraints, project.operation);
+    case ResultPart::trace: break;
+    }
+    return {};
+}
+
+} // namespace
+
+QString partName(ResultPart part, Operation operation) {
+    switch (part) {
+    case ResultPart::inputs: return ResultParts::tr("Inputs");
+    case ResultPart::cycle: return ResultParts::tr("Whole cycle");
+    case ResultPart::stages: return ResultParts::tr("Stages");
+    case ResultPart::zones:
+        return operation == Operation::traverse ? ResultParts::tr("Zones")
+                                                : ResultParts::tr("Sections");
+    case ResultPart::profiles: return ResultParts::tr("Final profiles");
+    case ResultPart::requirements: return ResultParts::tr("Requirements");
+    case ResultPart::trace: return ResultParts::tr("Trace");
+    }
+    return {};
+}
+
+const char* partKey(ResultPart part) {
+    constexpr std::array keys{"inputs",   "cycle",        "stages", "zones",
+                              "profiles", "requirements", "trace"};
+    return keys[static_cast<std::size_t>(part)];
+}
+
+Sheet partSheet(const OutcomePtr& outcome, ResultPart part) {
+    const QString name = partName(part, outcome->result.project.operation);
+    return part == ResultPart::trace ? traceSheet(outcome, name)
+                                     : sheetOf(tableOfPart(*outcome, part), name);
+}
+
+Book bookOf(const OutcomePtr& outcome, const std::vector<ResultPart>& parts,
+            const QDateTime& made) {
+    const Project& project = outcome->result.project;
+    Book book{exampleTitle(project.title),
+              QString::fromStdString(project.author),
+              programText(),
+              made,
+              {}};
+    for (const ResultPart part : parts) {
+        if (part == ResultPart::trace) {
+            for (Sheet& sheet : traceSheets(outcome)) {
+                book.sheets.push_back(std::move(sheet));
+            }
+        } else {
+            book.sheets.push_back(partSheet(outcome, part));
+        }
+    }
+    return book;
+}
+
+std::size_t traceRows(const Outcome& outcome) {
+    return outcome.trajectory.visits.size();
+}
+
+QByteArray resultJsonBytes(const Outcome& outcome) {
+    return QByteArray::fromStdString(resultJson(outcome.result, outcome.constraints));
+}
+
+} // namespace sparkout

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/outcome.h"
+#include "ui/session/sheet.h"
+
+namespace sparkout {
+
+/// The trace, a row for every time a radius passed under the wheel, with the numbers of
+/// `sparkout-cli simulate --trace`.
+[[nodiscard]] Sheet traceSheet(const OutcomePtr& outcome, const QString& name);
+
+/// The same, a sheet a zone or section.
+[[nodiscard]] std::vector<Sheet> traceSheets(const OutcomePtr& outcome);
+
+} // namespace sparkout

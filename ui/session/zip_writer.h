@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <vector>
+
+struct z_stream_s;
+
+namespace sparkout {
+
+/// A ZIP archive that is made in memory, file after file; equal content gives equal bytes. It holds
+/// less than 4 GB.
+class ZipWriter {
+public:
+    ZipWriter();
+    ZipWriter(const ZipWriter&) = delete;
+    ZipWriter& operator=(const ZipWriter&) = delete;
+    ~ZipWriter();
+
+    void begin(const QByteArray& name); ///< a name in ASCII
+    void add(const QByteArray& bytes);  ///< to the file that was begun last
+    void end();
+
+    /// Version of the library that compresses: "1.2.13".
+    [[nodiscard]] static const char* libraryVersion();
+
+    /// The archive; empty when it would be too large, or the memory did not suffice.
+    [[nodiscard]] QByteArray finish();
+
+private:
+    struct Entry {
+        QByteArray name;
+        std::uint32_t crc = 0;
+        std::uint64_t size = 0;
+        std::uint64_t packed = 0;
+        std::uint64_t offset = 0;
+    };
+    void deflate(const QByteArray& bytes, int flush);
+    [[nodiscard]] static QByteArray headerOf(const Entry& entry, bool central);
+
+    QByteArray m_bytes;
+    std::vector<Entry> m_entries;
+    std::vector<unsigned char> m_room; ///< what the compressor fills
+    z_stream_s* m_stream = nullptr;    ///< while a file is open
+    bool m_failed = false;
+};
+
+} // namespace sparkout
