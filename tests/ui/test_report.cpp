@@ -6,6 +6,7 @@
 #include "ui/language.h"
 #include "ui/report/cycle_card.h"
 #include "ui/report/pages.h"
+#include "ui/report/pdf_details.h"
 #include "ui/report/report_text.h"
 #include "ui/session/document.h"
 #include "ui/session/number_text.h"
@@ -182,6 +183,43 @@ private slots:
             QCOMPARE(other, made(outcome, format));
         }
         QCOMPARE(made(outcome, Format::pdf), made(outcome, Format::pdf)); // of one day
+    }
+
+    void thePdfHasAnOutlineAndItsProperties() {
+        Project project = fixtures::traverseProject();
+        project.title = "Вал (1) \\ shaft";
+        project.author = "Ф. И. Отчество";
+        const OutcomePtr outcome = fixtures::run(project);
+        const report::Report card = report::cycleCard(outcome, {}, day);
+        const QByteArray pdf = bytesOf(card, Format::pdf);
+        QStringList headings, entries;
+        for (const report::Block& block : card.blocks) {
+            if (const auto* heading = std::get_if<report::Heading>(&block)) {
+                headings << heading->text;
+            }
+        }
+        for (const OutlineEntry& entry : outlineOf(pdf)) {
+            entries << entry.text;
+        }
+        QVERIFY(headings.size() > 3);
+        QCOMPARE(entries, headings);
+        const QString info = told(QStringLiteral("pdfinfo"), {}, pdf);
+        for (const char* line :
+             {"Title: +Cycle card .*Вал \\(1\\) \\\\ shaft\n", "Subject: +Вал \\(1\\)",
+              "Author: +Ф\\. И\\. Отчество\n", "Creator: +Sparkout 0", "22 .*2026"}) {
+            const QRegularExpression wanted(QString::fromUtf8(line));
+            QVERIFY2(info.contains(wanted), qPrintable(wanted.pattern() + u'\n' + info));
+        }
+    }
+
+    void whatIsNoWholePdfGetsNoDetails() {
+        const QByteArray pdf = made(fixtures::run(fixtures::traverseProject()), Format::pdf);
+        QVERIFY(!report::withDetails(pdf, {}).isEmpty());
+        QVERIFY(report::withDetails(pdf.left(pdf.size() / 2), {}).isEmpty());
+        QVERIFY(report::withDetails("no PDF", {}).isEmpty());
+        QVERIFY(report::withDetails({}, {}).isEmpty());
+        QVERIFY(report::withDetails(pdf, {{}, {}, {}, {}, {}, {{QStringLiteral("a"), 99, 0}}})
+                    .isEmpty()); // there is no such page
     }
 
     void aLongTableRepeatsItsHeadOnEveryPage() {

@@ -7,6 +7,7 @@
 #include "ui/report/report_values.h"
 #include "ui/session/example_texts.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string_view>
 

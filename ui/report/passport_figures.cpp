@@ -2,17 +2,12 @@
 // The figures of the accuracy passport.
 #include "ui/report/passport_parts.h"
 
-#include "core/process/system_compliance.h"
-#include "core/quality/accuracy.h"
+#include "core/simulation/feed_series.h"
 #include "ui/report/plot_figure.h"
 #include "ui/report/report_values.h"
-#include "ui/session/texts.h"
-#include "ui/theme.h"
 #include "ui/views/batch_text.h"
-#include "ui/views/feeds_plot.h"
 #include "ui/views/histogram_plot.h"
 #include "ui/views/longitudinal_plot.h"
-#include "ui/views/names.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_text.h"
 

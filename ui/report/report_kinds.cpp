@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_kinds.h"
 
+#include "core/batch/scenario_source.h"
 #include "ui/report/cycle_card.h"
 #include "ui/report/passport.h"
 #include "ui/session/run_controller.h"
