@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
+#include "core/project/project_file.h"
+#include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/file_trouble.h"
@@ -9,12 +11,16 @@
 #include "tests/ui/xlsx_reader.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_file.h"
+#include "ui/view_tabs.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/plot_tools.h"
+#include "ui/views/view.h"
 
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
