@@ -49,7 +49,7 @@ Project example(const char* name) {
 
 report::Subject subjectOf(const Project& project) {
     report::Subject subject{fixtures::run(project), nullptr, nullptr,
-                            QStringLiteral("/tmp/part.sparkout"), day};
+                            QStringLiteral("/tmp/part.sparkout"), day, {}};
     if (project.batch) {
         subject.batch = runWholeBatch(project, {});
         subject.worst = report::runWorstPart(*subject.batch);
