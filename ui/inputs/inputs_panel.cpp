@@ -128,7 +128,7 @@ void InputsPanel::retranslate() {
     for (std::size_t i = 0; i < pageEntries.size(); ++i) {
         const QString name = tr(pageEntries[i].name);
         m_buttons[i]->setText(name);
-        // A style's margins beside the text are more than seven buttons have room for.
+        // A style's margins beside the text are more than the buttons have room for.
         const int width = m_buttons[i]->fontMetrics().horizontalAdvance(name) + 2 * metrics::hair;
         m_buttons[i]->setMinimumWidth(width);
         m_strip->setStretch(static_cast<int>(i), width);

@@ -24,6 +24,9 @@ constexpr std::size_t mostCharted = 24; ///< rows of the capability chart
 constexpr std::size_t mostAcross = 4;   ///< cross-sections beside each other
 constexpr double customaryCpk = 1.33;
 constexpr double narrowBar = 0.8; ///< at least so wide
+// Of the capability chart, on paper.
+constexpr QColor chartInk(0, 0, 0), chartMark(40, 40, 40), chartGrid(190, 190, 190),
+    chartGood(20, 90, 160), chartPoor(190, 60, 20);
 
 LegendEntries profileLegend(const QPalette& palette, std::initializer_list<ProfileLine> lines) {
     LegendEntries entries;
@@ -90,10 +93,10 @@ private:
                 continue;
             }
             const bool mark = value == customaryCpk || value == 1;
-            painter.setPen(QPen(mark ? QColor(40, 40, 40) : QColor(190, 190, 190), 1,
-                                mark ? Qt::DashLine : Qt::SolidLine));
+            painter.setPen(
+                QPen(mark ? chartMark : chartGrid, 1, mark ? Qt::DashLine : Qt::SolidLine));
             painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
-            painter.setPen(Qt::black);
+            painter.setPen(chartInk);
             const QString name = plainNumber(value);
             const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
             painter.drawText(QPointF(x(value) - width / 2, end + 16), name);
@@ -104,11 +107,11 @@ private:
         const Capability& cpk = *of.cpk;
         const QFontMetricsF metrics(painter.font());
         const double base = y + metrics.ascent() / 2 - 1;
-        painter.setPen(Qt::black);
+        painter.setPen(chartInk);
         painter.drawText(QPointF(2, base), metrics.elidedText(BatchText::full(of.characteristic),
                                                               Qt::ElideRight, left - 12));
         painter.drawText(QPointF(right + 10, base), BatchText::capability(of.cpk));
-        const QColor colour = cpk.value < 1 ? QColor(190, 60, 20) : QColor(20, 90, 160);
+        const QColor colour = cpk.value < 1 ? chartPoor : chartGood;
         painter.setPen(QPen(colour, 2));
         painter.drawLine(QPointF(x(cpk.interval.low), y), QPointF(x(cpk.interval.high), y));
         painter.setBrush(colour);
