@@ -154,6 +154,7 @@ private slots:
 
     void aSearchIsStoppedAndAnEditDropsIt() {
         const Desk desk(fixtures::endlessSearch());
+        QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled()); // its run is a long one
         desk.click("optimiseRun");
         QVERIFY(desk.view->busy());
         QTest::qWait(300);

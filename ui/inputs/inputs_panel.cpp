@@ -49,7 +49,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
     , m_stack(new QStackedWidget(this))
     , m_hint(new HintStrip(this)) {
     m_strip->setSpacing(0);
-    m_strip->setContentsMargins(metrics::hair, metrics::hair, metrics::hair, 0);
+    m_strip->setContentsMargins(0, metrics::hair, 0, 0);
     for (const PageEntry& entry : pageEntries) {
         auto* button = new QToolButton(this);
         button->setIcon(themeIcon(entry.icon));
