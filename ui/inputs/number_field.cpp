@@ -79,6 +79,16 @@ void NumberField::setShownText(const QString& text) {
     evaluate();
 }
 
+void NumberField::setSpec(const NumberSpec& spec) {
+    if (spec.hard == m_spec.hard && spec.soft == m_spec.soft) {
+        return;
+    }
+    m_spec = spec;
+    if (m_value || refused()) {
+        evaluate();
+    }
+}
+
 void NumberField::setHint(const QString& hint) {
     m_hint = hint;
     describe();

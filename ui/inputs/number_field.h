@@ -50,6 +50,7 @@ public:
     [[nodiscard]] const QString& refusal() const { return m_own.reason; }
     [[nodiscard]] bool typing() const { return m_typing.isActive(); } ///< until a pause
     [[nodiscard]] Remark remark() const;    ///< as shown: none while typing
+    void setSpec(const NumberSpec& spec);   ///< judges the text anew
     void setHint(const QString& hint);      ///< what the field is for, to screen readers
     void setIssue(const Remark& issue);     ///< what the rules between fields say of the value
     void setShownText(const QString& text); ///< as if typed: a text kept from before

@@ -165,13 +165,17 @@ PlotHistory::State ComparePlot::ranges() const {
     return state;
 }
 
-void ComparePlot::fit() {
+double ComparePlot::end() const {
     double end = 0;
     for (std::size_t run = 0; run < m_runs.size(); ++run) {
         end = std::max(end, m_scales[run].at(m_runs[run].feeds->end_s));
     }
-    style::setSafeRange(*m_rects[0]->axis(QCPAxis::atBottom), 0, end);
-    style::setSafeRange(*m_rects[1]->axis(QCPAxis::atBottom), 0, end);
+    return end;
+}
+
+void ComparePlot::fit() {
+    style::setSafeRange(*m_rects[0]->axis(QCPAxis::atBottom), 0, end());
+    style::setSafeRange(*m_rects[1]->axis(QCPAxis::atBottom), 0, end());
     for (const Quantity quantity : quantities) {
         double low = 0, high = 0;
         for (const Curve& curve : m_curves) {

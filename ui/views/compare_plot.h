@@ -5,6 +5,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/views/legend_drawing.h"
 #include "ui/views/plot_history.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -16,6 +17,7 @@
 namespace sparkout {
 
 class HairLine;
+struct CursorSubject;
 
 /// A run whose curves are drawn: of one of its zones or sections.
 struct ComparedFeeds {
@@ -55,6 +57,8 @@ public:
     [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
     [[nodiscard]] QString timeLabel() const; ///< "Time, min"
     [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones, run by run
+    [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] CsvTable table() const; ///< the visible curves' points within the visible span
 
 signals:
@@ -82,6 +86,8 @@ private:
     void onMouse(QMouseEvent* event);
     [[nodiscard]] const Curve* nearestCurve(const QPointF& at) const;
     [[nodiscard]] QString values(std::size_t run, double x) const;
+    [[nodiscard]] QString shortName(std::size_t run) const;
+    [[nodiscard]] double end() const; ///< of the longest run
     [[nodiscard]] PlotHistory::State ranges() const;
     [[nodiscard]] const CycleScale& presentScale() const { return m_scales.front(); }
 

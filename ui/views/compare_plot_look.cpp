@@ -4,6 +4,7 @@
 
 #include "ui/views/feed_text.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_style.h"
 #include "ui/views/run_dash.h"
 
@@ -111,11 +112,42 @@ LegendEntries ComparePlot::legendEntries() const {
     return entries;
 }
 
+QString ComparePlot::shortName(std::size_t run) const {
+    const QString& name = m_runs[run].name;
+    return name.size() > longestRunName ? name.left(longestRunName) + u'…' : name;
+}
+
+ReadCurves ComparePlot::readCurves() const {
+    ReadCurves curves;
+    QStringList names;
+    for (std::size_t run = 0; run < m_runs.size(); ++run) {
+        QString name = shortName(run);
+        if (names.contains(name)) {
+            name += QStringLiteral(" (%1)").arg(m_runs[run].number);
+        }
+        names << name;
+        for (const Curve& curve : m_curves) {
+            if (curve.run == run && curve.graph->visible()) {
+                curves.push_back({name, quantityWithUnit(curve.quantity),
+                                  quantityDigits(curve.quantity),
+                                  [graph = curve.graph](double x) { return valueAt(*graph, x); }});
+            }
+        }
+    }
+    return curves;
+}
+
+CursorSubject ComparePlot::cursorSubject() {
+    const auto scale = [this] { return m_scales.empty() ? CycleScale() : m_scales.front(); };
+    return {[this] { return timeLabel(); }, [this] { return QCPRange(0, end()); },
+            [this] { return readCurves(); }, [scale](double x) { return scale().time_s(x); },
+            [scale](double time_s) { return scale().at(time_s); }};
+}
+
 /// One line, though names of the user's may be long.
 QString ComparePlot::values(std::size_t run, double x) const {
     const ComparedFeeds& of = m_runs[run];
-    const QString name =
-        of.name.size() > longestRunName ? of.name.left(longestRunName) + u'…' : of.name;
+    const QString name = shortName(run);
     const FeedPoint* const p = feedPointAt(pointsOf(of), m_scales[run].time_s(x));
     if (!p) {
         return tr("%1: nothing is ground then").arg(name);

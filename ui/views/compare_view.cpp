@@ -4,6 +4,7 @@
 #include "ui/session/texts.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_tools.h"
@@ -351,6 +352,7 @@ void CompareView::retranslate() {
     m_plot->retranslate();
     m_table->retranslate();
     m_tools->retranslate();
+    m_strip->retranslate();
     showRuns();
     showCurves();
     showTable();

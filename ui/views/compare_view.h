@@ -20,7 +20,9 @@ namespace sparkout {
 
 class ComparePlot;
 class CopyTable;
+class CursorStrip;
 class LegendStrip;
+class PlotCursors;
 class PlotTools;
 class RunsModel;
 class RunTableModel;
@@ -38,6 +40,7 @@ public:
     [[nodiscard]] RunTableModel* table() const { return m_tableModel; }
     [[nodiscard]] QListView* list() const { return m_list; }
     [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
@@ -96,6 +99,8 @@ private:
     QSplitter* m_columns;
     QSplitter* m_halves;
     PlotTools* m_tools = nullptr;
+    PlotCursors* m_cursors = nullptr;
+    CursorStrip* m_strip = nullptr;
     QAction* m_keep = nullptr;
     QAction* m_restore = nullptr;
     QAction* m_rename = nullptr;

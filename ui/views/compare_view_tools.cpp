@@ -6,7 +6,9 @@
 #include "ui/theme.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 #include "ui/views/run_table_model.h"
 #include "ui/views/runs_model.h"
@@ -135,6 +137,9 @@ void CompareView::buildTools(Settings* settings) {
     subject.navigation.axes = ComparePlot::movedAxes;
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
+    m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());
+    m_strip = new CursorStrip(*m_cursors, this);
+    m_tools->addTool(m_cursors->toggle);
 }
 
 /// The list of runs with its buttons.
@@ -171,7 +176,7 @@ QWidget* CompareView::buildCurves() {
         row->addWidget(box);
     }
     row->addStretch(1);
-    for (QAction* action : {m_tools->back, m_tools->forward, m_tools->fit}) {
+    for (QAction* action : {m_cursors->toggle, m_tools->back, m_tools->forward, m_tools->fit}) {
         row->addWidget(PlotTools::button(action, panel));
     }
     row->addWidget(m_tools->exportButton(panel));
@@ -179,6 +184,7 @@ QWidget* CompareView::buildCurves() {
     column->addLayout(row);
     column->addWidget(m_legend);
     column->addWidget(m_plot, 1);
+    column->addWidget(m_strip);
     return panel;
 }
 

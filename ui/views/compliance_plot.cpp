@@ -25,7 +25,6 @@ namespace {
 using style::Hue;
 
 constexpr int placesDrawn = 241;
-constexpr double nmPerMm = 1e6;    ///< γ is drawn in nm/N
 constexpr double sceneRoom = 1.02; ///< room around the drawing to scale
 constexpr double valueRoom = 1.1;  ///< above the highest value
 constexpr double shaftShare = 0.8; ///< of the height of the curves
@@ -33,19 +32,16 @@ constexpr int opacity = 110;
 
 constexpr CompliancePart stacked[] = {CompliancePart::wheelHead, CompliancePart::headstock,
                                       CompliancePart::tailstock, CompliancePart::bending};
-constexpr CompliancePart allParts[] = {CompliancePart::wheelHead, CompliancePart::headstock,
-                                       CompliancePart::tailstock, CompliancePart::bending,
-                                       CompliancePart::rests};
+
+} // namespace
 
 double sumOf(const ComplianceParts& parts) {
     double sum = 0;
-    for (const CompliancePart part : allParts) {
+    for (const CompliancePart part : allComplianceParts) {
         sum += valueOf(parts, part);
     }
     return sum;
 }
-
-} // namespace
 
 double valueOf(const ComplianceParts& parts, CompliancePart part) {
     switch (part) {
@@ -436,62 +432,6 @@ void CompliancePlot::retranslate() {
     if (m_outcome) {
         fillBands();
     }
-}
-
-CsvTable CompliancePlot::table() const {
-    const LengthCurves* lower = curves();
-    return lower ? lower->table() : complianceTable();
-}
-
-CsvTable CompliancePlot::complianceTable() const {
-    CsvTable table;
-    table.header << tr("From the headstock end of the ground length, mm") << tr("γ, mm/N");
-    for (const CompliancePart part : allParts) {
-        table.header << tr("%1, mm/N").arg(nameOf(part));
-    }
-    for (const CompliantPlace& place : m_places) {
-        std::vector<CsvCell> row{place.position_mm, sumOf(place.parts)};
-        for (const CompliancePart part : allParts) {
-            row.emplace_back(valueOf(place.parts, part));
-        }
-        table.rows.push_back(std::move(row));
-    }
-    if (m_places.empty() && m_outcome) {
-        for (const SectionResult& section : m_outcome->result.sections) {
-            table.rows.push_back({section.position_mm, section.compliance_mm_per_n});
-        }
-    }
-    return table;
-}
-
-// --- pointing -----------------------------------------------------------------------------------
-
-void CompliancePlot::onMouse(QMouseEvent* event) {
-    const double x = m_rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
-    const bool inside =
-        m_rect->rect().contains(event->pos()) || m_shaftRect->rect().contains(event->pos());
-    const LengthCurves* lower = curves();
-    emit pointed(!inside ? QString() : lower ? lower->valuesAt(x) : complianceAt(x));
-}
-
-QString CompliancePlot::complianceAt(double x_mm) const {
-    if (m_places.empty() || x_mm < m_places.front().position_mm
-        || x_mm > m_places.back().position_mm) {
-        return {};
-    }
-    const auto nearest = std::ranges::min_element(
-        m_places, {}, [x_mm](const CompliantPlace& p) { return std::abs(p.position_mm - x_mm); });
-    const auto value = [](double gamma_mm_n) { return Names::significant(gamma_mm_n * nmPerMm); };
-    QStringList parts;
-    for (const CompliancePart part : allParts) {
-        if (has(part)) {
-            parts << QStringLiteral("%1 %2").arg(nameOf(part),
-                                                 value(valueOf(nearest->parts, part)));
-        }
-    }
-    return tr("At %1 mm: γ %2 nm/N = %3")
-        .arg(Names::significant(nearest->position_mm, 4), value(sumOf(nearest->parts)),
-             parts.join(QStringLiteral(" + ")));
 }
 
 void CompliancePlot::leaveEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -15,6 +16,7 @@
 namespace sparkout {
 
 class BandLayer;
+struct CursorSubject;
 class CouplingCurves;
 class GaugeCurves;
 class LengthCurves;
@@ -24,7 +26,13 @@ class ShaftScene;
 /// What γ(x) is made of, from below; rests are what steady rests take away again.
 enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
 
+inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,
+                                               CompliancePart::tailstock, CompliancePart::bending,
+                                               CompliancePart::rests};
+
 [[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
+[[nodiscard]] double sumOf(const ComplianceParts& parts);                        ///< [mm/N]
+inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 
 /// What stands below the part: γ along it, the diameters over the gauge's place, or those of
 /// coupled against independent sections.
@@ -65,6 +73,8 @@ public:
     [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge; rests have none
     [[nodiscard]] const std::vector<CompliantPlace>& places() const { return m_places; }
     [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones
+    [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] CsvTable table() const;
     /// The axes that wheel, drag and keys move in an axis rect.
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
@@ -84,6 +94,8 @@ private:
     [[nodiscard]] LengthCurves* curves() const; ///< below the part; null: γ
     [[nodiscard]] LegendEntries complianceEntries() const;
     [[nodiscard]] CsvTable complianceTable() const;
+    [[nodiscard]] ReadCurves complianceCurves() const;
+    [[nodiscard]] std::optional<double> groundWith(double x_mm) const; ///< γ [nm/N]
     [[nodiscard]] QString complianceAt(double x_mm) const;
     void labelValues();
     void fillBands();

@@ -4,8 +4,10 @@
 #include "ui/metrics.h"
 #include "ui/views/compliance_plot.h"
 #include "ui/views/compliance_studies.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 
 #include <QComboBox>
@@ -45,6 +47,7 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     layout->addWidget(m_notice);
     layout->addWidget(m_legend);
     layout->addWidget(m_plot, 1);
+    layout->addWidget(m_strip);
     layout->addWidget(m_values);
     m_plot->setObjectName(QStringLiteral("compliancePlot"));
     m_legend->setObjectName(QStringLiteral("complianceLegend"));
@@ -163,12 +166,16 @@ void ComplianceView::buildTools(QWidget* bar, Settings* settings) {
     subject.navigation.axes = [this](QCPAxisRect& rect) { return m_plot->movedAxes(rect); };
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
+    m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());
+    m_strip = new CursorStrip(*m_cursors, this);
+    m_tools->addTool(m_cursors->toggle);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     row->addWidget(m_content);
     row->addWidget(m_put);
     row->addStretch(1);
+    row->addWidget(PlotTools::button(m_cursors->toggle, bar));
     row->addWidget(PlotTools::button(m_tools->fit, bar));
     row->addWidget(m_tools->exportButton(bar));
 }
@@ -315,6 +322,7 @@ void ComplianceView::retranslate() {
     m_put->setAccessibleName(m_put->text());
     m_put->setToolTip(tr("Make the best place the gauge's free position; can be undone"));
     m_tools->retranslate();
+    m_strip->retranslate();
     m_legend->retranslate();
     m_plot->retranslate();
     m_legend->setEntries(m_plot->legendEntries());

@@ -12,6 +12,8 @@ namespace sparkout {
 class CompliancePlot;
 class ComplianceStudies;
 class LegendStrip;
+class CursorStrip;
+class PlotCursors;
 class PlotTools;
 class Settings;
 
@@ -24,6 +26,7 @@ public:
 
     [[nodiscard]] CompliancePlot* plot() const { return m_plot; }
     [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
@@ -59,6 +62,8 @@ private:
     QPushButton* m_put;
     ComplianceStudies* m_studies;
     PlotTools* m_tools = nullptr;
+    PlotCursors* m_cursors = nullptr;
+    CursorStrip* m_strip = nullptr;
     OutcomePtr m_good;    ///< what the plot shows
     OutcomePtr m_studied; ///< what its diameters belong to
     int m_done = 0, m_total = 0;

@@ -4,6 +4,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -13,6 +14,7 @@
 namespace sparkout {
 
 class HairLine;
+struct CursorSubject;
 
 /// The actual feed of one zone or section over the stock left, the cycle from left to right, under
 /// the curves of all limits that are on. The least of them, the stepless limit, stands out; above
@@ -47,6 +49,8 @@ public:
     [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_markedCut; }
     [[nodiscard]] std::optional<double> moment_um() const; ///< stock of the line
     [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones
+    [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] CsvTable table() const; ///< the cuts in sight
 
 signals:

@@ -4,6 +4,7 @@
 #include "ui/views/constraints_plot.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_cursors.h"
 
 #include <QMouseEvent>
 
@@ -98,6 +99,34 @@ void ConstraintsPlot::onMouse(QMouseEvent* event) {
 void ConstraintsPlot::leaveEvent(QEvent* event) {
     QCustomPlot::leaveEvent(event);
     emit pointed({});
+}
+
+ReadCurves ConstraintsPlot::readCurves() const {
+    ReadCurves curves;
+    const auto add = [&](const auto& drawn, const QString& name) {
+        if (drawn->visible() && !drawn->data()->isEmpty()) {
+            curves.push_back({QString(), name, Digits::significant,
+                              [drawn](double x) { return valueAt(*drawn, x); }});
+        }
+    };
+    add(m_actual, tr("actual feed, µm"));
+    add(m_stepless, tr("stepless limit, µm"));
+    for (const auto& [kind, graph] : m_limits) {
+        add(graph, tr("limit: %1, µm").arg(LimitNames::limit(kind)));
+    }
+    return curves;
+}
+
+CursorSubject ConstraintsPlot::cursorSubject() {
+    return {[this] { return stockAxis()->label(); },
+            [this] {
+                return m_outcome ? QCPRange(m_outcome->limits.least_mm * umPerMm,
+                                            m_outcome->limits.deepest_mm * umPerMm)
+                                 : QCPRange();
+            },
+            [this] { return readCurves(); },
+            {},
+            {}};
 }
 
 CsvTable ConstraintsPlot::table() const {

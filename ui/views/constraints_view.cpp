@@ -6,6 +6,7 @@
 #include "ui/metrics.h"
 #include "ui/views/constraints_plot.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/estimate_names.h"
 #include "ui/views/formula_text.h"
 #include "ui/views/legend_strip.h"
@@ -290,6 +291,7 @@ void ConstraintsView::nameParts() {
 void ConstraintsView::retranslate() {
     nameParts();
     m_tools->retranslate();
+    m_strip->retranslate();
     m_legend->retranslate();
     m_plot->retranslate();
     m_model->retranslate();

@@ -20,8 +20,10 @@ namespace sparkout {
 
 class ConstraintsPlot;
 class CopyTable;
+class CursorStrip;
 class LegendStrip;
 class MarginModel;
+class PlotCursors;
 class PlotTools;
 class Settings;
 
@@ -34,6 +36,7 @@ public:
 
     [[nodiscard]] ConstraintsPlot* plot() const { return m_plot; }
     [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] MarginModel* margins() const { return m_model; }
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -86,6 +89,8 @@ private:
     QLabel* m_off;
     QLabel* m_values;
     PlotTools* m_tools = nullptr;
+    PlotCursors* m_cursors = nullptr;
+    CursorStrip* m_strip = nullptr;
     OutcomePtr m_good;                        ///< what is shown
     std::optional<GroupKey> m_group;          ///< the user chose
     std::optional<ConstraintResult> m_chosen; ///< by the user, maybe of an earlier run

@@ -4,9 +4,11 @@
 #include "ui/views/constraints_plot.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/margin_model.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 
 #include <QCheckBox>
@@ -66,6 +68,7 @@ void ConstraintsView::build(Settings* settings) {
     curves->setContentsMargins(0, 0, 0, 0);
     curves->setSpacing(metrics::tight);
     curves->addWidget(m_plot, 1);
+    curves->addWidget(m_strip);
     curves->addWidget(m_values);
     auto* lower = new QSplitter(Qt::Horizontal, m_splitter);
     lower->addWidget(buildMargins());
@@ -121,6 +124,9 @@ void ConstraintsView::buildTools(QWidget* bar, Settings* settings) {
     subject.navigation.fit = [this] { m_plot->fit(); };
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
+    m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());
+    m_strip = new CursorStrip(*m_cursors, this);
+    m_tools->addTool(m_cursors->toggle);
     m_zone->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
@@ -128,6 +134,7 @@ void ConstraintsView::buildTools(QWidget* bar, Settings* settings) {
     row->addWidget(m_zone);
     row->addStretch(1);
     row->addWidget(m_logarithmic);
+    row->addWidget(PlotTools::button(m_cursors->toggle, bar));
     row->addWidget(PlotTools::button(m_tools->back, bar));
     row->addWidget(PlotTools::button(m_tools->forward, bar));
     row->addWidget(PlotTools::button(m_tools->fit, bar));

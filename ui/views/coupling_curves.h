@@ -27,6 +27,7 @@ public:
     [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] QString valuesAt(double x_mm) const override;
     void restyle(bool dim) override;
+    [[nodiscard]] Digits digits() const override { return Digits::thousandths; }
 
 private:
     [[nodiscard]] double middle_um() const;

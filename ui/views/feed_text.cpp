@@ -98,6 +98,16 @@ QString quantityWithUnit(Quantity quantity) {
     return FeedText::withUnit(quantity);
 }
 
+Digits quantityDigits(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::came:
+    case Quantity::left: return Digits::signedHundredths;
+    case Quantity::axialFeed:
+    case Quantity::force: return Digits::significant;
+    default: return Digits::hundredths;
+    }
+}
+
 QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,
                  bool wholeStrokes) {
     const auto it = std::ranges::find_if(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/feed_curves.h"
+#include "ui/views/read_curves.h"
 
 #include <QString>
 
@@ -12,6 +12,9 @@ namespace sparkout {
 
 /// The same with its unit: "actual feed, µm".
 [[nodiscard]] QString quantityWithUnit(Quantity quantity);
+
+/// How its values are told.
+[[nodiscard]] Digits quantityDigits(Quantity quantity);
 
 /// The values at a time as two lines of plain text: where in the cycle, and the numbers. Empty when
 /// the zone has no point there.

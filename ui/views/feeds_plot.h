@@ -6,6 +6,7 @@
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
 #include "ui/views/plot_history.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -17,6 +18,7 @@ namespace sparkout {
 
 class BandLayer;
 class HairLine;
+struct CursorSubject;
 struct Band;
 
 /// The grid of plots of the view "Feeds by stage": a column a zone or section; rows of feed,
@@ -61,6 +63,9 @@ public:
     [[nodiscard]] Detail detail() const { return m_detail; }
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const; ///< the visible curves' points within the visible span
+    /// The shown curves, without their spread.
+    [[nodiscard]] ReadCurves readCurves() const;
+    [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] BandLayer* bands(int column, int row) const;
     [[nodiscard]] QCPAxisRect* cell(int column, int row) const;
     [[nodiscard]] QCPGraph* curve(int column, Quantity quantity, Edge edge) const;
@@ -118,6 +123,10 @@ private:
     void refresh();
     void chooseDetail();
     void fillColumn(Column& column);
+    [[nodiscard]] FeedPoints pointsOf(const FeedColumn& column, Detail detail, double from_s,
+                                      double to_s) const;
+    [[nodiscard]] std::optional<double> readValue(const FeedColumn& column, Quantity quantity,
+                                                  double x) const;
     void fillBands();
     void showCurves();
     void scaleValues();

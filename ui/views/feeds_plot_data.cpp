@@ -81,22 +81,24 @@ std::vector<std::pair<Zone, Step>> FeedsPlot::stepsInSight() const {
     return steps;
 }
 
+FeedPoints FeedsPlot::pointsOf(const FeedColumn& column, Detail detail, double from_s,
+                               double to_s) const {
+    const Trajectory& trajectory = m_outcome->trajectory;
+    switch (detail) {
+    case Detail::stroke: break;
+    case Detail::pass: return passPoints(series(), column, trajectory, from_s, to_s);
+    case Detail::radius: return radiusPoints(series(), column, trajectory, from_s, to_s);
+    }
+    return within(column.strokes, from_s, to_s);
+}
+
 void FeedsPlot::fillColumn(Column& column) {
     const FeedColumn& source = series().columns[column.index];
-    const Trajectory& trajectory = m_outcome->trajectory;
-    switch (m_detail) {
-    case Detail::stroke: column.points = within(source.strokes, m_from_s, m_to_s); break;
-    case Detail::pass:
-        column.points = passPoints(series(), source, trajectory, m_from_s, m_to_s);
-        break;
-    case Detail::radius:
-        column.points = radiusPoints(series(), source, trajectory, m_from_s, m_to_s);
-        break;
-    }
+    column.points = pointsOf(source, m_detail, m_from_s, m_to_s);
     // Each radius has its own Σa: joined, they would saw. Their mean and spread grow pass by pass.
     FeedPoints passes;
     if (m_detail == Detail::radius) {
-        passes = passPoints(series(), source, trajectory, m_from_s, m_to_s);
+        passes = pointsOf(source, Detail::pass, m_from_s, m_to_s);
     }
     for (const Curve& c : column.curves) {
         const bool byPass = m_detail == Detail::radius && c.quantity == Quantity::actualSum;

@@ -4,6 +4,7 @@
 
 #include "ui/views/feed_text.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_cursors.h"
 
 namespace sparkout {
 
@@ -20,6 +21,39 @@ bool within(const FeedPoint& point, double from_s, double to_s) {
 }
 
 } // namespace
+
+/// Of the curve as it is drawn in the present detail, also where it is out of sight.
+std::optional<double> FeedsPlot::readValue(const FeedColumn& column, Quantity quantity,
+                                           double x) const {
+    const bool byPass = m_detail == Detail::radius && quantity == Quantity::actualSum;
+    const double time_s = m_scale.time_s(x);
+    const FeedPoints points = pointsOf(column, byPass ? Detail::pass : m_detail, time_s, time_s);
+    return valueAt(polyline(points, quantity, Edge::mean, m_scale), x);
+}
+
+ReadCurves FeedsPlot::readCurves() const {
+    ReadCurves curves;
+    for (const Column& column : m_columns) {
+        const FeedColumn& zone = series().columns[column.index];
+        for (const Curve& c : column.curves) {
+            if (c.edge == Edge::mean && shows(c.quantity)) {
+                curves.push_back({Names::zone(zone.zone, zone.section),
+                                  quantityWithUnit(c.quantity), quantityDigits(c.quantity),
+                                  [this, &zone, quantity = c.quantity](double x) {
+                                      return readValue(zone, quantity, x);
+                                  }});
+            }
+        }
+    }
+    return curves;
+}
+
+CursorSubject FeedsPlot::cursorSubject() {
+    return {[this] { return timeLabel(); },
+            [this] { return QCPRange(0, m_scale.at(series().end_s)); },
+            [this] { return readCurves(); }, [this](double x) { return m_scale.time_s(x); },
+            [this](double time_s) { return m_scale.at(time_s); }};
+}
 
 CsvTable FeedsPlot::table() const {
     CsvTable table;

@@ -2,6 +2,7 @@
 #include "ui/views/feeds_view.h"
 
 #include "core/process/system_compliance.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/feeds_note.h"
 #include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
@@ -335,6 +336,7 @@ void FeedsView::retranslate() {
     m_overview->retranslate();
     m_legend->retranslate();
     m_tools->retranslate();
+    m_strip->retranslate();
     if (m_noteDialog) {
         m_noteDialog->retranslate();
     }

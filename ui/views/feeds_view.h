@@ -17,6 +17,8 @@ class FeedsNote;
 class FeedsOverview;
 class FeedsPlot;
 class LegendStrip;
+class CursorStrip;
+class PlotCursors;
 class PlotTools;
 class Settings;
 
@@ -31,6 +33,7 @@ public:
     [[nodiscard]] FeedsOverview* overview() const { return m_overview; }
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
     [[nodiscard]] PlotTools* tools() const { return m_tools; }
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< filling and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -75,6 +78,8 @@ private:
     FeedsOverview* m_overview = nullptr;
     LegendStrip* m_legend = nullptr;
     PlotTools* m_tools = nullptr;
+    PlotCursors* m_cursors = nullptr;
+    CursorStrip* m_strip = nullptr;
     FeedsNote* m_noteDialog = nullptr;
     QLabel* m_notice = nullptr;
     QLabel* m_values = nullptr;

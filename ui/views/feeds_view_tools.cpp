@@ -2,10 +2,12 @@
 // The widgets of the feeds view: building and connecting.
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
 #include "ui/views/feeds_view.h"
 #include "ui/views/legend_strip.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 
 #include <QComboBox>
@@ -45,6 +47,7 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings) : View(parent) {
     layout->addWidget(m_legend);
     layout->addWidget(m_plot, 1);
     layout->addWidget(m_overview);
+    layout->addWidget(m_strip);
     layout->addWidget(m_values);
     layout->addStretch();
     connectTools();
@@ -71,6 +74,9 @@ void FeedsView::buildPlotTools(Settings* settings) {
     subject.navigation.axes = FeedsPlot::movedAxes;
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
+    m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());
+    m_strip = new CursorStrip(*m_cursors, this);
+    m_tools->addTool(m_cursors->toggle);
 }
 
 void FeedsView::buildToolBar(QWidget* bar) {
@@ -104,7 +110,7 @@ void FeedsView::buildToolBar(QWidget* bar) {
     row->addStretch();
     row->addWidget(m_section);
     row->addWidget(m_axis);
-    for (QAction* action : {m_tools->back, m_tools->forward, m_tools->fit}) {
+    for (QAction* action : {m_cursors->toggle, m_tools->back, m_tools->forward, m_tools->fit}) {
         row->addWidget(m_tools->button(action, bar));
     }
     row->addWidget(m_tools->exportButton(bar));

@@ -75,6 +75,33 @@ LegendEntry LengthCurves::entry(int key, QColor colour, Qt::PenStyle pen,
     return {std::move(colour), pen, text, key, m_choice.shows(key)};
 }
 
+ReadCurves LengthCurves::readCurves() const {
+    ReadCurves curves;
+    for (const LegendEntry& entry : legendEntries()) {
+        std::vector<QCPGraph*> drawn;
+        for (const Keyed& keyed : m_graphs) {
+            const auto data = keyed.graph->data();
+            const bool along = data->size() > 1 && data->at(0)->key < (data->constEnd() - 1)->key
+                               && keyed.graph->lineStyle() != QCPGraph::lsNone;
+            if (keyed.key == entry.key && entry.key != limitsKey && keyed.graph->visible()
+                && along) {
+                drawn.push_back(keyed.graph);
+            }
+        }
+        const bool spread = drawn.size() == 2; // the lower edge first
+        for (const QCPGraph* graph : drawn) {
+            const QString edge =
+                graph == drawn.front()
+                    ? QCoreApplication::translate("LengthCurves", "%1: smallest, µm")
+                    : QCoreApplication::translate("LengthCurves", "%1: largest, µm");
+            const QString one = QCoreApplication::translate("LengthCurves", "%1, µm");
+            curves.push_back({QString(), (spread ? edge : one).arg(entry.text), digits(),
+                              [graph](double x) { return valueAt(*graph, x); }});
+        }
+    }
+    return curves;
+}
+
 void LengthCurves::drawLimits(const Part& part) {
     m_limit_um = (part.upper_deviation_um - part.lower_deviation_um) / 2;
     for (int side = 0; side < 2; ++side) {

@@ -3,6 +3,7 @@
 
 #include "ui/session/csv_table.h"
 #include "ui/views/legend_drawing.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -29,6 +30,8 @@ public:
     /// Values at a place, in words; empty where there are none.
     [[nodiscard]] virtual QString valuesAt(double x_mm) const = 0;
     virtual void restyle(bool dim) = 0;
+    [[nodiscard]] virtual Digits digits() const { return Digits::signedHundredths; }
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones that run along the part
     /// Of what is drawn, with room; the limits too unless they are far away. Null: nothing.
     [[nodiscard]] QCPRange values() const;
     [[nodiscard]] static QString axisLabel();

@@ -4,6 +4,7 @@
 #include "ui/views/band_layer.h"
 #include "ui/views/longitudinal_layers.h"
 #include "ui/views/plot_click.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_style.h"
 #include "ui/views/profiles_text.h"
 
@@ -221,6 +222,29 @@ QCPGraph* LongitudinalPlot::graph(LengthLine line, bool mirrored) const {
     const auto found = std::ranges::find_if(
         m_curves, [&](const Curve& c) { return c.line == line && c.mirrored == mirrored; });
     return found == m_curves.end() ? nullptr : found->graph;
+}
+
+// --- cursors ------------------------------------------------------------------------------------
+
+ReadCurves LongitudinalPlot::readCurves() const {
+    ReadCurves curves;
+    for (const Curve& curve : m_curves) {
+        if (curve.graph->visible() && !curve.mirrored) {
+            const QString name = (m_toScale ? tr("%1, mm") : tr("%1, µm")).arg(nameOf(curve));
+            curves.push_back({QString(), name,
+                              m_toScale ? Digits::tenThousandths : Digits::signedHundredths,
+                              [graph = curve.graph](double x) { return valueAt(*graph, x); }});
+        }
+    }
+    return curves;
+}
+
+CursorSubject LongitudinalPlot::cursorSubject() {
+    return {[] { return placeLabel(); },
+            [this] { return QCPRange(0, m_series.length_mm); },
+            [this] { return readCurves(); },
+            {},
+            {}};
 }
 
 // --- pointing -----------------------------------------------------------------------------------

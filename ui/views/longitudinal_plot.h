@@ -3,6 +3,7 @@
 
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/profiles_look.h"
+#include "ui/views/read_curves.h"
 
 #include <qcustomplot.h>
 
@@ -12,6 +13,7 @@
 namespace sparkout {
 
 class BandLayer;
+struct CursorSubject;
 class ShaftLayer;
 
 /// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
@@ -39,6 +41,8 @@ public:
     [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
     [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
     [[nodiscard]] BandLayer* bands() const { return m_bands; }
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones
+    [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
 
 signals:
@@ -68,6 +72,7 @@ private:
     void showScale();
     [[nodiscard]] bool visible(LengthLine line) const;
     [[nodiscard]] QString nameOf(const Curve& curve) const;
+    [[nodiscard]] static QString placeLabel();
     [[nodiscard]] QCPRange valuesInSight() const;
     [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
     void onMouse(QMouseEvent* event);

@@ -164,8 +164,12 @@ QString LongitudinalPlot::scaleText() const {
     return tr("heights exaggerated %1").arg(ProfilesText::magnification(roundTo2(times)));
 }
 
+QString LongitudinalPlot::placeLabel() {
+    return tr("From the headstock end of the ground length, mm");
+}
+
 void LongitudinalPlot::showScale() {
-    const QString axis = tr("From the headstock end of the ground length, mm");
+    const QString axis = placeLabel();
     const QString text = scaleText();
     QString line = axis + u'\n' + text;
     if (!m_toScale) {

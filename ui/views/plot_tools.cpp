@@ -109,6 +109,11 @@ void PlotTools::setEnabled(bool enabled) {
     follow();
 }
 
+void PlotTools::addTool(QAction* action) {
+    m_more << action;
+    follow();
+}
+
 void PlotTools::follow() {
     back->setEnabled(m_enabled && m_navigation.canGoBack());
     forward->setEnabled(m_enabled && m_navigation.canGoForward());
@@ -116,7 +121,8 @@ void PlotTools::follow() {
     for (QAction* action : {copyData, xlsx, csvRussian, csvEnglish, m_csv->menuAction()}) {
         action->setEnabled(table);
     }
-    for (QAction* action : {fit, copyPicture, svg, pdf, m_png->menuAction()}) {
+    for (QAction* action :
+         QList<QAction*>{fit, copyPicture, svg, pdf, m_png->menuAction()} + m_more) {
         action->setEnabled(m_enabled);
     }
     for (const auto& button : m_exportButtons) {
@@ -152,6 +158,7 @@ void PlotTools::showContextMenu(const QPoint& at) {
     QMenu menu(&m_plot);
     menu.setObjectName(QStringLiteral("plotMenu"));
     menu.addActions({fit, back, forward});
+    menu.addActions(m_more);
     menu.addSeparator();
     menu.addActions(m_export->actions());
     menu.exec(m_plot.mapToGlobal(at));

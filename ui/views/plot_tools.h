@@ -44,6 +44,7 @@ public:
     void setSettings(Settings* settings) { m_settings = settings; } ///< for the last folder
     void setEnabled(bool enabled); ///< false: nothing is shown that could be exported
     void retranslate();
+    void addTool(QAction* action); ///< a further one of the plot, to the context menu
 
     [[nodiscard]] PlotNavigation& navigation() { return m_navigation; }
     /// A button for one of the actions, and one that opens the menu of the exports.
@@ -87,6 +88,7 @@ private:
     QMenu* m_export = nullptr;
     QMenu* m_png = nullptr;
     QMenu* m_csv = nullptr;
+    QList<QAction*> m_more; ///< tools of the view's own
     std::vector<QPointer<QToolButton>> m_exportButtons;
     bool m_enabled = true;
 };

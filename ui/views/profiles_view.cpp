@@ -2,6 +2,7 @@
 #include "ui/views/profiles_view.h"
 
 #include "core/simulation/feed_series.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
 #include "ui/views/names.h"
@@ -145,8 +146,8 @@ void ProfilesView::showParts() {
                                                       m_reference, m_circles}) {
         w->setVisible(showsAcross());
     }
-    for (QWidget* w :
-         std::initializer_list<QWidget*>{m_along, m_alongExport, m_quantity, m_toScale}) {
+    for (QWidget* w : std::initializer_list<QWidget*>{m_along, m_alongExport, m_cursorsButton,
+                                                      m_quantity, m_toScale}) {
         w->setVisible(showsAlong());
     }
     for (QWidget* w :
@@ -293,6 +294,7 @@ void ProfilesView::retranslate() {
     m_acrossTools->retranslate();
     m_alongTools->retranslate();
     m_spectrumTools->retranslate();
+    m_strip->retranslate();
     m_legend->retranslate();
     buildLabels();
     if (m_good) {

@@ -19,6 +19,8 @@ namespace sparkout {
 
 class LegendStrip;
 class LongitudinalPlot;
+class CursorStrip;
+class PlotCursors;
 class PlotTools;
 class ProfilesPlot;
 class Settings;
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] LegendStrip* legend() const { return m_legend; }
     [[nodiscard]] PlotTools* acrossTools() const { return m_acrossTools; }
     [[nodiscard]] PlotTools* alongTools() const { return m_alongTools; }
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] PlotTools* spectrumTools() const { return m_spectrumTools; }
     [[nodiscard]] double lastUpdate_ms() const { return m_lastUpdate_ms; } ///< series and replot
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
@@ -107,6 +110,9 @@ private:
     SpectrumPlot* m_spectrum = nullptr;
     PlotTools* m_acrossTools = nullptr;
     PlotTools* m_alongTools = nullptr;
+    PlotCursors* m_cursors = nullptr;
+    CursorStrip* m_strip = nullptr;
+    QWidget* m_cursorsButton = nullptr;
     PlotTools* m_spectrumTools = nullptr;
     QWidget* m_acrossExport = nullptr;
     QWidget* m_alongExport = nullptr;

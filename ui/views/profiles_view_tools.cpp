@@ -3,8 +3,10 @@
 #include "ui/views/profiles_view.h"
 
 #include "ui/theme.h"
+#include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 #include "ui/views/profiles_plot.h"
 #include "ui/views/profiles_table.h"
@@ -63,6 +65,7 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     layout->addWidget(m_notice);
     layout->addWidget(m_legend);
     layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_strip);
     layout->addWidget(m_values);
     layout->addStretch();
     nameObjects();
@@ -113,6 +116,9 @@ void ProfilesView::buildPlotTools(Settings* settings) {
     m_alongTools = new PlotTools(*m_along, std::move(along));
     m_acrossTools->setSettings(settings);
     m_alongTools->setSettings(settings);
+    m_cursors = new PlotCursors(*m_along, m_along->cursorSubject());
+    m_strip = new CursorStrip(*m_cursors, this);
+    m_alongTools->addTool(m_cursors->toggle);
 }
 
 void ProfilesView::buildSpectrumTools(Settings* settings) {
@@ -193,6 +199,8 @@ void ProfilesView::buildStrokeBar(QWidget* bar) {
                                                       m_toScale, m_logarithmic}) {
         row->addWidget(w);
     }
+    m_cursorsButton = PlotTools::button(m_cursors->toggle, bar);
+    row->addWidget(m_cursorsButton);
     m_alongExport = m_alongTools->exportButton(bar);
     row->addWidget(m_alongExport);
     m_spectrumExport = m_spectrumTools->exportButton(bar);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+
+namespace sparkout {
+
+class CopyTable;
+class CursorModel;
+class NumberField;
+class PlotCursors;
+class ReasonLabel;
+
+/// Below a plot whose cursors are shown: their places to type, and what the curves are there.
+class CursorStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit CursorStrip(PlotCursors& cursors, QWidget* parent = nullptr);
+
+    [[nodiscard]] NumberField* field(std::size_t cursor) const { return m_fields.at(cursor); }
+    [[nodiscard]] CursorModel* model() const { return m_model; }
+    void retranslate();
+
+private:
+    void build();
+    void follow(); ///< later, what the plot shows now
+    void fill();
+    void showReason();
+
+    PlotCursors& m_cursors;
+    QLabel* m_axis;
+    std::array<QLabel*, 2> m_letters{};
+    std::array<NumberField*, 2> m_fields{};
+    ReasonLabel* m_reason;
+    CursorModel* m_model;
+    CopyTable* m_table;
+    QTimer m_later;
+};
+
+} // namespace sparkout
