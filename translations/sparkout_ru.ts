@@ -3199,6 +3199,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>limits of the field, ±%1 µm</source>
             <translation>границы поля, ±%1 мкм</translation>
         </message>
+        <message>
+            <source>%1: smallest, µm</source>
+            <translation>%1: наименьшее, мкм</translation>
+        </message>
+        <message>
+            <source>%1: largest, µm</source>
+            <translation>%1: наибольшее, мкм</translation>
+        </message>
+        <message>
+            <source>%1, µm</source>
+            <translation>%1, мкм</translation>
+        </message>
     </context>
     <context>
         <name>Limit</name>
@@ -7016,6 +7028,10 @@ target, µm</source>
             <source>Place of the gauge from the headstock end of the ground length, mm</source>
             <translation>Место прибора от конца шлифуемой длины у передней бабки, мм</translation>
         </message>
+        <message>
+            <source>%1, nm/N</source>
+            <translation>%1, нм/Н</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ComplianceView</name>
@@ -7347,6 +7363,28 @@ target, µm</source>
         <message>
             <source>Between −1 and 1; 0: independent. Of normal factors Pearson's coefficient, of others nearly Spearman's.</source>
             <translation>От −1 до 1; 0 — независимы. Для нормальных факторов — коэффициент Пирсона, для прочих — почти Спирмена.</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CursorModel</name>
+        <message>
+            <source>Curve</source>
+            <translation>Кривая</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::CursorStrip</name>
+        <message>
+            <source>Cursors</source>
+            <translation>Курсоры</translation>
+        </message>
+        <message>
+            <source>Values at the cursors and their differences</source>
+            <translation>Значения у курсоров и их разности</translation>
+        </message>
+        <message>
+            <source>Place of cursor %1</source>
+            <translation>Положение курсора %1</translation>
         </message>
     </context>
     <context>
@@ -8701,6 +8739,14 @@ target, µm</source>
             <source>From the headstock end, mm</source>
             <translation>От передней бабки, мм</translation>
         </message>
+        <message>
+            <source>%1, mm</source>
+            <translation>%1, мм</translation>
+        </message>
+        <message>
+            <source>%1, µm</source>
+            <translation>%1, мкм</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MainWindow</name>
@@ -9243,6 +9289,17 @@ target, µm</source>
         <message>
             <source>%1 s</source>
             <translation>%1 с</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PlotCursors</name>
+        <message>
+            <source>Cursors</source>
+            <translation>Курсоры</translation>
+        </message>
+        <message>
+            <source>Two cursors: the curves' values at A and at B, and their differences. Drag them, type their places, or move A with Shift and arrows, B with Ctrl+Shift and arrows.</source>
+            <translation>Два курсора: значения кривых в A и в B и их разности. Курсоры перетаскивают мышью, ставят числом или двигают клавишами: A — Shift и стрелки, B — Ctrl+Shift и стрелки.</translation>
         </message>
     </context>
     <context>

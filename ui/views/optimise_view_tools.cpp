@@ -107,6 +107,9 @@ QWidget* OptimiseView::buildRunBar() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     m_state->setTextFormat(Qt::PlainText);
+    // What stands beside the commands asks for no room of the window.
+    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_progress->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(true);
     row->addWidget(m_run);
