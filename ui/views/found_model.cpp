@@ -115,9 +115,10 @@ CsvTable FoundModel::table() const {
                  << tr("Margin, %") << tr("Cycle");
     for (int row = 0; row < rowCount(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
-        const CsvCell toNow = m_present_s && *m_present_s > 0
-                                  ? CsvCell(100 * (found.time_s / *m_present_s - 1))
-                                  : CsvCell();
+        CsvCell toNow;
+        if (m_present_s && *m_present_s > 0) {
+            toNow = 100 * (found.time_s / *m_present_s - 1);
+        }
         table.rows.push_back({double(found.cycle.stages.size()),
                               found.time_s / units::secondsPerMinute, toNow,
                               100 * gapToLimit(found.time_s, m_outcome->limit_s),
