@@ -51,7 +51,7 @@ namespace {
 
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
-constexpr int inputsWidth = 364;
+constexpr int inputsWidth = 361;
 constexpr int verdictWidth = 327;
 constexpr int messagesHeight = 96;
 

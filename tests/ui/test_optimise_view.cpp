@@ -38,6 +38,10 @@ struct Desk {
         bench.window->inputs().showPage(searchPage);
         bench.settle();
         view = bench.window->findChild<OptimiseView*>();
+        const auto drawn = [this] { return !view->curves()->runs().empty(); };
+        if (!QTest::qWaitFor(drawn, patience_ms)) {
+            qWarning("the present run was not drawn");
+        }
     }
     template <typename Widget>
     [[nodiscard]] Widget& part(const char* name) const {
@@ -143,18 +147,17 @@ private slots:
         duller.wheel.dullness *= 1.5;
         desk.bench.window->document().edit(duller, {"Edit", ""});
         desk.bench.settle();
-        QVERIFY(desk.view->stale());
+        QTRY_VERIFY(desk.view->stale());
         QVERIFY(!desk.part<QPushButton>("optimiseTake").isEnabled());
         QVERIFY(desk.told().contains(QStringLiteral("before the last edit")));
         desk.bench.window->document().undo();
         desk.bench.settle();
-        QVERIFY(!desk.view->stale());
+        QTRY_VERIFY(!desk.view->stale());
         QVERIFY(desk.part<QPushButton>("optimiseTake").isEnabled());
     }
 
     void aSearchIsStoppedAndAnEditDropsIt() {
         const Desk desk(fixtures::endlessSearch());
-        QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled()); // its run is a long one
         desk.click("optimiseRun");
         QVERIFY(desk.view->busy());
         QTest::qWait(300);
@@ -189,7 +192,7 @@ private slots:
         desk.click("optimiseAdd");
         desk.bench.settle();
         QVERIFY(desk.project().optimisation.has_value());
-        QVERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
+        QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
         QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
     }
 
