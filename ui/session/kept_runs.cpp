@@ -135,7 +135,7 @@ void KeptRuns::follow(bool another) {
             before.erase(known);
             continue;
         }
-        m_entries.push_back({run, {}, readSummary(run.summary.text), false, !another});
+        m_entries.push_back({run, {}, {}, false, !another});
         compare(m_entries.back());
     }
     if (another && !m_entries.empty()) {
@@ -162,7 +162,8 @@ void KeptRuns::request() {
 void KeptRuns::compare(Entry& entry) {
     const RecalledRun* const now = m_recall.find(entry.run.inputs.text);
     if (now && now->summary) {
-        entry.changed = !entry.summary || !changedSince(*entry.summary, *now->summary).empty();
+        const std::optional<ReadSummary>& kept = summaryOf(entry);
+        entry.changed = !kept || !changedSince(*kept, *now->summary).empty();
     }
 }
 
@@ -198,8 +199,16 @@ const Project* KeptRuns::inputs(int index) const {
     return entry.inputs.get();
 }
 
+const std::optional<ReadSummary>& KeptRuns::summaryOf(const Entry& entry) {
+    if (!entry.read) {
+        entry.read = readSummary(entry.run.summary.text);
+    }
+    return *entry.read;
+}
+
 const ReadSummary* KeptRuns::summary(int index) const {
-    return at(index).summary ? &*at(index).summary : nullptr;
+    const std::optional<ReadSummary>& read = summaryOf(at(index));
+    return read ? &*read : nullptr;
 }
 
 } // namespace sparkout

@@ -56,14 +56,15 @@ private:
     /// A run as it was read; it never changes but for its name.
     struct Entry {
         KeptRun run;
-        mutable std::shared_ptr<const Project> inputs; ///< read when first asked for
-        std::optional<ReadSummary> summary;
+        mutable std::shared_ptr<const Project> inputs;          ///< read when first asked for …
+        mutable std::optional<std::optional<ReadSummary>> read; ///< … and so is the summary
         bool changed = false;
         bool chosen = false;
     };
     void follow(bool another);
     void request();
     void compare(Entry& entry);
+    [[nodiscard]] static const std::optional<ReadSummary>& summaryOf(const Entry& entry);
     [[nodiscard]] const Entry& at(int index) const {
         return m_entries.at(static_cast<std::size_t>(index));
     }

@@ -82,7 +82,7 @@ void FeedsView::buildPlotTools(Settings* settings) {
 void FeedsView::buildToolBar(QWidget* bar) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(metrics::tight);
+    row->setSpacing(metrics::row); // many stand in it
     m_span = new QComboBox(bar);
     m_previous = new QToolButton(bar);
     m_stroke = new QSpinBox(bar);
