@@ -131,7 +131,8 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("handout.md"));
         const auto handout = [&](const QStringList& more) {
             return sparkout(QStringList{QStringLiteral("--report"), QStringLiteral("handout"),
-                                        batch, QStringLiteral("-o"), path}
+                                        QStringLiteral("--lang"), QStringLiteral("en"), batch,
+                                        QStringLiteral("-o"), path}
                             + more);
         };
         const Run run = handout({QStringLiteral("--at"), QStringLiteral("20,nz,e2,k7"),

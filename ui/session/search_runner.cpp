@@ -123,7 +123,7 @@ private:
         }
         m_outcome->limit_s = steplessLimit_s(m_outcome->project);
         m_outcome->bound_s = bound();
-        if (!m_found.empty()) {
+        if (!m_found.empty() && !m_outcome->stopped) { // it takes cycles run to their ends
             m_outcome->binding =
                 bindingRequirements(m_outcome->project, m_found.front(), m_scenarios);
         }
