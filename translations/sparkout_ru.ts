@@ -3744,6 +3744,10 @@ Reloading takes that version; your changes stay in Undo.</source>
                 <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
+            <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>

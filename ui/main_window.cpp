@@ -325,6 +325,11 @@ void MainWindow::connectDocument() {
     });
     const auto drop = [this] { dropOperationNotice(m_files->notices()); };
     connect(&m_document, &Document::replaced, this, drop);
+    connect(&m_document, &Document::replaced, this, [this] {
+        for (View* view : views()) {
+            view->forget();
+        }
+    });
     connect(&m_document, &Document::stepped, this, drop);
     connect(&m_document, &Document::historyChanged, this, [this] {
         m_actions->follow(m_document, !m_inputs->refusals().empty());

@@ -348,7 +348,12 @@ private slots:
         }
     }
 
-    void everyExampleMakesPagesWithEmbeddedFonts_data() { addCases(); }
+    void everyExampleMakesPagesWithEmbeddedFonts_data() {
+        addCases();
+        QTest::newRow("every input there is")
+            << QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/projects/everything.sparkout")
+            << QStringLiteral("en");
+    }
     void everyExampleMakesPagesWithEmbeddedFonts() {
         QFETCH(QString, path);
         QFETCH(QString, language);

@@ -156,6 +156,63 @@ private slots:
         QVERIFY(desk.part<QPushButton>("optimiseTake").isEnabled());
     }
 
+    void theChosenRowStaysWhenThePresentCycleChanges() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        auto& table = desk.part<CopyTable>("optimiseFound");
+        table.selectRow(1);
+        const QString before = desk.cell(1, FoundModel::change);
+        desk.click("optimiseTake");
+        QTRY_VERIFY(desk.cell(1, FoundModel::change) != before);
+        QCOMPARE(table.currentIndex().row(), 1);
+        QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+    }
+
+    void anotherDocumentHasNoResultYet() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        desk.bench.window->document().startUntitled(fixtures::searchedShaft());
+        QVERIFY(!desk.view->search());
+        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
+        QTRY_COMPARE(desk.view->curves()->runs().size(), std::size_t{1});
+    }
+
+    void whyAGridCannotBeSearchedIsOfThatGridAlone() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation->stock_step_mm = 1e-9;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
+        const QString fault = OptimiseText::fault(*desk.view->search());
+        QCOMPARE(desk.told(), fault);
+        desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY(desk.told() != fault);
+        QVERIFY2(desk.told().contains(QStringLiteral("before the last edit")),
+                 qPrintable(desk.told()));
+    }
+
+    void roundsThatRanOutProveNothing() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.robust = true;
+        SearchedNumber number;
+        number.stages = 2;
+        number.holds = false;
+        number.search.best.emplace().time_us = 60'000'000;
+        number.search.bound_s = outcome.bound_s = 60;
+        outcome.numbers.push_back(number);
+        QVERIFY(outcome.unresolved());
+        const QString none = OptimiseText::answer(outcome, {});
+        QVERIFY2(none.contains(QStringLiteral("every scenario")), qPrintable(none));
+        outcome.found.emplace_back().time_s = 90;
+        QVERIFY(!outcome.proved());
+        const QString some = OptimiseText::answer(outcome, {});
+        QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
+        outcome.found.front().time_s = 50; // quicker than any that is left
+        QVERIFY(outcome.proved());
+    }
+
     void aSearchIsStoppedAndAnEditDropsIt() {
         const Desk desk(fixtures::endlessSearch());
         desk.click("optimiseRun");

@@ -8,7 +8,7 @@
 #include "ui/report/cycle_card_parts.h"
 #include "ui/report/report_values.h"
 #include "ui/session/example_texts.h"
-#include "ui/session/member.h"
+#include "ui/session/field_text.h"
 #include "ui/session/source_names.h"
 #include "ui/session/texts.h"
 #include "ui/views/formula_text.h"
@@ -118,7 +118,7 @@ Table CourseHandout::inputs(const Outcome& outcome, const std::optional<HandoutS
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
         const Field& field = *leaf.field;
         const auto value = entersFormulas(leaf, project, symbols, stage)
-                               ? numberIn(field, leaf.owner)
+                               ? singleNumberIn(field, leaf.owner)
                                : std::nullopt;
         if (value) {
             add(field.symbol, plainNumber(*value), field.unit, inputText(field.label),

@@ -15,7 +15,7 @@
 #include "core/units.h"
 #include "ui/report/figures.h"
 #include "ui/report/report_values.h"
-#include "ui/session/member.h"
+#include "ui/session/field_text.h"
 #include "ui/views/formula_text.h"
 #include "ui/views/names.h"
 
@@ -56,7 +56,7 @@ public:
         : m_at(at), m_citations(citations) {
         m_explained.insert(QStringLiteral("γ")); // among the inputs, too
         for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
-            if (*leaf.field->symbol && numberIn(*leaf.field, leaf.owner)) {
+            if (*leaf.field->symbol && singleNumberIn(*leaf.field, leaf.owner)) {
                 m_explained.insert(QString::fromUtf8(leaf.field->symbol));
             }
         }

@@ -163,6 +163,13 @@ std::array<long long, constraintKinds> SearchOutcome::cuts() const {
     return sum;
 }
 
+bool SearchOutcome::unresolved() const {
+    return std::ranges::any_of(numbers, [this](const SearchedNumber& number) {
+        return !number.holds && number.search.best
+               && (!best() || seconds(number.search.best->time_us) < best()->time_s);
+    });
+}
+
 SearchRunner::SearchRunner(QObject* parent) : QObject(parent) {
     constexpr int tick_ms = 100;
     m_progress.setInterval(tick_ms);

@@ -53,7 +53,9 @@ struct SearchOutcome {
     [[nodiscard]] const FoundCycle* best() const {
         return found.empty() ? nullptr : &found.front();
     }
-    [[nodiscard]] bool proved() const { return best() && !stopped; }
+    /// The rounds ran out for a number of stages that might have had a quicker cycle.
+    [[nodiscard]] bool unresolved() const;
+    [[nodiscard]] bool proved() const { return best() && !stopped && !unresolved(); }
     /// How often each requirement cut, over all numbers of stages.
     [[nodiscard]] std::array<long long, constraintKinds> cuts() const;
 };

@@ -7,7 +7,7 @@
 #include "ui/views/histogram_plot.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/scatter_plot.h"
 #include "ui/views/sensitivity_plot.h"
 
@@ -35,28 +35,20 @@ QString BatchView::title() const {
     return tr("Batch");
 }
 
-const BatchView::Page& BatchView::page() const {
-    return m_pages[static_cast<std::size_t>(m_content->currentIndex())];
-}
-
 PlotTools* BatchView::tools() const {
-    return page().tools;
+    return m_pages->page().tools;
 }
 
 void BatchView::chooseContent() {
-    m_stack->setCurrentWidget(page().plot);
-    for (const Page& other : m_pages) {
-        other.buttons->setVisible(&other == &page());
-    }
-    m_table->setVisible(page().plot == m_histograms);
-    m_name->setVisible(page().plot != m_scatter);
-    m_weights->setVisible(page().plot == m_sensitivity);
-    m_across->setVisible(page().plot == m_scatter);
-    m_up->setVisible(page().plot == m_scatter);
+    m_pages->show();
+    m_table->setVisible(m_pages->page().plot == m_histograms);
+    m_name->setVisible(m_pages->page().plot != m_scatter);
+    m_weights->setVisible(m_pages->page().plot == m_sensitivity);
+    m_across->setVisible(m_pages->page().plot == m_scatter);
+    m_up->setVisible(m_pages->page().plot == m_scatter);
     if (wantsIndices()) {
         runIndices();
     }
-    showLegend();
     showState();
     replotShown();
 }
@@ -65,14 +57,14 @@ void BatchView::chooseWeights() {
     m_sensitivity->setKind(m_weights->currentIndex() == 0 ? SensitivityKind::ranks
                                                           : SensitivityKind::sobol);
     chooseContent();
-    page().tools->navigation().forgetViews();
+    m_pages->page().tools->navigation().forgetViews();
 }
 
 void BatchView::chooseQuantities() {
     setQuantities();
-    showLegend();
+    m_pages->showLegend();
     replotShown();
-    page().tools->navigation().forgetViews();
+    m_pages->page().tools->navigation().forgetViews();
 }
 
 void BatchView::setQuantities() {
@@ -142,20 +134,16 @@ void BatchView::showBatch() {
                                                           : QHeaderView::ResizeToContents);
     m_sensitivity->setBatch(m_batch, chosenName());
     m_sensitivity->setIndices(m_indices);
-    showLegend();
+    m_pages->showLegend();
     showState();
     replotShown();
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->navigation().amendView();
     }
 }
 
 void BatchView::replotShown() {
-    page().plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void BatchView::showLegend() {
-    m_legend->setEntries(page().legend());
+    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void BatchView::showState() {
@@ -182,10 +170,10 @@ void BatchView::showState() {
         part->setVisible(drawn);
     }
     for (QWidget* choice :
-         std::initializer_list<QWidget*>{m_content, m_name, m_weights, m_across, m_up}) {
+         std::initializer_list<QWidget*>{m_pages->content(), m_name, m_weights, m_across, m_up}) {
         choice->setEnabled(m_batch != nullptr);
     }
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->setEnabled(drawn);
     }
     m_values->setText(hint());
@@ -197,7 +185,7 @@ QString BatchView::hint() const {
 }
 
 QString BatchView::contentNotice() const {
-    if (page().plot != m_sensitivity || !m_sensitivity->empty()) {
+    if (m_pages->page().plot != m_sensitivity || !m_sensitivity->empty()) {
         return {};
     }
     if (m_batch->factors.empty()) {
@@ -272,9 +260,9 @@ void BatchView::retranslate() {
     m_values->setAccessibleName(tr("Values under the mouse"));
     m_progress->setAccessibleName(tr("Progress of the batch"));
     m_table->setAccessibleName(tr("Figures of the batch"));
-    m_content->setItemText(0, tr("Histograms"));
-    m_content->setItemText(1, tr("Sensitivity"));
-    m_content->setItemText(2, tr("Scatter"));
+    m_pages->content()->setItemText(0, tr("Histograms"));
+    m_pages->content()->setItemText(1, tr("Sensitivity"));
+    m_pages->content()->setItemText(2, tr("Scatter"));
     m_sensitivity->setAccessibleName(tr("Which factor matters most"));
     m_scatter->setAccessibleName(tr("Parts, one quantity over another"));
     m_weights->setItemText(0, tr("Rank regression"));
@@ -288,8 +276,8 @@ void BatchView::retranslate() {
     m_across->setToolTip(m_across->accessibleName());
     m_up->setAccessibleName(tr("Quantity upwards"));
     m_up->setToolTip(m_up->accessibleName());
-    m_content->setAccessibleName(tr("What is shown of the batch"));
-    m_content->setToolTip(m_content->accessibleName());
+    m_pages->content()->setAccessibleName(tr("What is shown of the batch"));
+    m_pages->content()->setToolTip(m_pages->content()->accessibleName());
     m_name->setAccessibleName(tr("Characteristic"));
     m_name->setToolTip(m_name->accessibleName());
     const auto name = [](QPushButton& button, const QString& text, const QString& tip) {
@@ -314,9 +302,9 @@ void BatchView::retranslate() {
     fillNames();
     fillQuantities();
     m_scatter->retranslate();
-    showLegend();
+    m_pages->showLegend();
     showState();
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->retranslate();
         page.plot->replot(QCustomPlot::rpQueuedReplot);
     }
@@ -324,13 +312,13 @@ void BatchView::retranslate() {
 
 void BatchView::changeEvent(QEvent* event) {
     View::changeEvent(event);
-    if (m_pages.empty()) {
+    if (!m_pages || m_pages->all().empty()) {
         return;
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     } else if (event->type() == QEvent::PaletteChange) {
-        showLegend();
+        m_pages->showLegend();
     }
 }
 

@@ -10,12 +10,10 @@
 #include <vector>
 
 class QComboBox;
-class QCustomPlot;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSplitter;
-class QStackedWidget;
 
 namespace sparkout {
 
@@ -23,11 +21,10 @@ class BatchFigures;
 class CopyTable;
 class HistogramPlot;
 class LegendStrip;
+class PlotPages;
 class PlotTools;
 class ScatterPlot;
 class SensitivityPlot;
-struct LegendEntry;
-struct PlotSubject;
 class Settings;
 
 /// The view "Batch": parts that differ by the factors of the project, run one after another. How
@@ -51,6 +48,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     void retranslate() override;
+    void forget() override;
 
 signals:
     /// The document is to be changed so.
@@ -63,21 +61,10 @@ protected:
     void showOutcome() override;
 
 private:
-    /// One of the plots with its tools, in the order of the box of contents.
-    struct Page {
-        QCustomPlot* plot = nullptr;
-        PlotTools* tools = nullptr;
-        QWidget* buttons = nullptr;
-        std::function<std::vector<LegendEntry>()> legend;
-        std::function<void(int)> toggle, showOnly; ///< by the key of the legend
-    };
     void build(Settings* settings);
     QWidget* buildRunBar();
-    void buildTools(QWidget* bar, Settings* settings);
+    void buildTools(QWidget* bar);
     QWidget* buildFigures();
-    template <typename Plot>
-    void addPage(Plot& plot, PlotSubject subject, Settings* settings);
-    [[nodiscard]] const Page& page() const; ///< in sight
     void connectParts();
     void chooseContent();
     void chooseName();
@@ -98,7 +85,6 @@ private:
     void fillQuantities();
     void showBatch();
     void showState();
-    void showLegend();
     void replotShown();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
@@ -109,12 +95,11 @@ private:
     HistogramPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
     ScatterPlot* m_scatter;
-    QStackedWidget* m_stack;
     QSplitter* m_splitter;
     LegendStrip* m_legend;
+    PlotPages* m_pages = nullptr;
     BatchFigures* m_figures;
     CopyTable* m_table = nullptr;
-    QComboBox* m_content;
     QComboBox* m_name;
     QComboBox* m_weights; ///< rank regression or Sobol indices
     QComboBox* m_across;
@@ -128,7 +113,6 @@ private:
     QLabel* m_notice;
     QLabel* m_values;
     QWidget* m_runBar = nullptr;
-    std::vector<Page> m_pages;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
     OutcomePtr m_good;                 ///< the inputs that were accepted last
     BatchOutcomePtr m_batch;           ///< what is shown

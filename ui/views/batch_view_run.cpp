@@ -29,11 +29,7 @@ void BatchView::showOutcome() {
         const Project& project = m_good->result.project;
         const bool runs = m_running && m_runner->running() && sameBatch(*m_running, project);
         if (!project.batch) {
-            m_runner->drop();
-            m_indexRunner->drop();
-            m_batch.reset();
-            noteStale();
-            showBatch();
+            forget();
         } else if (stale() && !runs) {
             m_runner->drop();
             m_refused.reset();
@@ -45,6 +41,15 @@ void BatchView::showOutcome() {
     showState();
     replotShown();
     emit updated();
+}
+
+void BatchView::forget() {
+    m_runner->drop();
+    m_indexRunner->drop();
+    m_batch.reset();
+    m_refused.reset();
+    noteStale();
+    showBatch();
 }
 
 void BatchView::noteStale() {
@@ -59,8 +64,8 @@ bool BatchView::quick() const {
 }
 
 void BatchView::runBatch() {
-    if (!stale() && page().plot == m_sensitivity && m_sensitivity->kind() == SensitivityKind::sobol
-        && !m_indices) {
+    if (!stale() && m_pages->page().plot == m_sensitivity
+        && m_sensitivity->kind() == SensitivityKind::sobol && !m_indices) {
         runIndices();
         return;
     }
@@ -94,7 +99,7 @@ bool BatchView::busy() const {
 }
 
 bool BatchView::wantsIndices() const {
-    return page().plot == m_sensitivity && m_sensitivity->kind() == SensitivityKind::sobol
+    return m_pages->page().plot == m_sensitivity && m_sensitivity->kind() == SensitivityKind::sobol
            && m_batch && m_indicesOf != m_batch && !m_batch->factors.empty()
            && !m_batch->result.project.batch->correlation;
 }
@@ -111,7 +116,7 @@ void BatchView::runIndices() {
 void BatchView::takeIndices(const SobolIndicesPtr& indices) {
     m_indices = indices;
     m_sensitivity->setIndices(m_indices);
-    showLegend();
+    m_pages->showLegend();
     showState();
     replotShown();
     emit batchShown();

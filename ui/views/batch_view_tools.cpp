@@ -8,7 +8,7 @@
 #include "ui/views/copy_table.h"
 #include "ui/views/histogram_plot.h"
 #include "ui/views/legend_strip.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/scatter_plot.h"
 #include "ui/views/sensitivity_plot.h"
 
@@ -36,11 +36,11 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
     , m_scatter(new ScatterPlot(this))
-    , m_stack(new QStackedWidget(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_legend(new LegendStrip(this))
+    , m_pages(new PlotPages(
+          *this, *m_legend, [this] { return heading(); }, settings))
     , m_figures(new BatchFigures(this))
-    , m_content(new QComboBox(this))
     , m_name(new QComboBox(this))
     , m_weights(new QComboBox(this))
     , m_across(new QComboBox(this))
@@ -67,14 +67,13 @@ void BatchView::build(Settings* settings) {
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
     layout->setSpacing(metrics::tight);
     auto* bar = new QWidget(this);
-    buildTools(bar, settings);
+    buildTools(bar);
     setUpNotice(*m_notice);
     setUpReadout(*m_values);
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.plot->setMinimumSize(240, 120);
-        m_stack->addWidget(page.plot);
     }
-    m_splitter->addWidget(m_stack);
+    m_splitter->addWidget(m_pages->stack());
     m_splitter->addWidget(buildFigures());
     m_table->setSaving(
         [this] { return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable(); },
@@ -94,7 +93,7 @@ void BatchView::build(Settings* settings) {
     const std::pair<QWidget*, const char*> names[] = {
         {m_histograms, "batchHistograms"},
         {m_legend, "batchLegend"},
-        {m_content, "batchContent"},
+        {m_pages->content(), "batchContent"},
         {m_name, "batchCharacteristic"},
         {m_run, "batchRun"},
         {m_stop, "batchStop"},
@@ -132,37 +131,10 @@ QWidget* BatchView::buildRunBar() {
     return bar;
 }
 
-template <typename Plot>
-void BatchView::addPage(Plot& plot, PlotSubject subject, Settings* settings) {
-    subject.heading = [this] { return heading(); };
-    subject.legend = [&plot] { return plot.legendEntries(); };
-    subject.table = [&plot] { return plot.table(); };
-    subject.restyle = [&plot] { plot.restyle(); };
-    subject.navigation.fit = [&plot] { plot.fit(); };
-    Page page;
-    page.plot = &plot;
-    page.legend = subject.legend;
-    page.toggle = [&plot](int key) { plot.toggleCurve(key); };
-    page.showOnly = [&plot](int key) { plot.showOnly(key); };
-    page.tools = new PlotTools(plot, std::move(subject));
-    page.tools->setSettings(settings);
-    page.buttons = new QWidget(this);
-    auto* row = new QHBoxLayout(page.buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(metrics::tight);
-    row->addWidget(PlotTools::button(page.tools->fit, page.buttons));
-    row->addWidget(page.tools->exportButton(page.buttons));
-    connect(&plot, &Plot::contentChanged, this, &BatchView::showLegend);
-    connect(&plot, &Plot::pointed, this,
-            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
-    m_content->addItem(QString());
-    m_pages.push_back(std::move(page));
-}
-
-void BatchView::buildTools(QWidget* bar, Settings* settings) {
-    addPage(*m_histograms, {}, settings);
-    addPage(*m_sensitivity, {}, settings);
-    addPage(*m_scatter, {}, settings);
+void BatchView::buildTools(QWidget* bar) {
+    m_pages->add(*m_histograms);
+    m_pages->add(*m_sensitivity);
+    m_pages->add(*m_scatter);
     m_weights->addItems({QString(), QString()});
     for (QComboBox* box : {m_name, m_weights, m_across, m_up}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -170,15 +142,13 @@ void BatchView::buildTools(QWidget* bar, Settings* settings) {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
-    row->addWidget(m_content);
+    row->addWidget(m_pages->content());
     row->addWidget(m_name);
     row->addWidget(m_weights);
     row->addWidget(m_across);
     row->addWidget(m_up);
     row->addStretch(1);
-    for (const Page& page : m_pages) {
-        row->addWidget(page.buttons);
-    }
+    m_pages->addButtons(*row);
 }
 
 QWidget* BatchView::buildFigures() {
@@ -198,10 +168,8 @@ QWidget* BatchView::buildFigures() {
 }
 
 void BatchView::connectParts() {
-    connect(m_content, &QComboBox::currentIndexChanged, this, &BatchView::chooseContent);
+    connect(m_pages->content(), &QComboBox::currentIndexChanged, this, &BatchView::chooseContent);
     connect(m_name, &QComboBox::currentIndexChanged, this, &BatchView::chooseName);
-    connect(m_legend, &LegendStrip::toggled, this, [this](int key) { page().toggle(key); });
-    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) { page().showOnly(key); });
     connect(m_run, &QPushButton::clicked, this, &BatchView::runBatch);
     connect(m_stop, &QPushButton::clicked, this, [this] {
         m_runner->stop();
@@ -220,6 +188,12 @@ void BatchView::connectParts() {
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
     });
+    const auto read = [this](const QString& text) {
+        m_values->setText(text.isEmpty() ? hint() : text);
+    };
+    connect(m_histograms, &HistogramPlot::pointed, this, read);
+    connect(m_sensitivity, &SensitivityPlot::pointed, this, read);
+    connect(m_scatter, &ScatterPlot::pointed, this, read);
     for (BatchRunner* runner : {m_runner, m_indexRunner}) {
         connect(runner, &BatchRunner::progressed, this,
                 [this](qint64 done, qint64 parts, double left_s) {

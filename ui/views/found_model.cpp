@@ -20,10 +20,19 @@ void FoundModel::show(SearchOutcomePtr outcome, std::optional<double> present_s)
     endResetModel();
 }
 
-void FoundModel::retranslate() {
+void FoundModel::setPresent(std::optional<double> present_s) {
+    m_present_s = present_s;
+    tellAll();
+}
+
+void FoundModel::tellAll() {
     if (rowCount() > 0) {
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
     }
+}
+
+void FoundModel::retranslate() {
+    tellAll();
     emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
 }
 

@@ -20,6 +20,7 @@ public:
 
     /// With the time of the present cycle, if it ends by itself.
     void show(SearchOutcomePtr outcome, std::optional<double> present_s);
+    void setPresent(std::optional<double> present_s); ///< the choice in the table stays
     void retranslate();
     [[nodiscard]] CsvTable table() const; ///< with all digits
 
@@ -30,6 +31,7 @@ public:
                                       int role) const override;
 
 private:
+    void tellAll(); ///< that every cell may have changed
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
 
     SearchOutcomePtr m_outcome;

@@ -6,7 +6,7 @@
 #include "ui/views/layers_surface.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/side_plot.h"
 
 #include <QComboBox>
@@ -24,21 +24,14 @@ QString LayersView::title() const {
     return tr("Layers");
 }
 
-const LayersView::Page& LayersView::page() const {
-    return m_pages[static_cast<std::size_t>(m_content->currentIndex())];
-}
-
 PlotTools* LayersView::tools() const {
-    return page().tools;
+    return m_pages->page().tools;
 }
 
 void LayersView::chooseContent() {
-    m_stack->setCurrentWidget(page().plot);
-    for (const Page& other : m_pages) {
-        other.buttons->setVisible(&other == &page());
-    }
-    m_radius->setVisible(page().plot != m_side); // its radius is the one that faces the wheel
-    showLegend();
+    m_pages->show();
+    m_radius->setVisible(m_pages->page().plot
+                         != m_side); // its radius is the one that faces the wheel
     showState();
     replotShown();
 }
@@ -57,8 +50,8 @@ void LayersView::showOutcome() {
     m_surface->setDimmed(m_good && !ran);
     m_side->setDimmed(m_good && !ran);
     showState();
-    showLegend();
-    for (const Page& page : m_pages) {
+    m_pages->showLegend();
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.plot->replot();
         page.tools->navigation().amendView();
     }
@@ -113,26 +106,23 @@ void LayersView::showDone() {
 }
 
 void LayersView::replotShown() {
-    page().plot->replot(QCustomPlot::rpQueuedReplot);
+    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 // --- texts --------------------------------------------------------------------------------------
-
-void LayersView::showLegend() {
-    m_legend->setEntries(page().legend());
-}
 
 void LayersView::showState() {
     const bool drawn = m_good && !m_good->layers.columns.empty();
     m_notice->setText(notice());
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_summary->setText(summary());
-    for (QWidget* part : std::initializer_list<QWidget*>{m_stack, m_legend, m_values, m_summary}) {
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values, m_summary}) {
         part->setVisible(drawn);
     }
-    m_content->setEnabled(drawn);
+    m_pages->content()->setEnabled(drawn);
     m_radius->setEnabled(drawn);
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->setEnabled(drawn);
     }
     m_values->setText(hint());
@@ -142,10 +132,10 @@ void LayersView::showState() {
 }
 
 QString LayersView::hint() const {
-    if (page().plot == m_side) {
+    if (m_pages->page().plot == m_side) {
         return m_side->values();
     }
-    return page().plot == m_surface
+    return m_pages->page().plot == m_surface
                ? tr("Drag or press the arrow keys to turn the surface; the wheel zooms.")
                : tr("Point at a layer to read the values.");
 }
@@ -215,20 +205,20 @@ void LayersView::retranslate() {
     m_notice->setAccessibleName(tr("State of the layers"));
     m_summary->setAccessibleName(tr("How much has come off"));
     m_values->setAccessibleName(tr("Values under the mouse"));
-    m_content->setItemText(0, tr("Stacked layers"));
-    m_content->setItemText(1, tr("Surface"));
-    m_content->setItemText(2, tr("Wheel and part"));
-    m_content->setAccessibleName(tr("How the layers are drawn"));
-    m_content->setToolTip(m_content->accessibleName());
+    m_pages->content()->setItemText(0, tr("Stacked layers"));
+    m_pages->content()->setItemText(1, tr("Surface"));
+    m_pages->content()->setItemText(2, tr("Wheel and part"));
+    m_pages->content()->setAccessibleName(tr("How the layers are drawn"));
+    m_pages->content()->setToolTip(m_pages->content()->accessibleName());
     m_radius->setAccessibleName(tr("Radius whose layers are drawn"));
     m_radius->setToolTip(m_radius->accessibleName());
     m_legend->retranslate();
     m_plot->retranslate();
     m_side->retranslate();
     fillRadii();
-    showLegend();
+    m_pages->showLegend();
     showState();
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->retranslate();
         page.plot->replot(QCustomPlot::rpQueuedReplot);
     }
@@ -236,13 +226,13 @@ void LayersView::retranslate() {
 
 void LayersView::changeEvent(QEvent* event) {
     View::changeEvent(event);
-    if (m_pages.empty()) {
+    if (!m_pages || m_pages->all().empty()) {
         return;
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     } else if (event->type() == QEvent::PaletteChange) {
-        showLegend();
+        m_pages->showLegend();
     }
 }
 

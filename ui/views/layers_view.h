@@ -8,19 +8,16 @@
 #include <vector>
 
 class QComboBox;
-class QCustomPlot;
 class QLabel;
-class QStackedWidget;
 
 namespace sparkout {
 
 class LayersPlot;
 class LayersSurface;
 class LegendStrip;
+class PlotPages;
 class PlotTools;
 class SidePlot;
-struct LegendEntry;
-struct PlotSubject;
 class Settings;
 
 /// The view "Layers": the stock as it comes off, double stroke by double stroke or revolution by
@@ -46,27 +43,15 @@ protected:
     void followCycle() override;
 
 private:
-    /// One of the plots with its tools, in the order of the box of contents.
-    struct Page {
-        QCustomPlot* plot = nullptr;
-        PlotTools* tools = nullptr;
-        QWidget* buttons = nullptr;
-        std::function<std::vector<LegendEntry>()> legend;
-        std::function<void(int)> toggle, showOnly; ///< by the key of the legend
-    };
-    void build(Settings* settings);
-    void buildTools(QWidget* bar, Settings* settings);
-    template <typename Plot>
-    void addPage(Plot& plot, PlotSubject subject, Settings* settings);
-    [[nodiscard]] const Page& page() const; ///< in sight
-    [[nodiscard]] QString hint() const;     ///< what the mouse does, or the values
+    void build();
+    void buildTools(QWidget* bar);
+    [[nodiscard]] QString hint() const; ///< what the mouse does, or the values
     void connectParts();
     void chooseContent();
     void setSeries(); ///< of the chosen radius
     void showDone();
     void fillRadii();
     void showState();
-    void showLegend();
     void replotShown();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString summary() const;
@@ -75,14 +60,12 @@ private:
     LayersPlot* m_plot;
     LayersSurface* m_surface;
     SidePlot* m_side;
-    QStackedWidget* m_stack;
     LegendStrip* m_legend;
-    QComboBox* m_content;
+    PlotPages* m_pages = nullptr;
     QComboBox* m_radius;
     QLabel* m_summary;
     QLabel* m_notice;
     QLabel* m_values;
-    std::vector<Page> m_pages;
     OutcomePtr m_good;           ///< what is shown
     std::optional<int> m_wanted; ///< k of the radius the user chose
 };

@@ -127,7 +127,11 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
     if (!best) {
         lines << (outcome.stopped ? tr("Stopped before a cycle was found that holds every "
                                        "requirement.")
-                                  : tr("No cycle of the grid holds every requirement."))
+                  : outcome.unresolved()
+                      ? tr("No cycle was found that holds in every scenario, and none is quicker "
+                           "than %1 min; each one tried failed in a further scenario.")
+                            .arg(minutes(outcome.bound_s))
+                      : tr("No cycle of the grid holds every requirement."))
               << cutsOf(outcome);
         lines.removeAll(QString());
         return lines.join(u' ');

@@ -8,7 +8,7 @@
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
 #include "ui/views/optimise_text.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/stage_count_plot.h"
 
 #include <QCheckBox>
@@ -28,12 +28,8 @@ QString OptimiseView::title() const {
     return tr("Optimise");
 }
 
-const OptimiseView::Page& OptimiseView::page() const {
-    return m_pages[static_cast<std::size_t>(m_content->currentIndex())];
-}
-
 PlotTools* OptimiseView::tools() const {
-    return page().tools;
+    return m_pages->page().tools;
 }
 
 const FoundCycle* OptimiseView::chosen() const {
@@ -65,11 +61,8 @@ void OptimiseView::showOutcome() {
             m_runner->drop();
         }
         noteStale();
-        m_found->show(m_search, present_s());
+        m_found->setPresent(present_s());
         m_times->setSearch(m_search, present_s());
-        if (m_search && !chosen() && m_search->best()) {
-            m_table->selectRow(0);
-        }
         showCurves();
     }
     showState();
@@ -98,6 +91,13 @@ void OptimiseView::takeSearch(const SearchOutcomePtr& outcome) {
     emit searchShown();
 }
 
+void OptimiseView::forget() {
+    m_runner->drop();
+    m_search.reset();
+    noteStale();
+    showSearch();
+}
+
 void OptimiseView::showSearch() {
     m_found->show(m_search, present_s());
     m_times->setSearch(m_search, present_s());
@@ -105,7 +105,7 @@ void OptimiseView::showSearch() {
     if (m_search && m_search->best()) {
         m_table->selectRow(0);
     }
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->navigation().forgetViews();
     }
     tryCycle();
@@ -123,7 +123,7 @@ void OptimiseView::tryCycle() {
 }
 
 void OptimiseView::takeTrial(const OutcomePtr& outcome) {
-    m_trial = outcome && outcome->ran() ? outcome : nullptr;
+    m_trial = chosen() && outcome->ran() ? outcome : nullptr; // forgotten meanwhile: none
     showCurves();
     emit curvesShown();
 }
@@ -145,14 +145,10 @@ void OptimiseView::takeCycle() {
 // --- showing ------------------------------------------------------------------------------------
 
 void OptimiseView::chooseContent() {
-    m_stack->setCurrentWidget(page().plot);
-    for (const Page& other : m_pages) {
-        other.buttons->setVisible(&other == &page());
-    }
-    m_zone->setVisible(page().plot == m_curves);
-    showLegend();
+    m_pages->show();
+    m_zone->setVisible(m_pages->page().plot == m_curves);
     showState();
-    page().plot->replot(QCustomPlot::rpQueuedReplot);
+    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void OptimiseView::chooseZone() {
@@ -183,15 +179,11 @@ void OptimiseView::showCurves() {
     m_curves->setRuns(std::move(runs));
     m_curves->setDimmed(m_stale && m_trial);
     m_times->setDimmed(m_stale);
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->navigation().amendView();
         page.plot->replot(QCustomPlot::rpQueuedReplot);
     }
-    showLegend();
-}
-
-void OptimiseView::showLegend() {
-    m_legend->setEntries(page().legend());
+    m_pages->showLegend();
 }
 
 void OptimiseView::showState() {
@@ -211,16 +203,16 @@ void OptimiseView::showState() {
     const bool found = m_search && m_search->best();
     m_table->setVisible(found);
     m_take->setEnabled(chosen() && !m_stale && !busy());
-    const bool drawn = page().plot == m_times ? found : !m_curves->runs().empty();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_stack, m_legend, m_values}) {
+    const bool drawn = m_pages->page().plot == m_times ? found : !m_curves->runs().empty();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values}) {
         part->setVisible(drawn && (given || found));
     }
-    page().tools->setEnabled(drawn);
+    m_pages->page().tools->setEnabled(drawn);
     m_values->setText(hint());
 }
 
 QString OptimiseView::hint() const {
-    return page().plot == m_curves
+    return m_pages->page().plot == m_curves
                ? tr("Point at a curve to read its values beside those of the present cycle.")
                : tr("Point at a number of stages to read its time.");
 }
@@ -246,12 +238,12 @@ QString OptimiseView::notice() const {
                       : tr("“Search” finds the quickest cycle of the grid that holds every "
                            "requirement. It can be stopped at any time and keeps the best so far.");
     }
-    if (!m_search->ran()) {
-        return OptimiseText::fault(*m_search);
-    }
     if (m_stale) {
         return busy() ? tr("Of the inputs before the last edit; those of now are being searched.")
                       : tr("Of the inputs before the last edit. Press “Search” for those of now.");
+    }
+    if (!m_search->ran()) {
+        return OptimiseText::fault(*m_search);
     }
     return OptimiseText::answer(*m_search, present_s());
 }
@@ -260,7 +252,7 @@ QStringList OptimiseView::heading() const {
     QStringList heading{title()};
     if (m_good) {
         heading << QString::fromStdString(m_good->result.project.title).simplified();
-        if (page().plot == m_curves) {
+        if (m_pages->page().plot == m_curves) {
             heading << m_zone->currentText();
         }
     }
@@ -276,7 +268,7 @@ void OptimiseView::retranslate() {
     m_found->retranslate();
     m_table->retranslate();
     fillZones();
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->retranslate();
     }
     showCurves();
@@ -285,13 +277,13 @@ void OptimiseView::retranslate() {
 
 void OptimiseView::changeEvent(QEvent* event) {
     View::changeEvent(event);
-    if (m_pages.empty()) {
+    if (!m_pages || m_pages->all().empty()) {
         return;
     }
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     } else if (event->type() == QEvent::PaletteChange) {
-        showLegend();
+        m_pages->showLegend();
     }
 }
 

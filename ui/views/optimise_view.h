@@ -12,12 +12,10 @@
 
 class QCheckBox;
 class QComboBox;
-class QCustomPlot;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 class QSplitter;
-class QStackedWidget;
 
 namespace sparkout {
 
@@ -25,11 +23,10 @@ class ComparePlot;
 class CopyTable;
 class FoundModel;
 class LegendStrip;
+class PlotPages;
 class PlotTools;
 class Settings;
 class StageCountPlot;
-struct LegendEntry;
-struct PlotSubject;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
 /// requirement. The best cycles as they were found; the one chosen beside the present cycle, curve
@@ -50,6 +47,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     void retranslate() override;
+    void forget() override;
 
 signals:
     /// The document is to be changed so.
@@ -63,21 +61,10 @@ protected:
     void showOutcome() override;
 
 private:
-    /// One of the plots with its tools, in the order of the box of contents.
-    struct Page {
-        QCustomPlot* plot = nullptr;
-        PlotTools* tools = nullptr;
-        QWidget* buttons = nullptr;
-        std::function<std::vector<LegendEntry>()> legend;
-        std::function<void(int)> toggle, showOnly; ///< by the key of the legend
-    };
     void build(Settings* settings);
     QWidget* buildRunBar();
-    QWidget* buildTools(Settings* settings);
+    QWidget* buildTools();
     QWidget* buildTable();
-    template <typename Plot>
-    void addPage(Plot& plot, PlotSubject subject, Settings* settings);
-    [[nodiscard]] const Page& page() const; ///< in sight
     void connectParts();
     void nameParts();
 
@@ -95,7 +82,6 @@ private:
 
     void showSearch();
     void showCurves();
-    void showLegend();
     void showState();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString hint() const; ///< below the plot, while nothing is pointed at
@@ -103,12 +89,11 @@ private:
 
     ComparePlot* m_curves;
     StageCountPlot* m_times;
-    QStackedWidget* m_stack;
     QSplitter* m_splitter;
     LegendStrip* m_legend;
+    PlotPages* m_pages = nullptr;
     FoundModel* m_found;
     CopyTable* m_table = nullptr;
-    QComboBox* m_content;
     QComboBox* m_zone;
     QPushButton* m_run;
     QPushButton* m_stop;
@@ -119,7 +104,6 @@ private:
     QLabel* m_state;
     QLabel* m_notice;
     QLabel* m_values;
-    std::vector<Page> m_pages;
     OutcomePtr m_good;         ///< the inputs that were accepted last
     SearchOutcomePtr m_search; ///< what is shown
     OutcomePtr m_trial;        ///< the run of the chosen cycle

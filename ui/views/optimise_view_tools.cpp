@@ -8,7 +8,7 @@
 #include "ui/views/legend_strip.h"
 #include "ui/views/optimise_text.h"
 #include "ui/views/optimise_view.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/stage_count_plot.h"
 
 #include <QCheckBox>
@@ -35,11 +35,11 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     : View(parent)
     , m_curves(new ComparePlot(this))
     , m_times(new StageCountPlot(this))
-    , m_stack(new QStackedWidget(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_legend(new LegendStrip(this))
+    , m_pages(new PlotPages(
+          *this, *m_legend, [this] { return heading(); }, settings))
     , m_found(new FoundModel(this))
-    , m_content(new QComboBox(this))
     , m_zone(new QComboBox(this))
     , m_run(new QPushButton(this))
     , m_stop(new QPushButton(this))
@@ -63,14 +63,13 @@ void OptimiseView::build(Settings* settings) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
     layout->setSpacing(metrics::tight);
-    QWidget* tools = buildTools(settings);
+    QWidget* tools = buildTools();
     setUpNotice(*m_notice);
     setUpReadout(*m_values);
-    for (const Page& page : m_pages) {
+    for (const PlotPages::Page& page : m_pages->all()) {
         page.plot->setMinimumSize(240, 120);
-        m_stack->addWidget(page.plot);
     }
-    m_splitter->addWidget(m_stack);
+    m_splitter->addWidget(m_pages->stack());
     m_splitter->addWidget(buildTable());
     m_table->setSaving([this] { return m_found->table(); }, [this] { return heading().value(1); },
                        settings);
@@ -88,7 +87,7 @@ void OptimiseView::build(Settings* settings) {
     layout->addStretch(0);
     const std::pair<QWidget*, const char*> names[] = {
         {m_curves, "optimiseCurves"},     {m_times, "optimiseTimes"},
-        {m_legend, "optimiseLegend"},     {m_content, "optimiseContent"},
+        {m_legend, "optimiseLegend"},     {m_pages->content(), "optimiseContent"},
         {m_zone, "optimiseZone"},         {m_run, "optimiseRun"},
         {m_stop, "optimiseStop"},         {m_take, "optimiseTake"},
         {m_add, "optimiseAdd"},           {m_phases, "optimisePhases"},
@@ -121,55 +120,22 @@ QWidget* OptimiseView::buildRunBar() {
     return bar;
 }
 
-template <typename Plot>
-void OptimiseView::addPage(Plot& plot, PlotSubject subject, Settings* settings) {
-    subject.heading = [this] { return heading(); };
-    subject.legend = [&plot] { return plot.legendEntries(); };
-    subject.table = [&plot] { return plot.table(); };
-    subject.restyle = [&plot] { plot.restyle(); };
-    subject.navigation.fit = [&plot] { plot.fit(); };
-    Page page;
-    page.plot = &plot;
-    page.legend = subject.legend;
-    page.toggle = [&plot](int key) { plot.toggleCurve(key); };
-    page.showOnly = [&plot](int key) { plot.showOnly(key); };
-    page.tools = new PlotTools(plot, std::move(subject));
-    page.tools->setSettings(settings);
-    page.buttons = new QWidget(this);
-    auto* row = new QHBoxLayout(page.buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(metrics::tight);
-    row->addWidget(PlotTools::button(page.tools->fit, page.buttons));
-    row->addWidget(page.tools->exportButton(page.buttons));
-    connect(&plot, &Plot::contentChanged, this, [this] {
-        if (!m_pages.empty()) {
-            showLegend();
-        }
-    });
-    connect(&plot, &Plot::pointed, this,
-            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
-    m_content->addItem(QString());
-    m_pages.push_back(std::move(page));
-}
-
-QWidget* OptimiseView::buildTools(Settings* settings) {
+QWidget* OptimiseView::buildTools() {
     PlotSubject curves;
     curves.navigation.axes = ComparePlot::movedAxes;
-    addPage(*m_curves, std::move(curves), settings);
-    addPage(*m_times, {}, settings);
-    for (QComboBox* box : {m_content, m_zone}) {
+    m_pages->add(*m_curves, std::move(curves));
+    m_pages->add(*m_times);
+    for (QComboBox* box : {m_pages->content(), m_zone}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     }
     auto* bar = new QWidget(this);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
-    row->addWidget(m_content);
+    row->addWidget(m_pages->content());
     row->addWidget(m_zone);
     row->addStretch(1);
-    for (const Page& page : m_pages) {
-        row->addWidget(page.buttons);
-    }
+    m_pages->addButtons(*row);
     return bar;
 }
 
@@ -189,10 +155,9 @@ QWidget* OptimiseView::buildTable() {
 }
 
 void OptimiseView::connectParts() {
-    connect(m_content, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseContent);
+    connect(m_pages->content(), &QComboBox::currentIndexChanged, this,
+            &OptimiseView::chooseContent);
     connect(m_zone, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseZone);
-    connect(m_legend, &LegendStrip::toggled, this, [this](int key) { page().toggle(key); });
-    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) { page().showOnly(key); });
     connect(m_run, &QPushButton::clicked, this, &OptimiseView::runSearch);
     connect(m_stop, &QPushButton::clicked, m_runner, &SearchRunner::stop);
     connect(m_take, &QPushButton::clicked, this, &OptimiseView::takeCycle);
@@ -207,6 +172,11 @@ void OptimiseView::connectParts() {
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });
+    const auto read = [this](const QString& text) {
+        m_values->setText(text.isEmpty() ? hint() : text);
+    };
+    connect(m_curves, &ComparePlot::pointed, this, read);
+    connect(m_times, &StageCountPlot::pointed, this, read);
     connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
         const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
         m_progress->setValue(static_cast<int>(share * progressSteps));
@@ -227,10 +197,10 @@ void OptimiseView::nameParts() {
     m_values->setAccessibleName(tr("Values under the mouse"));
     m_progress->setAccessibleName(tr("Progress of the search"));
     m_table->setAccessibleName(tr("The best cycles found"));
-    m_content->setItemText(0, tr("Before and after"));
-    m_content->setItemText(1, tr("Time by stages"));
-    m_content->setAccessibleName(tr("What is shown of the search"));
-    m_content->setToolTip(m_content->accessibleName());
+    m_pages->content()->setItemText(0, tr("Before and after"));
+    m_pages->content()->setItemText(1, tr("Time by stages"));
+    m_pages->content()->setAccessibleName(tr("What is shown of the search"));
+    m_pages->content()->setToolTip(m_pages->content()->accessibleName());
     m_zone->setAccessibleName(tr("Zone or section of the curves"));
     m_zone->setToolTip(m_zone->accessibleName());
     const auto name = [](QAbstractButton& button, const QString& text, const QString& tip) {
