@@ -15,6 +15,7 @@
 #include "ui/session/texts.h"
 #include "ui/theme.h"
 #include "ui/views/batch_view.h"
+#include "ui/views/sweep_view.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -240,7 +241,8 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     int quietTicks = 0;
     QTimer ticks;
     QObject::connect(&ticks, &QTimer::timeout, &app, [&] {
-        const bool busy = window.findChild<BatchView*>()->busy();
+        const bool busy =
+            window.findChild<BatchView*>()->busy() || window.findChild<SweepView*>()->busy();
         quietTicks = busy ? 0 : quietTicks + 1;
         if (quietTicks == 2) {
             app.exit(writePicture(window, options.picture) ? 0 : exitRefused);

@@ -26,6 +26,7 @@
 #include "ui/views/layers_view.h"
 #include "ui/views/profiles_view.h"
 #include "ui/views/step_sheet.h"
+#include "ui/views/sweep_view.h"
 #include "ui/views/verdict_panel.h"
 #include "ui/views/verdict_why.h"
 
@@ -119,10 +120,13 @@ void MainWindow::buildViews() {
     connect(compliance, &ComplianceView::gaugeWanted, this, &MainWindow::putGauge);
     auto* layers = new LayersView(this, &m_settings);
     auto* batch = new BatchView(this, &m_settings);
-    connect(batch, &BatchView::editWanted, this, [this](const auto& edit, const EditText& text) {
+    const auto apply = [this](const std::function<Project(Project)>& edit, const EditText& text) {
         m_document.endMerge();
         m_document.edit(edit(m_document.project()), text);
-    });
+    };
+    connect(batch, &BatchView::editWanted, this, apply);
+    auto* sweep = new SweepView(this, &m_settings);
+    connect(sweep, &SweepView::editWanted, this, apply);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
@@ -131,7 +135,7 @@ void MainWindow::buildViews() {
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, batch, compare}) {
+                                                   layers, batch, sweep, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }

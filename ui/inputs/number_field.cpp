@@ -45,6 +45,13 @@ NumberField::NumberField(const NumberSpec& spec, QWidget* parent)
     retranslate();
 }
 
+void NumberField::setSpec(const NumberSpec& spec) {
+    m_spec = spec;
+    std::optional<double> same;
+    m_own = judge(same);
+    updateRemark();
+}
+
 void NumberField::setValue(std::optional<double> value) {
     if (value != m_value) {
         reset(value);

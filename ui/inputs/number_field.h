@@ -37,6 +37,7 @@ class NumberField : public QLineEdit {
 public:
     explicit NumberField(const NumberSpec& spec, QWidget* parent = nullptr);
 
+    void setSpec(const NumberSpec& spec); ///< of another input; a value is to be given next
     [[nodiscard]] std::optional<double> value() const { return m_value; }
     void setValue(std::optional<double> value); ///< keeps a refused text as long as value stays
     void reset(std::optional<double> value);    ///< drops a refused text, too
