@@ -28,7 +28,7 @@ const StructInfo& tableOf<SweepAxis>() {
                        .required = conditions::always,
                        .hint = SPARKOUT_NOOP("Input", "Highest value, in the unit of the input.")),
         SPARKOUT_FIELD(SweepAxis, points, .label = SPARKOUT_NOOP("Input", "Points"),
-                       .hard = {2, 201},
+                       .hard = {2, 101},
                        .hint = SPARKOUT_NOOP("Input", "Number of values, both ends included.")),
         SPARKOUT_FIELD(SweepAxis, spacing, .label = SPARKOUT_NOOP("Input", "Spacing"),
                        .hint = SPARKOUT_NOOP("Input", "By equal steps, or by equal ratios of "

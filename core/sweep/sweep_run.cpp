@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <utility>
 
 namespace sparkout {
@@ -38,6 +40,8 @@ std::vector<SweptInput> sweptInputs(const Project& project) {
     return inputs;
 }
 
+using Quantities = std::vector<SweepQuantity>;
+
 class SweepPool {
 public:
     SweepPool(SweepResult& result, const SweepOptions& options)
@@ -49,14 +53,14 @@ public:
 
     void run() {
         const auto count = static_cast<std::int64_t>(m_result.points.size());
-        m_measured.resize(m_result.points.size());
+        m_listOf.resize(m_result.points.size());
         forEachIndex(workerCount(m_options.threads), 0, count, m_options.stop,
                      [this](std::size_t, std::int64_t index) {
                          return runPoint(static_cast<std::size_t>(index));
                      });
         gatherQuantities();
-        for (std::size_t i = 0; i < m_measured.size(); ++i) {
-            place(m_measured[i], m_result.points[i]);
+        for (std::size_t i = 0; i < m_listOf.size(); ++i) {
+            place(m_listOf[i], m_result.points[i]);
         }
     }
 
@@ -67,22 +71,24 @@ private:
         for (std::size_t i = 0; i < values.size(); ++i) {
             setNumberInput(project, m_result.inputs[i].axis.input, values[i]);
         }
-        MeasuredPoint& mine = m_measured[index];
+        SweepPoint& mine = m_result.points[index];
         Issues issues = validate(project);
         std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
         if (!issues.empty()) {
-            mine.point.status = SweepStatus::refused;
-            mine.point.issues = std::move(issues);
+            mine.status = SweepStatus::refused;
+            mine.issues = std::move(issues);
         } else {
             const SimulationResult result = simulate(project, nullptr, m_options.stop);
             if (result.status == RunStatus::stopped) {
                 return false;
             }
             if (result.status == RunStatus::completed) {
-                mine = measurePoint(result);
+                MeasuredPoint measured = measurePoint(result);
+                mine = std::move(measured.point);
+                m_listOf[index] = listOf(std::move(measured.quantities));
             } else {
-                mine.point.status = SweepStatus::notReached;
-                mine.point.run = result.status;
+                mine.status = SweepStatus::notReached;
+                mine.run = result.status;
             }
         }
         if (m_options.done) {
@@ -91,14 +97,27 @@ private:
         return true;
     }
 
-    /// Each once, those of the first point that has them first: whatever thread was quicker.
+    /// One list for all points that have the same quantities: most have.
+    const Quantities* listOf(Quantities quantities) {
+        const std::lock_guard lock(m_mutex);
+        for (const Quantities& list : m_lists) {
+            if (list == quantities) {
+                return &list;
+            }
+        }
+        return &m_lists.emplace_back(std::move(quantities));
+    }
+
+    /// Each once, in the order of the points: whatever thread was quicker.
     void gatherQuantities() {
-        std::vector<SweepQuantity>& all = m_result.quantities;
-        for (const MeasuredPoint& measured : m_measured) {
-            if (measured.quantities == all) {
+        Quantities& all = m_result.quantities;
+        const Quantities* last = nullptr;
+        for (const Quantities* list : m_listOf) {
+            if (!list || list == last) {
                 continue;
             }
-            for (const SweepQuantity& quantity : measured.quantities) {
+            last = list;
+            for (const SweepQuantity& quantity : *list) {
                 if (std::ranges::find(all, quantity) == all.end()) {
                     all.push_back(quantity);
                 }
@@ -106,15 +125,15 @@ private:
         }
     }
 
-    void place(MeasuredPoint& measured, SweepPoint& point) {
-        point = std::move(measured.point);
-        if (point.status != SweepStatus::done || measured.quantities == m_result.quantities) {
+    /// Sets the values of a point in the order of all quantities.
+    void place(const Quantities* list, SweepPoint& point) {
+        if (!list || *list == m_result.quantities) {
             return;
         }
         const std::vector<SweepValue> own = std::move(point.values);
         point.values.assign(m_result.quantities.size(), {});
         for (std::size_t i = 0; i < own.size(); ++i) {
-            const auto at = std::ranges::find(m_result.quantities, measured.quantities[i]);
+            const auto at = std::ranges::find(m_result.quantities, (*list)[i]);
             point.values[static_cast<std::size_t>(at - m_result.quantities.begin())] = own[i];
         }
     }
@@ -122,7 +141,9 @@ private:
     SweepResult& m_result;
     const SweepOptions& m_options;
     Project m_base;
-    std::vector<MeasuredPoint> m_measured;
+    std::vector<const Quantities*> m_listOf; ///< of each point; null: it has none
+    std::deque<Quantities> m_lists;          ///< guarded by the mutex
+    std::mutex m_mutex;
 };
 
 } // namespace

@@ -44,9 +44,11 @@ Project swept(Project project, std::vector<SweepAxis> axes) {
     return project;
 }
 
-/// Too many points to run by itself: minutes.
+/// Too many points to run by itself.
 Project endless() {
-    return swept(shaft(), {{dullness, 0.005, 0.06, 201}, {"/part/stock_mm", 0.1, 0.3, 201}});
+    Project project = shaft();
+    project.part.radii_per_section = 180;
+    return swept(project, {{dullness, 0.005, 0.06, 101}, {"/part/stock_mm", 0.1, 0.3, 101}});
 }
 
 /// A view with a document, as in the window.
@@ -165,8 +167,8 @@ private slots:
             const SimulationResult run = simulate(single);
             for (std::size_t zone = 0; zone < 3; ++zone) {
                 const auto at = curves[zone]->data()->at(i);
-                QCOMPARE(at->key, value);
-                QCOMPARE(at->value, run.sections[zone].radialRunout_mm * 1000);
+                QVERIFY(at->key == value); // QCOMPARE would round
+                QVERIFY(at->value == run.sections[zone].radialRunout_mm * 1000);
             }
         }
         QCOMPARE(bench.view.curves()->limits().size(), std::size_t{1});
@@ -232,7 +234,7 @@ private slots:
                 for (int x = 0; x < 12; ++x) {
                     for (int y = 0; y < 8; ++y) {
                         const auto at = sweep.index(std::size_t(x), std::size_t(y));
-                        QCOMPARE(cells.cell(x, y), sweep.points[at].values[q].value);
+                        QVERIFY(cells.cell(x, y) == sweep.points[at].values[q].value);
                     }
                 }
             }
@@ -293,7 +295,7 @@ private slots:
 
     void aStageThatIsDeletedWhileItIsVariedDoesNoHarm() {
         Project project = endless();
-        project.sweep->inputs[0] = {"/cycle/stages/1/radial_feed_mm", 0.0005, 0.004, 201};
+        project.sweep->inputs[0] = {"/cycle/stages/1/radial_feed_mm", 0.0005, 0.004, 101};
         Bench bench(project);
         bench.click("sweepRun");
         QTest::qWait(100);

@@ -92,16 +92,11 @@ void SweepAxisBox::fillInputs(const std::vector<NumberInput>& inputs) {
         m_paths = std::move(paths);
         m_input->clear();
         m_input->addItem(m_place == 0 ? tr("Choose an input to vary") : tr("no second input"));
-        for (const std::string& path : m_paths) {
-            const Field* field = nullptr;
-            for (const NumberInput& input : inputs) {
-                field = input.path == path ? input.field : field;
-            }
+        for (std::size_t i = 0; i < m_paths.size(); ++i) {
+            const std::string& path = m_paths[i];
+            const Field* const field = i < inputs.size() ? inputs[i].field : nullptr;
             QString text = field ? SweepText::input(path)
                                  : tr("%1 (not in this project)").arg(SweepText::input(path));
-            if (field && *field->symbol) {
-                text += QStringLiteral(" ") + QString::fromUtf8(field->symbol).remove(u'_');
-            }
             if (field && *field->unit) {
                 text += QStringLiteral(", ") + unitText(field->unit);
             }

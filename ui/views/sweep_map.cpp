@@ -4,6 +4,7 @@
 #include "ui/views/contour_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,18 +21,15 @@ constexpr int scaleWidth = 14;   ///< [px]
 constexpr double uneven = 1e-6;  ///< of a step: more is no rounding
 
 /// Viridis: even in lightness, so it is read without its hues, too.
-QCPColorGradient sweepColours() {
+QCPColorGradient sweepColours(bool dim) {
+    constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                        0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
     QCPColorGradient gradient;
     gradient.clearColorStops();
-    gradient.setColorStops({{0.0, QColor(0x44, 0x01, 0x54)},
-                            {0.125, QColor(0x47, 0x2d, 0x7b)},
-                            {0.25, QColor(0x3b, 0x52, 0x8b)},
-                            {0.375, QColor(0x2c, 0x72, 0x8e)},
-                            {0.5, QColor(0x21, 0x91, 0x8c)},
-                            {0.625, QColor(0x28, 0xae, 0x80)},
-                            {0.75, QColor(0x5e, 0xc9, 0x62)},
-                            {0.875, QColor(0xad, 0xdc, 0x30)},
-                            {1.0, QColor(0xfd, 0xe7, 0x25)}});
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        gradient.setColorStopAt(static_cast<double>(i) / (stops.size() - 1),
+                                style::dimmed(QColor(stops[i]), dim));
+    }
     gradient.setColorInterpolation(QCPColorGradient::ciRGB);
     gradient.setNanHandling(QCPColorGradient::nhTransparent);
     return gradient;
@@ -77,7 +75,6 @@ SweepMap::SweepMap(QWidget* parent)
     m_scale->setRangeDrag(false);
     m_scale->setRangeZoom(false);
     m_map->setColorScale(m_scale);
-    m_map->setGradient(sweepColours());
     auto* const together = new QCPMarginGroup(this);
     cell()->setMarginGroup(QCP::msBottom | QCP::msTop, together);
     m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
@@ -225,6 +222,7 @@ void SweepMap::colour() {
     axis.setTickLabelFont(font());
     axis.setLabelFont(font());
     axis.setNumberFormat(QStringLiteral("g"));
+    m_map->setGradient(sweepColours(dim()));
     for (QCPCurve* halo : {m_limitHalo, m_holdsHalo}) {
         halo->setPen(QPen(style::dimmed(Qt::black, dim()), 4));
     }

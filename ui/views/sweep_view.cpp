@@ -66,7 +66,9 @@ SweepEntry SweepView::chosenEntry() const {
 }
 
 void SweepView::chooseEntry() {
-    m_wanted = chosenEntry().key;
+    if (!m_entries.empty()) {
+        m_wanted = chosenEntry().key;
+    }
     showPlots();
     showState();
     page().tools->navigation().forgetViews();
