@@ -24,9 +24,11 @@ double twoDigits(double value) {
     return value;
 }
 
-/// What the field calls usual, or else 0 to 1.
+/// What the field calls usual, or else 0 to 1; with the present value.
 Range usualRange(const NumberInput& input) {
-    const Range& soft = input.field->soft;
+    Range soft = input.field->soft;
+    const double now = input.value.value_or(soft.low);
+    soft = {std::min(soft.low, now), std::max(soft.high, now)};
     const bool bounded =
         std::isfinite(soft.low) && std::isfinite(soft.high) && soft.low < soft.high;
     return bounded ? soft : Range{0, 1};

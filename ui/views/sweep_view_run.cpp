@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of sweeps: when what is run, and what becomes of it.
 #include "core/project/number_input.h"
+#include "core/project/project_file.h"
 #include "ui/session/sweep_edits.h"
 #include "ui/views/sweep_axis_box.h"
 #include "ui/views/sweep_curves.h"
@@ -22,9 +23,9 @@ constexpr double quickSweepVisits = 2e8;
 } // namespace
 
 void SweepView::showOutcome() {
+    m_edited = false;
     if (latest() && latest()->ran()) {
         m_good = latest();
-        m_edited = false;
         const bool asked = std::exchange(m_asked, false);
         const Project& project = m_good->result.project;
         for (SweepAxisBox* box : m_axes) {
@@ -92,8 +93,13 @@ void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
 }
 
 void SweepView::edit(const std::function<Project(Project)>& edit, const EditText& text) {
-    m_edited = m_good != nullptr;
-    emit editWanted(edit, text);
+    emit editWanted(
+        [this, edit](Project project) {
+            Project changed = edit(project);
+            m_edited = !sameProject(changed, project);
+            return changed;
+        },
+        text);
 }
 
 void SweepView::takeValues() {

@@ -24,6 +24,7 @@ namespace sparkout {
 
 namespace {
 constexpr int sweepSteps = 1000; ///< of the bar of progress
+constexpr int valueLines = 3;
 constexpr const char* usualInput = "/wheel/dullness";
 } // namespace
 
@@ -59,7 +60,7 @@ void SweepView::build(Settings* settings) {
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
     layout->setSpacing(metrics::tight);
     setUpNotice(*m_notice);
-    setUpReadout(*m_values);
+    setUpReadout(*m_values, valueLines);
     for (SweepAxisBox* box : m_axes) {
         layout->addWidget(box);
     }
