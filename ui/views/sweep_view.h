@@ -111,12 +111,12 @@ private:
     QLabel *m_state, *m_notice, *m_values;
     QWidget *m_runBar = nullptr, *m_toolBar = nullptr;
     std::vector<Page> m_pages;
-    std::vector<SweepEntry> m_entries;      ///< in the box
-    std::string m_wanted = "radial_runout"; ///< result the user chose
-    OutcomePtr m_good;                      ///< the inputs that were accepted last
-    SweepOutcomePtr m_sweep;                ///< what is shown
-    Issues m_refused;                       ///< why the present one cannot be run
-    std::optional<std::size_t> m_chosen;    ///< point of what is shown
+    std::vector<SweepEntry> m_entries;   ///< in the box
+    std::string m_wanted = "diameter";   ///< result the user chose
+    OutcomePtr m_good;                   ///< the inputs that were accepted last
+    SweepOutcomePtr m_sweep;             ///< what is shown
+    Issues m_refused;                    ///< why the present one cannot be run
+    std::optional<std::size_t> m_chosen; ///< point of what is shown
     SweepRunner* m_runner;
     bool m_sweepStale = true;
     bool m_edited = false; ///< the document has been asked for a change that is not run yet
