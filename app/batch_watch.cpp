@@ -21,8 +21,11 @@ void tellStderr(const std::string& text) {
 
 } // namespace
 
-BatchWatch::BatchWatch(std::int64_t parts, bool tells)
-    : m_parts(parts), m_terminal(isatty(STDERR_FILENO) == 1), m_tells(tells || m_terminal) {
+BatchWatch::BatchWatch(std::int64_t parts, bool tells, const char* what)
+    : m_parts(parts)
+    , m_terminal(isatty(STDERR_FILENO) == 1)
+    , m_tells(tells || m_terminal)
+    , m_what(what) {
     catchStopSignals();
     m_thread = std::jthread([this](const std::stop_token& over) { watch(over); });
 }
@@ -55,7 +58,7 @@ void BatchWatch::watch(const std::stop_token& over) {
 void BatchWatch::tell() {
     const std::int64_t done = m_done.load(std::memory_order_relaxed);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - m_began;
-    std::string text = std::to_string(done) + " of " + std::to_string(m_parts) + " parts";
+    std::string text = std::to_string(done) + " of " + std::to_string(m_parts) + ' ' + m_what;
     if (done > 0) {
         const double left =
             took.count() * static_cast<double>(m_parts - done) / static_cast<double>(done);

@@ -13,8 +13,9 @@ namespace sparkout::cli {
 /// request of Ctrl+C or SIGTERM. A second Ctrl+C ends the program at once.
 class BatchWatch {
 public:
-    /// `parts` is what `done` will count up to; `tells`: also when stderr is no terminal.
-    BatchWatch(std::int64_t parts, bool tells);
+    /// `parts` is what `done` will count up to; `tells`: also when stderr is no terminal; `what`
+    /// they are called.
+    BatchWatch(std::int64_t parts, bool tells, const char* what = "parts");
     ~BatchWatch();
     BatchWatch(const BatchWatch&) = delete;
     BatchWatch& operator=(const BatchWatch&) = delete;
@@ -28,6 +29,7 @@ private:
 
     std::int64_t m_parts;
     bool m_terminal, m_tells;
+    const char* m_what;
     std::chrono::steady_clock::time_point m_began = std::chrono::steady_clock::now();
     std::stop_source m_stop;
     std::atomic<std::int64_t> m_done = 0;

@@ -4,6 +4,7 @@
 #include "app/cli_optimise.h"
 #include "app/cli_options.h"
 #include "app/cli_report.h"
+#include "app/cli_sweep.h"
 #include "app/examples.h"
 #include "core/quality/remarks.h"
 #include "core/quality/result_json.h"
@@ -28,6 +29,7 @@ constexpr const char* helpText =
   sparkout-cli validate FILE
   sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
+  sparkout-cli sweep FILE [--threads N] [--json | --csv] [--progress]
   sparkout-cli examples DIR
   sparkout-cli --version | --help
 
@@ -61,6 +63,9 @@ batch      runs the batch of a project file: its parts differ by the factors giv
            Ctrl+C ends it; what is done until then is evaluated and printed
 batch-merge
            joins the shards of a batch: the answer is that of one run
+sweep      runs the sweep of a project file: one or two inputs varied over their ranges
+  --threads N          threads, instead of one a processor; the answer is the same
+  --json, --csv        prints one JSON object, or a row for every point
 examples   writes the example projects into a folder, which is made if need be
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
@@ -144,7 +149,7 @@ int run(const std::vector<std::string>& arguments) {
     }
     const std::string& command = options.command;
     if (command != "simulate" && command != "validate" && command != "batch"
-        && command != "batch-merge" && command != "examples") {
+        && command != "batch-merge" && command != "sweep" && command != "examples") {
         return usageError(command.empty() ? "a command is needed" : "unknown command " + command);
     }
     if (options.operand.empty()) {
@@ -158,6 +163,9 @@ int run(const std::vector<std::string>& arguments) {
     }
     if (command == "batch-merge") {
         return runBatchMerge(options);
+    }
+    if (command == "sweep") {
+        return runSweepCommand(options);
     }
     if (command == "validate") {
         return load(options.operand) ? done : refused;

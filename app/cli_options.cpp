@@ -82,6 +82,10 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.threads, countUpTo(text, 1024));
      }},
+    {"sweep", "--threads", "a number from 1 to 1024",
+     [](const std::string& text, Options& options) {
+         return put(options.threads, countUpTo(text, 1024));
+     }},
     {"batch", "--sensitivity", "a number from 1 to 65536",
      [](const std::string& text, Options& options) {
          return put(options.sensitivity, countUpTo(text, 65'536));
@@ -115,11 +119,12 @@ const ValueOption* valueOption(const std::string& command, const std::string& na
 bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
-    return (simulates || batch) && name == "--json"    ? &options.json
-           : (simulates || batch) && name == "--check" ? &options.check
-           : batch && name == "--csv"                  ? &options.csv
-           : runs && name == "--progress"              ? &options.progress
-                                                       : nullptr;
+    const bool sweeps = options.command == "sweep";
+    return (simulates || batch || sweeps) && name == "--json" ? &options.json
+           : (simulates || batch) && name == "--check"        ? &options.check
+           : (batch || sweeps) && name == "--csv"             ? &options.csv
+           : (runs || sweeps) && name == "--progress"         ? &options.progress
+                                                              : nullptr;
 }
 
 /// Options that contradict each other.

@@ -14,6 +14,7 @@
 #include "ui/session/recovery_store.h"
 #include "ui/theme.h"
 #include "ui/views/batch_view.h"
+#include "ui/views/sweep_view.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -261,7 +262,8 @@ int makePicture(QApplication& app, MainWindow& window, const Options& options) {
     int quietTicks = 0;
     QTimer ticks;
     QObject::connect(&ticks, &QTimer::timeout, &app, [&] {
-        const bool busy = window.findChild<BatchView*>()->busy();
+        const bool busy =
+            window.findChild<BatchView*>()->busy() || window.findChild<SweepView*>()->busy();
         quietTicks = busy ? 0 : quietTicks + 1;
         if (quietTicks == 2) {
             app.exit(writePicture(window, options.picture) ? 0 : exitRefused);

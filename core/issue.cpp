@@ -94,6 +94,11 @@ const char* issueTemplate(IssueCode code) {
         return SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
                                       "nothing, and the deflection did not give back its stock of "
                                       "{limit}");
+    case IssueCode::noSuchNumber:
+        return SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "
+                                      "{limit}");
+    case IssueCode::variedTwice:
+        return SPARKOUT_NOOP("Issue", "{value} is varied twice; needed: {limit}");
     case IssueCode::sourceMissing:
         return SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
                                       "estimate; needed: its line in {limit}");

@@ -44,6 +44,8 @@ enum class IssueCode {
     shaftTooShort,
     targetOutsideField,
     sparkOutLeaves,
+    noSuchNumber,
+    variedTwice,
     sourceMissing, ///< in catalogues
 };
 

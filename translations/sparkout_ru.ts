@@ -222,6 +222,14 @@
             <source>balance not solved</source>
             <translation>равновесие не найдено</translation>
         </message>
+        <message>
+            <source>equal steps</source>
+            <translation>равные шаги</translation>
+        </message>
+        <message>
+            <source>equal ratios</source>
+            <translation>равные отношения</translation>
+        </message>
     </context>
     <context>
         <name>Condition</name>
@@ -918,6 +926,18 @@
         <message>
             <source>Take the cycle found</source>
             <translation>Взять найденный цикл</translation>
+        </message>
+        <message>
+            <source>Take the values of a point of the sweep</source>
+            <translation>Взять значения точки варьирования</translation>
+        </message>
+        <message>
+            <source>Input of the sweep</source>
+            <translation>Величина варьирования</translation>
+        </message>
+        <message>
+            <source>Range of the sweep</source>
+            <translation>Пределы варьирования</translation>
         </message>
     </context>
     <context>
@@ -3011,6 +3031,66 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Requirements</source>
             <translation>Требования</translation>
         </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Варьирование</translation>
+        </message>
+        <message>
+            <source>no input is varied</source>
+            <translation>ничего не варьируется</translation>
+        </message>
+        <message>
+            <source>Inputs that the view of sweeps varies over a range.</source>
+            <translation>Исходные величины, которые вид «Варьирование» меняет в заданных пределах.</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Величина</translation>
+        </message>
+        <message>
+            <source>Path of any number of the file that a cycle reads, as `/wheel/dullness` or `/cycle/stages/0/stock_mm`.</source>
+            <translation>Путь любого числа файла, от которого зависит цикл, например `/wheel/dullness` или `/cycle/stages/0/stock_mm`.</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>От</translation>
+        </message>
+        <message>
+            <source>Lowest value, in the unit of the input.</source>
+            <translation>Наименьшее значение, в единицах этой величины.</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>До</translation>
+        </message>
+        <message>
+            <source>Highest value, in the unit of the input.</source>
+            <translation>Наибольшее значение, в единицах этой величины.</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Точки</translation>
+        </message>
+        <message>
+            <source>Number of values, both ends included.</source>
+            <translation>Число значений, включая оба края.</translation>
+        </message>
+        <message>
+            <source>Spacing</source>
+            <translation>Расстановка</translation>
+        </message>
+        <message>
+            <source>By equal steps, or by equal ratios of positive values (logarithmic).</source>
+            <translation>Равными шагами или, для положительных значений, равными отношениями (логарифмически).</translation>
+        </message>
+        <message>
+            <source>Varied inputs</source>
+            <translation>Варьируемые величины</translation>
+        </message>
+        <message>
+            <source>One for curves, two for a map.</source>
+            <translation>Одна даёт кривые, две — карту.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -3154,6 +3234,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes what the later ones leave</source>
             <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
         </message>
+        <message>
+            <source>{value} is no number that this project reads; needed: {limit}</source>
+            <translation>{value} — не число, от которого зависит этот проект; нужно: {limit}</translation>
+        </message>
+        <message>
+            <source>{value} is varied twice; needed: {limit}</source>
+            <translation>{value} варьируется дважды; нужно: {limit}</translation>
+        </message>
     </context>
     <context>
         <name>KeptRuns</name>
@@ -3289,6 +3377,14 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>an object</source>
             <translation>объект</translation>
+        </message>
+        <message>
+            <source>another input</source>
+            <translation>другая величина</translation>
+        </message>
+        <message>
+            <source>the path of an input, as /wheel/dullness</source>
+            <translation>путь исходной величины, например /wheel/dullness</translation>
         </message>
     </context>
     <context>
@@ -5149,6 +5245,121 @@ target, µm</source>
         <message>
             <source>Summary</source>
             <translation>Итоги</translation>
+        </message>
+        <message>
+            <source>Varied input</source>
+            <translation>Варьируемая величина</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Варьирование</translation>
+        </message>
+    </context>
+    <context>
+        <name>SweepText</name>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>Least margin of all requirements</source>
+            <translation>Наименьший запас по всем требованиям</translation>
+        </message>
+        <message>
+            <source>Mean diameter</source>
+            <translation>Средний диаметр</translation>
+        </message>
+        <message>
+            <source>Largest normal force</source>
+            <translation>Наибольшая радиальная сила</translation>
+        </message>
+        <message>
+            <source>Largest power</source>
+            <translation>Наибольшая мощность</translation>
+        </message>
+        <message>
+            <source>whole part</source>
+            <translation>вся деталь</translation>
+        </message>
+        <message>
+            <source>Margin: %1</source>
+            <translation>Запас: %1</translation>
+        </message>
+        <message>
+            <source>not run</source>
+            <translation>не рассчитано</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>отклонено</translation>
+        </message>
+        <message>
+            <source>does not reach size</source>
+            <translation>не достигает размера</translation>
+        </message>
+        <message>
+            <source>holds</source>
+            <translation>выполнено</translation>
+        </message>
+        <message>
+            <source>does not hold</source>
+            <translation>не выполнено</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points</source>
+            <translation>%1 из %2 точек</translation>
+        </message>
+        <message>
+            <source>%1, %2 s left</source>
+            <translation>%1, осталось %2 с</translation>
+        </message>
+        <message>
+            <source>%1, %2 min left</source>
+            <translation>%1, осталось %2 мин</translation>
+        </message>
+        <message>
+            <source>Stopped after %1 of %2 points.</source>
+            <translation>Остановлено: сделано %1 из %2 точек.</translation>
+        </message>
+        <message>
+            <source>The drawing holds at %1 of %2 points.</source>
+            <translation>Чертёж выдержан в точках: %1 из %2.</translation>
+        </message>
+        <message>
+            <source>Refused: %1.</source>
+            <translation>Отклонено: %1.</translation>
+        </message>
+        <message>
+            <source>Size not reached: %1.</source>
+            <translation>Размер не достигнут: %1.</translation>
+        </message>
+        <message>
+            <source>every requirement holds</source>
+            <translation>выполнены все требования</translation>
+        </message>
+        <message>
+            <source>does not hold: %1</source>
+            <translation>не выполнено: %1</translation>
+        </message>
+        <message>
+            <source>%1: not run</source>
+            <translation>%1: не рассчитано</translation>
+        </message>
+        <message>
+            <source>%1: refused. %2</source>
+            <translation>%1: отклонено. %2</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source> (margin %1)</source>
+            <translation> (запас %1)</translation>
+        </message>
+        <message>
+            <source> time %1;</source>
+            <translation> время %1;</translation>
         </message>
     </context>
     <context>
@@ -9185,6 +9396,11 @@ target, µm</source>
             <source>A dozen levels of each feed about the present cycle, and steps of stock; can be undone and changed on the page Search</source>
             <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска; можно отменить и изменить на странице «Поиск»</translation>
         </message>
+        <message>
+            <source>Optimise</source>
+            <comment>the view's tab</comment>
+            <translation>Оптимум</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::PlaybackBar</name>
@@ -9670,6 +9886,11 @@ target, µm</source>
         <message>
             <source>Amplitudes on a logarithmic axis</source>
             <translation>Амплитуды по логарифмической оси</translation>
+        </message>
+        <message>
+            <source>Profiles</source>
+            <comment>the view's tab</comment>
+            <translation>Профили</translation>
         </message>
     </context>
     <context>
@@ -10469,6 +10690,295 @@ target, µm</source>
         <message>
             <source>Balance of the radius with its numbers</source>
             <translation>Баланс для радиуса с числами</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SweepAxisBox</name>
+        <message>
+            <source>Choose an input to vary</source>
+            <translation>Выберите, что варьировать</translation>
+        </message>
+        <message>
+            <source>no second input</source>
+            <translation>вторая величина не задана</translation>
+        </message>
+        <message>
+            <source>%1 (not in this project)</source>
+            <translation>%1 (нет в этом проекте)</translation>
+        </message>
+        <message>
+            <source>First input varied</source>
+            <translation>Первая варьируемая величина</translation>
+        </message>
+        <message>
+            <source>Second input varied</source>
+            <translation>Вторая варьируемая величина</translation>
+        </message>
+        <message>
+            <source>First input: from</source>
+            <translation>Первая величина: от</translation>
+        </message>
+        <message>
+            <source>Second input: from</source>
+            <translation>Вторая величина: от</translation>
+        </message>
+        <message>
+            <source>First input: to</source>
+            <translation>Первая величина: до</translation>
+        </message>
+        <message>
+            <source>Second input: to</source>
+            <translation>Вторая величина: до</translation>
+        </message>
+        <message>
+            <source>First input: number of points</source>
+            <translation>Первая величина: число точек</translation>
+        </message>
+        <message>
+            <source>Second input: number of points</source>
+            <translation>Вторая величина: число точек</translation>
+        </message>
+        <message>
+            <source>First input: points at equal ratios instead of equal steps</source>
+            <translation>Первая величина: точки в равных отношениях вместо равных шагов</translation>
+        </message>
+        <message>
+            <source>Second input: points at equal ratios instead of equal steps</source>
+            <translation>Вторая величина: точки в равных отношениях вместо равных шагов</translation>
+        </message>
+        <message>
+            <source>points: </source>
+            <translation>точек: </translation>
+        </message>
+        <message>
+            <source>log</source>
+            <comment>scale of a sweep</comment>
+            <translation>лог</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SweepCurves</name>
+        <message>
+            <source>limit</source>
+            <translation>предел</translation>
+        </message>
+        <message>
+            <source>every requirement holds</source>
+            <translation>выполнены все требования</translation>
+        </message>
+        <message>
+            <source>present value</source>
+            <translation>текущее значение</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SweepMap</name>
+        <message>
+            <source>limit of this result</source>
+            <translation>предел этого результата</translation>
+        </message>
+        <message>
+            <source>every requirement holds: its edge</source>
+            <translation>граница выполнения всех требований</translation>
+        </message>
+        <message>
+            <source>present values (◇)</source>
+            <translation>текущие значения (◇)</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SweepPlot</name>
+        <message>
+            <source>refused (×)</source>
+            <translation>отклонено (×)</translation>
+        </message>
+        <message>
+            <source>does not reach size (▲)</source>
+            <translation>не достигает размера (▲)</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>%1: lower limit</source>
+            <translation>%1: нижний предел</translation>
+        </message>
+        <message>
+            <source>%1: upper limit</source>
+            <translation>%1: верхний предел</translation>
+        </message>
+        <message>
+            <source>%1: margin</source>
+            <translation>%1: запас</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SweepView</name>
+        <message>
+            <source>Sweep</source>
+            <translation>Варьирование</translation>
+        </message>
+        <message>
+            <source>%1, worst place</source>
+            <translation>%1, худшее место</translation>
+        </message>
+        <message>
+            <source> of %1</source>
+            <translation> из %1</translation>
+        </message>
+        <message>
+            <source>Point at a place to read its values; a click chooses it.</source>
+            <translation>Наведите указатель на место, чтобы прочитать значения; щелчок выбирает его.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused; the sweep is that of the last accepted ones.</source>
+            <translation>Исходные данные отклонены; показано варьирование последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные отклонены:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Расчёта ещё нет.</translation>
+        </message>
+        <message>
+            <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel's dullness.</source>
+            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая выдержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
+        </message>
+        <message>
+            <source>The sweep cannot be run:</source>
+            <translation>Варьирование нельзя рассчитать:</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit; the new sweep is being run.</source>
+            <translation>По данным до последней правки; новое варьирование рассчитывается.</translation>
+        </message>
+        <message>
+            <source>Of the inputs before the last edit. Press “Run” for those of now.</source>
+            <translation>Для исходных данных до последней правки. Для нынешних нажмите «Рассчитать».</translation>
+        </message>
+        <message>
+            <source>This sweep takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
+            <translation>Этот расчёт займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
+        </message>
+        <message>
+            <source>The cycle reaches size at no point of the range.</source>
+            <translation>Ни в одной точке этих пределов цикл не достигает размера.</translation>
+        </message>
+        <message>
+            <source>No point has a result. Refused:</source>
+            <translation>Ни в одной точке нет результата. Отклонено:</translation>
+        </message>
+        <message>
+            <source>Nothing changes over this range: the model does not read the input as this project is set.</source>
+            <translation>В этих пределах ничего не меняется: при таких настройках проекта расчёт не зависит от этой величины.</translation>
+        </message>
+        <message>
+            <source>Legend of the sweep</source>
+            <translation>Легенда варьирования</translation>
+        </message>
+        <message>
+            <source>State of the sweep</source>
+            <translation>Состояние варьирования</translation>
+        </message>
+        <message>
+            <source>What was run</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Values under the mouse, or of the point chosen</source>
+            <translation>Значения под указателем или в выбранной точке</translation>
+        </message>
+        <message>
+            <source>Progress of the sweep</source>
+            <translation>Ход варьирования</translation>
+        </message>
+        <message>
+            <source>Curves over the varied input</source>
+            <translation>Кривые по варьируемой величине</translation>
+        </message>
+        <message>
+            <source>Map over the two varied inputs</source>
+            <translation>Карта по двум варьируемым величинам</translation>
+        </message>
+        <message>
+            <source>Result shown</source>
+            <translation>Показанный результат</translation>
+        </message>
+        <message>
+            <source>The result that is shown over the varied inputs</source>
+            <translation>Результат, показанный в зависимости от варьируемых величин</translation>
+        </message>
+        <message>
+            <source>Values or margins</source>
+            <translation>Значения или запасы</translation>
+        </message>
+        <message>
+            <source>The values themselves, or how far they are from their limits: above 0 the requirement holds</source>
+            <translation>Сами значения или их запас до предела: выше 0 требование выполнено</translation>
+        </message>
+        <message>
+            <source>Point chosen</source>
+            <translation>Выбранная точка</translation>
+        </message>
+        <message>
+            <source>The point whose values can be taken; a click in the plot chooses one, too</source>
+            <translation>Точка, значения которой можно взять; её выбирает и щелчок по графику</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Рассчитать</translation>
+        </message>
+        <message>
+            <source>Run the points of the sweep; a quick one runs by itself</source>
+            <translation>Рассчитать точки варьирования; небольшое считается само</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Стоп</translation>
+        </message>
+        <message>
+            <source>End the sweep; what was done is kept and shown</source>
+            <translation>Закончить варьирование; сделанное сохраняется и показывается</translation>
+        </message>
+        <message>
+            <source>Vary the dullness</source>
+            <translation>Варьировать затупление</translation>
+        </message>
+        <message>
+            <source>A sweep of the wheel's dullness from half to twice its value; can be undone</source>
+            <translation>Варьирование затупления круга от половины до двойного значения; можно отменить</translation>
+        </message>
+        <message>
+            <source>Take these values</source>
+            <translation>Взять эти значения</translation>
+        </message>
+        <message>
+            <source>Put the inputs of the chosen point into this project; undo brings yours back</source>
+            <translation>Подставить исходные данные выбранной точки в проект; отмена возвращает ваши</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Значения</translation>
+        </message>
+        <message>
+            <source>Margins</source>
+            <translation>Запасы</translation>
+        </message>
+        <message>
+            <source>point </source>
+            <translation>точка </translation>
+        </message>
+        <message>
+            <source>no point</source>
+            <translation>точка не выбрана</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <comment>the view's tab</comment>
+            <translation>Вариации</translation>
         </message>
     </context>
     <context>

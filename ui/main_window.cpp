@@ -28,6 +28,7 @@
 #include "ui/views/optimise_view.h"
 #include "ui/views/profiles_view.h"
 #include "ui/views/step_sheet.h"
+#include "ui/views/sweep_view.h"
 #include "ui/views/verdict_panel.h"
 #include "ui/views/verdict_why.h"
 
@@ -128,6 +129,8 @@ void MainWindow::buildViews() {
     };
     connect(m_batch, &BatchView::editWanted, this, edit);
     connect(optimise, &OptimiseView::editWanted, this, edit);
+    auto* sweep = new SweepView(this, &m_settings);
+    connect(sweep, &SweepView::editWanted, this, edit);
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
@@ -136,7 +139,7 @@ void MainWindow::buildViews() {
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
-                                                   layers, m_batch, optimise, compare}) {
+                                                   layers, m_batch, sweep, optimise, compare}) {
         m_tabs->addView(view);
         view->shareCycle(&m_cursor);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_tabs.h"
 
+#include "ui/inputs/form_metrics.h"
 #include "ui/theme.h"
 #include "ui/views/view.h"
 
@@ -48,6 +49,9 @@ private:
 
 ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton(this)) {
     setDocumentMode(true);
+    QFont small = tabBar()->font(); // nine of them stand side by side
+    small.setPointSizeF(small.pointSizeF() * noteType);
+    tabBar()->setFont(small);
     m_tear->setObjectName(QStringLiteral("tear"));
     m_tear->setIcon(themeIcon(u"detach"));
     m_tear->setAutoRaise(true);

@@ -84,13 +84,6 @@ private:
     int m_section = -1;
 };
 
-double meanDeviation_um(const SectionResult& section, double nominal_mm) {
-    const double sum =
-        std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0,
-                        [nominal_mm](double s, double R) { return s + (R - nominal_mm / 2); });
-    return 2 * sum / static_cast<double>(section.radii_mm.size()) * units::umPerMm;
-}
-
 double valueOf(const Characteristic& characteristic, const SimulationResult& result,
                const std::vector<ConstraintResult>& constraints) {
     const char* const name = characteristic.name;
@@ -116,6 +109,13 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
 }
 
 } // namespace
+
+double meanDeviation_um(const SectionResult& section, double nominal_mm) {
+    const double sum =
+        std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0,
+                        [nominal_mm](double s, double R) { return s + (R - nominal_mm / 2); });
+    return 2 * sum / static_cast<double>(section.radii_mm.size()) * units::umPerMm;
+}
 
 std::vector<Characteristic> characteristicsOf(const Project& project) {
     return Lister(project).list();

@@ -22,6 +22,9 @@ struct Characteristic {
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);
 
+/// Mean diameter of a zone or section less the nominal one [µm].
+[[nodiscard]] double meanDeviation_um(const SectionResult& section, double nominal_mm);
+
 /// One part of a batch, measured.
 struct PartOutcome {
     bool completed = false;     ///< the cycle reached size; else nothing was measured

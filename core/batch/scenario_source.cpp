@@ -18,6 +18,7 @@ ScenarioSource::ScenarioSource(Project project)
     }
     m_nominal.batch.reset();
     m_nominal.optimisation.reset();
+    m_nominal.sweep.reset();
     m_nominal.runs.clear();
     if (m_batch.correlation) {
         m_correlation = Correlation::of(*m_batch.correlation);

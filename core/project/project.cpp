@@ -84,6 +84,11 @@ const StructInfo& tableOf<Project>() {
         SPARKOUT_FIELD(Project, optimisation, .label = SPARKOUT_NOOP("Input", "Optimisation"),
                        .nullMeaning = SPARKOUT_NOOP("Input", "no grid described"),
                        .page = Page::search),
+        SPARKOUT_FIELD(Project, sweep, .label = SPARKOUT_NOOP("Input", "Sweep"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "no input is varied"),
+                       .hint =
+                           SPARKOUT_NOOP("Input", "Inputs that the view of sweeps varies over a "
+                                                  "range.")),
         SPARKOUT_FIELD(Project, runs, .label = SPARKOUT_NOOP("Input", "Kept runs"),
                        .hard = {0, 1000},
                        .hint = SPARKOUT_NOOP("Input", "Runs kept for comparison.")),

@@ -8,6 +8,7 @@
 #include "core/project/material.h"
 #include "core/project/optimisation.h"
 #include "core/project/part.h"
+#include "core/project/sweep.h"
 #include "core/project/wheel.h"
 
 namespace sparkout {
@@ -41,6 +42,7 @@ struct Project {
     bool sections_coupled = false;
     std::optional<Batch> batch;
     std::optional<Optimisation> optimisation;
+    std::optional<Sweep> sweep;
     std::vector<KeptRun> runs;
 };
 

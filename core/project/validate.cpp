@@ -3,6 +3,7 @@
 
 #include "core/project/batch_rules.h"
 #include "core/project/range_check.h"
+#include "core/project/sweep_rules.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -30,6 +31,7 @@ public:
         checkStages();
         checkOptimisation();
         checkBatch();
+        checkSweep();
     }
 
 private:
@@ -341,6 +343,12 @@ private:
     /// A batch that cannot be run is no reason to refuse the cycle.
     void checkBatch() {
         for (Issue& issue : batchFaults(project())) {
+            warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));
+        }
+    }
+
+    void checkSweep() {
+        for (Issue& issue : sweepFaults(project())) {
             warn(issue.code, issue.path, std::move(issue.value), std::move(issue.limit));
         }
     }

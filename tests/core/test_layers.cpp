@@ -50,12 +50,14 @@ private slots:
             QTest::newRow(folder) << QString::fromLatin1(folder) << QString::fromLatin1(forbidden);
         };
         row("core", "^(Q[A-Za-z]|qcustomplot|ui/|app/)");
-        row("core/project", "^core/(process|simulation|quality|batch|optimisation)/");
-        row("core/process", "^core/(simulation|quality|batch|optimisation)/");
+        row("core/project", "^core/(process|simulation|quality|batch|sweep|optimisation)/");
+        row("core/process", "^core/(simulation|quality|batch|sweep|optimisation)/");
         // the limits of a depth of cut, which know no cycle, are watched pass by pass
-        row("core/simulation", "^core/(quality/(?!burn_table\\.h)|batch|optimisation)/");
-        row("core/quality", "^core/(batch|optimisation)/");
-        row("core/batch", "^core/optimisation/");
+        row("core/simulation", "^core/(quality/(?!burn_table\\.h)|batch|sweep|optimisation)/");
+        row("core/quality", "^core/(batch|sweep|optimisation)/");
+        row("core/batch", "^core/(sweep|optimisation)/");
+        row("core/sweep", "^core/optimisation/");
+        row("core/optimisation", "^core/sweep/");
         row("ui/session", "^(app/|ui/(?!session/)|qcustomplot|QWidget|QApplication|QMainWindow|"
                           "Q[A-Za-z]*(Button|Dialog|Edit|Label|Layout|View|Box)$)");
         row("ui", "^app/");

@@ -827,6 +827,16 @@ private:
             {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
         row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,
             {{"/optimisation", {{"stages", {1.5}}}}});
+        const json dull = {{"input", "/wheel/dullness"}, {"from", 0.01}, {"to", 0.02}};
+        json gone = dull;
+        gone["input"] = "/cycle/stages/7/stock_mm";
+        const auto sweep = [](std::vector<json> inputs) { return json{{"inputs", inputs}}; };
+        row("a sweep over a stage that is not there", IssueCode::noSuchNumber,
+            "/sweep/inputs/0/input", plunge, {{"/sweep", sweep({gone})}}, warning);
+        row("a sweep over one input twice", IssueCode::variedTwice, "/sweep/inputs/1/input", plunge,
+            {{"/sweep", sweep({dull, dull})}}, warning);
+        row("a sweep over nothing", IssueCode::wrongCount, "/sweep/inputs", plunge,
+            {{"/sweep", sweep({})}});
     }
 
     std::set<IssueCode> m_produced;

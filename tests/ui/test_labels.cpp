@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTabBar>
 #include <QTest>
 
 namespace test_labels {
@@ -111,6 +112,8 @@ private slots:
         for (const char* language : {"en", "ru"}) {
             Bench bench(QString::fromUtf8(language));
             QVERIFY(bench.open(examplePaths().front()));
+            const QTabBar& tabs = *bench.window->findChild<ViewTabs*>()->tabBar();
+            QVERIFY2(tabs.tabRect(tabs.count() - 1).right() < tabs.width(), language);
             everyPlace(bench, [&](const QString& place) {
                 for (const auto* area : bench.window->findChildren<QScrollArea*>()) {
                     QVERIFY2(!area->isVisible() || !area->widget()

@@ -47,6 +47,7 @@ constexpr std::array helpContents{
     HelpEntry{"compliance", viewPages},
     HelpEntry{"layers", viewPages},
     HelpEntry{"batch", viewPages},
+    HelpEntry{"sweep", viewPages},
     HelpEntry{"optimise", viewPages},
     HelpEntry{"compare", viewPages},
     HelpEntry{"playback", viewPages},

@@ -80,7 +80,7 @@ void NumberField::setShownText(const QString& text) {
 }
 
 void NumberField::setSpec(const NumberSpec& spec) {
-    if (spec.hard == m_spec.hard && spec.soft == m_spec.soft) {
+    if (spec == m_spec) {
         return;
     }
     m_spec = spec;

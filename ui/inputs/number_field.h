@@ -25,6 +25,7 @@ struct NumberSpec {
     /// With the range that holds for the member in a project.
     [[nodiscard]] static NumberSpec of(const Field& field, const Project& project,
                                        const void* owner);
+    friend bool operator==(const NumberSpec&, const NumberSpec&) = default;
 };
 
 /// A field for one number. It reads comma and point in every locale, exponents and a typographic

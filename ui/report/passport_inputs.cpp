@@ -174,8 +174,9 @@ std::vector<Block> Passport::scenarios(const Subject& subject) {
 }
 
 Table Passport::inputs(const Project& project) {
-    constexpr std::array<std::string_view, 5> left{"/title", "/author", "/notes", "/optimisation",
-                                                   "/runs"}; // no part of what is computed
+    constexpr std::array<std::string_view, 6> left{
+        "/title",        "/author", "/notes",
+        "/optimisation", "/sweep",  "/runs"}; // no part of what is computed
     Table table;
     table.head = {tr("Input"), tr("Value"), tr("Unit")};
     table.texts = {true, true, true};

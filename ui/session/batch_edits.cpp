@@ -64,6 +64,7 @@ void keepOwn(Project& of, Project from) {
     of.notes = std::move(from.notes);
     of.batch = std::move(from.batch);
     of.optimisation = std::move(from.optimisation);
+    of.sweep = std::move(from.sweep);
     of.runs = std::move(from.runs);
 }
 

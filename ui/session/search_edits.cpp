@@ -92,6 +92,7 @@ bool sameSearch(const Project& a, const Project& b) {
         project.author.clear();
         project.notes.clear();
         project.runs.clear();
+        project.sweep.reset();
         if (!project.optimisation
             || project.optimisation->scenarios == OptimisationScenarios::nominal) {
             project.batch.reset();

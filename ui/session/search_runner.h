@@ -31,7 +31,7 @@ struct FoundCycle {
 /// The search of the cycles of one number of stages.
 struct SearchedNumber {
     int stages = 0;
-    SearchSummary search;
+    SearchSummary search = {};
     int scenariosAdded = 0;
     bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
 };
@@ -64,10 +64,10 @@ using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
 
 /// How far a search is.
 struct SearchState {
-    int stages = 0;               ///< the number that is searched now
-    std::optional<double> best_s; ///< quickest so far
-    double bound_s = 0;           ///< no cycle with so many stages is quicker
-    long long evaluations = 0;    ///< of these
+    int stages = 0;                    ///< the number that is searched now
+    std::optional<double> best_s = {}; ///< quickest so far
+    double bound_s = 0;                ///< no cycle with so many stages is quicker
+    long long evaluations = 0;         ///< of these
     double took_s = 0;
 };
 

@@ -24,6 +24,10 @@
 
 namespace sparkout {
 
+QString OptimiseView::brief() const {
+    return tr("Optimise", "the view's tab");
+}
+
 QString OptimiseView::title() const {
     return tr("Optimise");
 }

@@ -46,6 +46,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString brief() const override;
     void retranslate() override;
     void forget() override;
 

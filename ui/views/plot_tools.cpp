@@ -157,6 +157,10 @@ QToolButton* PlotTools::exportButton(QWidget* parent) {
 void PlotTools::showContextMenu(const QPoint& at) {
     QMenu menu(&m_plot);
     menu.setObjectName(QStringLiteral("plotMenu"));
+    if (!m_subject.own.isEmpty()) {
+        menu.addActions(m_subject.own);
+        menu.addSeparator();
+    }
     menu.addActions({fit, back, forward});
     menu.addActions(m_more);
     menu.addSeparator();

@@ -31,6 +31,7 @@ struct PlotSubject {
     /// Colours the plot by its palette; not needed by a plot that follows its palette itself.
     std::function<void()> restyle;
     PlotNavigation::Hooks navigation; ///< how wheel, drag and keys move it
+    QList<QAction*> own = {};         ///< the view's own, first in the context menu
 };
 
 /// The tools every plot has: fit, back and forward; copy as picture or data; PNG, SVG, PDF, XLSX

@@ -286,6 +286,10 @@ void ProfilesView::showDescription() {
     m_spectrum->setAccessibleDescription(text);
 }
 
+QString ProfilesView::brief() const {
+    return tr("Profiles", "the view's tab");
+}
+
 QString ProfilesView::title() const {
     return tr("Zone profiles");
 }

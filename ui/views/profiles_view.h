@@ -48,6 +48,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] QString brief() const override;
     void retranslate() override;
 
     /// Brings the cycle to the end of a double stroke or revolution; 0: to the blank.

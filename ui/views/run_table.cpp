@@ -44,7 +44,7 @@ RunValues inputValues(const Project& project) {
     for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
         const Field& field = *leaf.field;
         const bool isRead = !field.relevant || field.relevant(project, leaf.owner);
-        if (leaf.path.starts_with("/runs") || !isRead) {
+        if (leaf.path.starts_with("/runs") || leaf.path.starts_with("/sweep") || !isRead) {
             continue;
         }
         const std::optional<double> number = singleNumberIn(field, leaf.owner);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli_sweep.h"
+
+#include "app/batch_watch.h"
+#include "app/cli_io.h"
+#include "app/cli_report.h"
+#include "app/stop_signals.h"
+#include "core/project/validate.h"
+#include "core/sweep/sweep_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace sparkout::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array sweepStates{"not_run", "refused", "cannot_reach_size", "completed"};
+
+const char* stateOf(const SweepPoint& point) {
+    return sweepStates[static_cast<std::size_t>(point.status)];
+}
+
+/// "rz1", "section 3" (from 0), or "part".
+std::string placeOf(const SweepQuantity& quantity) {
+    constexpr std::array zones{"rz1", "nz", "rz2"};
+    return quantity.section < 0             ? "part"
+           : quantity.zone == Zone::section ? "section " + std::to_string(quantity.section)
+                                            : zones[static_cast<std::size_t>(quantity.zone)];
+}
+
+std::string cellOf(double value) {
+    return std::isnan(value) ? std::string() : numberText(value);
+}
+
+ordered_json valueJson(const SweepQuantity& quantity, const SweepValue& value) {
+    ordered_json json = {{"name", quantity.name},
+                         {"where", placeOf(quantity)},
+                         {"unit", quantity.unit},
+                         {"value", value.value}};
+    for (const auto& [key, number] : {std::pair("low", value.low), std::pair("high", value.high),
+                                      std::pair("margin", value.margin)}) {
+        if (!std::isnan(number)) {
+            json[key] = number;
+        }
+    }
+    return json;
+}
+
+ordered_json pointJson(const SweepResult& sweep, std::size_t index) {
+    const SweepPoint& point = sweep.points[index];
+    ordered_json json = {{"values", sweep.valuesAt(index)},
+                         {"status", stateOf(point)},
+                         {"ok", point.good},
+                         {"results", ordered_json::array()}};
+    for (const Issue& issue : point.issues) {
+        json["refused"].push_back(issue.path + ": "
+                                  + fillTemplate(issueTemplate(issue.code), issue));
+    }
+    for (std::size_t q = 0; q < point.values.size(); ++q) {
+        if (!std::isnan(point.values[q].value)) {
+            json["results"].push_back(valueJson(sweep.quantities[q], point.values[q]));
+        }
+    }
+    return json;
+}
+
+std::string sweepJson(const SweepResult& sweep) {
+    ordered_json json = {{"status", sweep.stopped ? "stopped" : "completed"},
+                         {"inputs", ordered_json::array()},
+                         {"points", ordered_json::array()}};
+    for (const SweptInput& input : sweep.inputs) {
+        json["inputs"].push_back(
+            {{"input", input.axis.input}, {"unit", input.unit}, {"values", input.values}});
+    }
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        json["points"].push_back(pointJson(sweep, i));
+    }
+    return json.dump(2) + '\n';
+}
+
+/// A row a point; of every result its value and its margin.
+std::string sweepCsv(const SweepResult& sweep) {
+    std::string text;
+    for (const SweptInput& input : sweep.inputs) {
+        text += input.axis.input + (input.unit.empty() ? "," : " [" + input.unit + "],");
+    }
+    text += "status,ok";
+    for (const SweepQuantity& quantity : sweep.quantities) {
+        const std::string name = quantity.name + ' ' + placeOf(quantity);
+        text += ',' + name + (quantity.unit.empty() ? "" : " [" + quantity.unit + ']') + ',' + name
+                + " margin";
+    }
+    text += '\n';
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        const SweepPoint& point = sweep.points[i];
+        for (const double value : sweep.valuesAt(i)) {
+            text += numberText(value) + ',';
+        }
+        text += std::string(stateOf(point)) + ',' + (point.good ? "true" : "false");
+        for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+            const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
+            text += ',' + cellOf(value.value) + ',' + cellOf(value.margin);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+/// A line a point: its values, its time, its least margin.
+std::string sweepText(const SweepResult& sweep) {
+    std::string text;
+    for (const SweptInput& input : sweep.inputs) {
+        text += input.axis.input + (input.unit.empty() ? "  " : " [" + input.unit + "]  ");
+    }
+    text += "status  time [s]  least margin [%]\n";
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        const SweepPoint& point = sweep.points[i];
+        for (const double value : sweep.valuesAt(i)) {
+            text += numberText(value) + "  ";
+        }
+        text += stateOf(point);
+        for (std::size_t q = 0; q < point.values.size(); ++q) {
+            const std::string& name = sweep.quantities[q].name;
+            if (name == "time" || name == "least_margin") {
+                text += "  " + fixed(point.values[q].value, 2);
+            }
+        }
+        text += point.status == SweepStatus::done && !point.good ? "  does not hold\n" : "\n";
+    }
+    return text;
+}
+
+} // namespace
+
+int runSweepCommand(const Options& options) {
+    const auto project = load(options.operand);
+    if (!project) {
+        return refused;
+    }
+    const Issues issues = checkSweep(*project);
+    printIssues(options.operand, issues);
+    if (!issues.empty()) {
+        return refused;
+    }
+    SweepResult sweep;
+    {
+        SweepOptions run;
+        run.threads = options.threads.value_or(0);
+        BatchWatch watch(pointsOf(*project), options.progress, "points");
+        run.stop = watch.stop();
+        run.done = watch.done();
+        sweep = runSweep(*project, run);
+    }
+    print(stdout, options.json  ? sweepJson(sweep)
+                  : options.csv ? sweepCsv(sweep)
+                                : sweepText(sweep));
+    return caughtSignal() == 0 ? done : interrupted + caughtSignal();
+}
+
+} // namespace sparkout::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/project/sweep_rules.h"
+
+#include "core/project/number_input.h"
+#include "core/project/validate.h"
+#include "core/text.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+class SweepRules {
+public:
+    explicit SweepRules(const Project& project) : m_project(project) {}
+
+    Issues check() {
+        const auto& axes = m_project.sweep->inputs;
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            checkAxis(axes[i], "/sweep/inputs/" + std::to_string(i));
+        }
+        if (axes.size() == 2 && axes[0].input == axes[1].input) {
+            add(IssueCode::variedTwice, "/sweep/inputs/1/input", '"' + axes[1].input + '"',
+                SPARKOUT_NOOP("Limit", "another input"));
+        }
+        return std::move(m_issues);
+    }
+
+private:
+    void checkAxis(const SweepAxis& axis, const std::string& path) {
+        const auto input = numberInput(m_project, axis.input);
+        if (!input) {
+            add(IssueCode::noSuchNumber, path + "/input", '"' + axis.input + '"',
+                SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness"));
+            return;
+        }
+        const char* const unit = input->field->unit;
+        const bool inside =
+            checkEnd(axis.from, *input, path + "/from") && checkEnd(axis.to, *input, path + "/to");
+        if (inside && axis.spacing == SweepSpacing::logarithmic && axis.from <= 0) {
+            add(IssueCode::outOfRange, path + "/from", withUnit(axis.from, unit),
+                "> " + withUnit(0, unit));
+        } else if (inside && axis.to <= axis.from) {
+            add(IssueCode::outOfRange, path + "/to", withUnit(axis.to, unit),
+                "> " + withUnit(axis.from, unit));
+        }
+    }
+
+    bool checkEnd(double value, const NumberInput& input, const std::string& path) {
+        const char* const unit = input.field->unit;
+        if (!input.allowed.contains(value)) {
+            add(IssueCode::outOfRange, path, withUnit(value, unit), rangeText(input.allowed, unit));
+            return false;
+        }
+        if (input.integer && value != std::floor(value)) {
+            add(IssueCode::wrongType, path, numberText(value),
+                SPARKOUT_NOOP("Limit", "whole number"));
+            return false;
+        }
+        return true;
+    }
+
+    static std::string withUnit(double value, const char* unit) {
+        return *unit ? numberText(value) + ' ' + unit : numberText(value);
+    }
+
+    void add(IssueCode code, std::string path, std::string value, std::string limit) {
+        m_issues.push_back(
+            {code, Severity::error, std::move(path), std::move(value), std::move(limit)});
+    }
+
+    const Project& m_project;
+    Issues m_issues;
+};
+
+} // namespace
+
+Issues sweepFaults(const Project& project) {
+    return project.sweep ? SweepRules(project).check() : Issues();
+}
+
+} // namespace sparkout

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sweep/sweep_point.h"
+
+#include "core/batch/characteristics.h"
+#include "core/quality/constraints.h"
+#include "core/quality/roundness.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double percent = 100;
+constexpr double wattsPerKilowatt = 1000;
+
+class PointMeasure {
+public:
+    explicit PointMeasure(const SimulationResult& result)
+        : m_result(result), m_constraints(evaluateConstraints(result)) {}
+
+    MeasuredPoint measure() {
+        m_measured.point.status = SweepStatus::done;
+        m_measured.point.run = m_result.status;
+        add("time", "s", {m_result.time_s});
+        addLeastMargin();
+        for (std::size_t i = 0; i < m_result.sections.size(); ++i) {
+            addSection(m_result.sections[i], static_cast<int>(i));
+        }
+        for (const ConstraintResult& constraint : worstByKind(m_constraints)) {
+            if (scopeOf(constraint.kind) != ConstraintScope::section) {
+                add(constraintName(constraint.kind), constraintUnit(constraint.kind),
+                    valueOf(constraint));
+            }
+        }
+        add("peak_normal_force", "N", {m_result.peakNormalForce_n});
+        add("peak_power", "kW", {m_result.peakPower_w / wattsPerKilowatt});
+        return std::move(m_measured);
+    }
+
+private:
+    void add(const char* name, const char* unit, const SweepValue& value, Zone zone = Zone::section,
+             int section = -1) {
+        m_measured.quantities.push_back({name, unit, zone, section});
+        m_measured.point.values.push_back(value);
+    }
+
+    /// The limit stands on the side on which the margin is counted.
+    static SweepValue valueOf(const ConstraintResult& constraint) {
+        SweepValue value{constraint.value};
+        const bool above = (constraint.limit >= constraint.value) == (constraint.margin >= 0);
+        const bool high = constraint.kind != ConstraintKind::diameterMin && above;
+        (high ? value.high : value.low) = constraint.limit;
+        value.margin = constraint.margin;
+        return value;
+    }
+
+    /// As a batch counts it: what is set, as the machine's ranges, has no margin of that kind.
+    void addLeastMargin() {
+        SweepPoint& point = m_measured.point;
+        point.good = true;
+        std::optional<double> least;
+        for (const ConstraintResult& constraint : m_constraints) {
+            point.good = point.good && constraint.holds;
+            if (scopeOf(constraint.kind) != ConstraintScope::setting) {
+                least =
+                    std::min(least.value_or(constraint.relativeMargin), constraint.relativeMargin);
+            }
+        }
+        if (least) {
+            SweepValue value{*least * percent};
+            value.low = 0;
+            value.margin = value.value;
+            add("least_margin", "%", value);
+        }
+    }
+
+    void addSection(const SectionResult& section, int index) {
+        const Part& part = m_result.project.part;
+        const auto addHere = [&](const char* name, const SweepValue& value) {
+            add(name, "µm", value, section.zone, index);
+        };
+        SweepValue diameter{meanDeviation_um(section, part.diameter_mm)};
+        diameter.low = part.lower_deviation_um;
+        diameter.high = part.upper_deviation_um;
+        diameter.margin = std::min(diameter.value - diameter.low, diameter.high - diameter.value);
+        addHere("diameter", diameter);
+        bool runout = false, roundness = false;
+        for (const ConstraintResult& constraint : m_constraints) {
+            if (scopeOf(constraint.kind) == ConstraintScope::section
+                && constraint.section == index) {
+                addHere(constraintName(constraint.kind), valueOf(constraint));
+                runout = runout || constraint.kind == ConstraintKind::radialRunout;
+                roundness = roundness || constraint.kind == ConstraintKind::roundness;
+            }
+        }
+        if (!runout) {
+            addHere(constraintName(ConstraintKind::radialRunout),
+                    {section.radialRunout_mm * units::umPerMm});
+        }
+        if (!roundness) {
+            const Directions directions(section.radii_mm.size());
+            addHere(
+                constraintName(ConstraintKind::roundness),
+                {minimumZoneCircles(section.radii_mm, directions).deviation() * units::umPerMm});
+        }
+    }
+
+    const SimulationResult& m_result;
+    std::vector<ConstraintResult> m_constraints;
+    MeasuredPoint m_measured;
+};
+
+} // namespace
+
+MeasuredPoint measurePoint(const SimulationResult& result) {
+    return PointMeasure(result).measure();
+}
+
+} // namespace sparkout

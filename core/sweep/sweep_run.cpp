@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sweep/sweep_run.h"
+
+#include "core/batch/worker_pool.h"
+#include "core/project/number_input.h"
+#include "core/project/sweep_rules.h"
+#include "core/project/validate.h"
+#include "core/simulation/simulate.h"
+#include "core/sweep/sweep_point.h"
+#include "core/text.h"
+#include "core/version.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <deque>
+#include <mutex>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int digitsBetween = 10;
+
+double roundedBetween(double value, double low, double high) {
+    char buffer[64];
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value,
+                                            std::chars_format::general, digitsBetween);
+    std::from_chars(buffer, end, value);
+    return std::clamp(value, low, high);
+}
+
+std::vector<SweptInput> sweptInputs(const Project& project) {
+    std::vector<SweptInput> inputs;
+    for (const SweepAxis& axis : project.sweep->inputs) {
+        const auto input = numberInput(project, axis.input);
+        inputs.push_back({axis, input->field->unit, sweepValues(axis, input->integer)});
+    }
+    return inputs;
+}
+
+using Quantities = std::vector<SweepQuantity>;
+
+class SweepPool {
+public:
+    SweepPool(SweepResult& result, const SweepOptions& options)
+        : m_result(result), m_options(options), m_base(result.project) {
+        m_base.batch.reset(); // no cycle reads them
+        m_base.optimisation.reset();
+        m_base.sweep.reset();
+    }
+
+    void run() {
+        const auto count = static_cast<std::int64_t>(m_result.points.size());
+        m_listOf.resize(m_result.points.size());
+        forEachIndex(workerCount(m_options.threads), 0, count, m_options.stop,
+                     [this](std::size_t, std::int64_t index) {
+                         return runPoint(static_cast<std::size_t>(index));
+                     });
+        gatherQuantities();
+        for (std::size_t i = 0; i < m_listOf.size(); ++i) {
+            place(m_listOf[i], m_result.points[i]);
+        }
+    }
+
+private:
+    bool runPoint(std::size_t index) {
+        Project project = m_base;
+        const std::vector<double> values = m_result.valuesAt(index);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            setNumberInput(project, m_result.inputs[i].axis.input, values[i]);
+        }
+        SweepPoint& mine = m_result.points[index];
+        Issues issues = validate(project);
+        std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+        if (!issues.empty()) {
+            mine.status = SweepStatus::refused;
+            mine.issues = std::move(issues);
+        } else {
+            const SimulationResult result = simulate(project, nullptr, m_options.stop);
+            if (result.status == RunStatus::stopped) {
+                return false;
+            }
+            if (result.status == RunStatus::completed) {
+                MeasuredPoint measured = measurePoint(result);
+                mine = std::move(measured.point);
+                m_listOf[index] = listOf(std::move(measured.quantities));
+            } else {
+                mine.status = SweepStatus::notReached;
+                mine.run = result.status;
+            }
+        }
+        if (m_options.done) {
+            m_options.done->fetch_add(1, std::memory_order_relaxed);
+        }
+        return true;
+    }
+
+    /// One list for all points that have the same quantities: most have.
+    const Quantities* listOf(Quantities quantities) {
+        const std::lock_guard lock(m_mutex);
+        for (const Quantities& list : m_lists) {
+            if (list == quantities) {
+                return &list;
+            }
+        }
+        return &m_lists.emplace_back(std::move(quantities));
+    }
+
+    /// Each once, in the order of the points: whatever thread was quicker.
+    void gatherQuantities() {
+        Quantities& all = m_result.quantities;
+        const Quantities* last = nullptr;
+        for (const Quantities* list : m_listOf) {
+            if (!list || list == last) {
+                continue;
+            }
+            last = list;
+            for (const SweepQuantity& quantity : *list) {
+                if (std::ranges::find(all, quantity) == all.end()) {
+                    all.push_back(quantity);
+                }
+            }
+        }
+    }
+
+    /// Sets the values of a point in the order of all quantities.
+    void place(const Quantities* list, SweepPoint& point) {
+        if (!list || *list == m_result.quantities) {
+            return;
+        }
+        const std::vector<SweepValue> own = std::move(point.values);
+        point.values.assign(m_result.quantities.size(), {});
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const auto at = std::ranges::find(m_result.quantities, (*list)[i]);
+            point.values[static_cast<std::size_t>(at - m_result.quantities.begin())] = own[i];
+        }
+    }
+
+    SweepResult& m_result;
+    const SweepOptions& m_options;
+    Project m_base;
+    std::vector<const Quantities*> m_listOf; ///< of each point; null: it has none
+    std::deque<Quantities> m_lists;          ///< guarded by the mutex
+    std::mutex m_mutex;
+};
+
+} // namespace
+
+std::vector<double> SweepResult::valuesAt(std::size_t point) const {
+    const std::size_t across = inputs.front().values.size();
+    std::vector<double> values{inputs.front().values[point % across]};
+    if (inputs.size() > 1) {
+        values.push_back(inputs[1].values[point / across]);
+    }
+    return values;
+}
+
+Issues checkSweep(const Project& project) {
+    if (!project.sweep) {
+        return {{IssueCode::missingKey,
+                 Severity::error,
+                 "/sweep",
+                 {},
+                 SPARKOUT_NOOP("Limit", "an object")}};
+    }
+    return sweepFaults(project);
+}
+
+std::vector<double> sweepValues(const SweepAxis& axis, bool integer) {
+    std::vector<double> values;
+    const int last = axis.points - 1;
+    for (int i = 0; i <= last; ++i) {
+        const double share = static_cast<double>(i) / last;
+        double value = i == 0 ? axis.from : axis.to;
+        if (i > 0 && i < last) {
+            value = axis.spacing == SweepSpacing::logarithmic
+                        ? axis.from * std::pow(axis.to / axis.from, share)
+                        : axis.from + (axis.to - axis.from) * share;
+            value = roundedBetween(integer ? std::round(value) : value, axis.from, axis.to);
+        }
+        if (values.empty() || value > values.back()) {
+            values.push_back(value);
+        }
+    }
+    return values;
+}
+
+std::int64_t pointsOf(const Project& project) {
+    if (!checkSweep(project).empty()) {
+        return 0;
+    }
+    std::int64_t points = 1;
+    for (const SweptInput& input : sweptInputs(project)) {
+        points *= static_cast<std::int64_t>(input.values.size());
+    }
+    return points;
+}
+
+SweepResult runSweep(const Project& project, const SweepOptions& options) {
+    SweepResult result;
+    result.project = project;
+    result.project.runs.clear();
+    result.engineVersion = version;
+    result.inputs = sweptInputs(project);
+    result.points.resize(static_cast<std::size_t>(pointsOf(project)));
+    SweepPool(result, options).run();
+    result.stopped = std::ranges::any_of(result.points, [](const SweepPoint& point) {
+        return point.status == SweepStatus::pending;
+    });
+    return result;
+}
+
+} // namespace sparkout

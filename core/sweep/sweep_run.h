@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/simulation/result.h"
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+/// A cycle run again and again with one or two of its inputs varied: what they do to every result.
+namespace sparkout {
+
+/// What is told of every point, of a zone or section or of the whole part.
+struct SweepQuantity {
+    std::string name; ///< "time", "least_margin", "diameter", "peak_normal_force", "peak_power", or
+                      ///< that of the requirement
+    std::string unit; ///< s, %, µm, N, kW …
+    Zone zone = Zone::section;
+    int section = -1; ///< index of the zone or section; −1: of the whole part
+    friend bool operator==(const SweepQuantity&, const SweepQuantity&) = default;
+};
+
+/// A quantity at a point. What there is none of is NaN.
+struct SweepValue {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    double low = std::numeric_limits<double>::quiet_NaN();  ///< limits
+    double high = std::numeric_limits<double>::quiet_NaN(); ///< of the drawing, the drives …
+    double margin = std::numeric_limits<double>::quiet_NaN();
+};
+
+enum class SweepStatus {
+    pending,    ///< not run: the sweep was stopped before
+    refused,    ///< the inputs are refused with these values
+    notReached, ///< the cycle does not reach size
+    done
+};
+
+struct SweepPoint {
+    SweepStatus status = SweepStatus::pending;
+    Issues issues;                        ///< why it is refused
+    RunStatus run = RunStatus::completed; ///< how the cycle ended
+    bool good = false;                    ///< every requirement holds
+    std::vector<SweepValue> values;       ///< by quantity; empty unless done
+};
+
+/// A varied input and its values in rising order.
+struct SweptInput {
+    SweepAxis axis;
+    std::string unit;
+    std::vector<double> values;
+};
+
+/// What came out of a sweep. A value; it says what was run.
+struct SweepResult {
+    Project project; ///< with its sweep, without kept runs
+    std::string engineVersion;
+    std::vector<SweptInput> inputs;
+    std::vector<SweepQuantity> quantities; ///< all that any point has
+    std::vector<SweepPoint> points;        ///< the first input's values, for each of the second's
+    bool stopped = false;
+
+    [[nodiscard]] std::size_t index(std::size_t first, std::size_t second = 0) const {
+        return second * inputs.front().values.size() + first;
+    }
+    /// The values of the inputs at a point.
+    [[nodiscard]] std::vector<double> valuesAt(std::size_t point) const;
+};
+
+struct SweepOptions {
+    int threads = 0; ///< 0: as many as the processor carries out at once
+    std::stop_token stop;
+    std::atomic<std::int64_t>* done = nullptr; ///< points done, while it runs
+};
+
+/// What keeps the sweep of a project from being run; the point alone says whether its inputs are
+/// refused.
+[[nodiscard]] Issues checkSweep(const Project& project);
+
+/// The values of a varied input: both ends as given, those between rounded to ten digits, of a
+/// whole number each once.
+[[nodiscard]] std::vector<double> sweepValues(const SweepAxis& axis, bool integer);
+
+/// How many points the sweep of a project has; 0 without one.
+[[nodiscard]] std::int64_t pointsOf(const Project& project);
+
+/// Runs a sweep that checkSweep() passes. The same for any number of threads, bit for bit: each
+/// point is the run of the project with its values. A stop request ends it within a revolution of
+/// each thread and keeps what was done.
+[[nodiscard]] SweepResult runSweep(const Project& project, const SweepOptions& options = {});
+
+} // namespace sparkout

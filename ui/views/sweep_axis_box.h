@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/number_input.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace sparkout {
+
+class NumberField;
+
+/// One varied input: which it is, from where to where, at how many points.
+class SweepAxisBox : public QWidget {
+    Q_OBJECT
+public:
+    /// @param place 0 or 1: which of the varied inputs it is
+    explicit SweepAxisBox(std::size_t place, QWidget* parent = nullptr);
+
+    /// The sweep of a project, with the inputs that it could vary.
+    void show(const Project& project);
+    void retranslate();
+
+signals:
+    void inputChosen(const std::string& path); ///< empty: none
+    void axisEdited(const sparkout::SweepAxis& axis);
+
+private:
+    void fillInputs(const std::vector<NumberInput>& inputs);
+    void showAxis(const std::optional<NumberInput>& input);
+    void onInput();
+    void onRange();
+
+    std::size_t m_place;
+    QComboBox* m_input;
+    NumberField *m_from, *m_to;
+    QLabel *m_dash, *m_unit;
+    QSpinBox* m_points;
+    QCheckBox* m_ratios;
+    std::vector<std::string> m_paths; ///< of the entries after the first
+    std::optional<SweepAxis> m_axis;
+    std::optional<NumberInput> m_of; ///< what the axis varies
+};
+
+} // namespace sparkout

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/sweep_runner.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+/// What a plot of a sweep shows: quantities of one name, of all zones or of one.
+struct SweepEntry {
+    std::string key; ///< "radial_runout", "radial_runout 1"
+    std::vector<std::size_t> quantities;
+};
+
+/// What can be shown of a sweep, in its order; `each`: every zone by itself, too.
+[[nodiscard]] std::vector<SweepEntry> sweepEntries(const SweepResult& sweep, bool each);
+
+/// The quantity of an entry that has the least margin at a point, without limits the greatest
+/// value; nothing where the point has none.
+[[nodiscard]] std::optional<std::size_t> worstAt(const SweepPoint& point, const SweepEntry& entry);
+
+/// What the view of sweeps says of inputs, quantities and points.
+class SweepText {
+    Q_DECLARE_TR_FUNCTIONS(SweepText)
+public:
+    static QString input(const std::string& path);      ///< "Wheel › Dullness"
+    static QString inputBrief(const std::string& path); ///< "Dullness", "Stage 2 › Spark-out"
+    static QString inputAxis(const SweptInput& input);  ///< "Stock per side, mm"
+    static QString inputValue(double value, const std::string& unit); ///< "0.15 mm"
+
+    static QString name(const SweepQuantity& quantity);  ///< "Radial runout"
+    static QString where(const SweepQuantity& quantity); ///< "RZ1", "whole part"
+    static QString entry(const SweepResult& sweep,
+                         const SweepEntry& entry); ///< "Radial runout, RZ1"
+    static QString axis(const SweepResult& sweep, const SweepEntry& entry, bool margins);
+    static QString column(const SweepQuantity& quantity); ///< of a table: name, place, unit
+    static QString status(const SweepPoint& point);       ///< "refused", "does not reach size"
+
+    static QString progress(qint64 done, qint64 points, double left_s);
+    static QString run(const SweepResult& sweep); ///< how many points, and what came of them
+    /// The inputs of a point: "Dullness 0.02, Dwell at the entry 0.3 s".
+    static QString inputs(const SweepResult& sweep, std::size_t point);
+    /// With its values of the entry, its time and whether it holds.
+    static QString point(const SweepResult& sweep, std::size_t point, const SweepEntry& entry);
+
+private:
+    static QString verdict(const SweepResult& sweep, const SweepPoint& point);
+};
+
+} // namespace sparkout
