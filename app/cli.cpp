@@ -38,7 +38,8 @@ simulate   runs the cycle of a project file
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
 optimize   finds the quickest cycle of the file's grid that holds every requirement
-  --robust   it must hold in every phase of the stock against the feeds, too
+  --robust   it must hold in every phase of the stock against the feeds, too; a file whose
+             optimisation says scenarios corners or batch is searched for those without it
   --method   search: proves the answer from few runs; full: runs every cycle
   --stages   numbers of stages to try, instead of the file's
   --time-limit  ends the search after so many seconds, as Ctrl+C does: the best

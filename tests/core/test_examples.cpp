@@ -4,6 +4,7 @@
 #include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 #include "core/quality/constraints.h"
+#include "core/quality/result_names.h"
 #include "core/simulation/simulate.h"
 
 #include "tests/registry.h"
@@ -40,17 +41,6 @@ std::map<std::string, std::string> exampleTexts() {
     return texts;
 }
 
-std::string statusWord(RunStatus status) {
-    switch (status) {
-    case RunStatus::completed: return "completed";
-    case RunStatus::cannotReachSize: return "cannot_reach_size";
-    case RunStatus::tooLong: return "too_long";
-    case RunStatus::stopped: return "stopped";
-    case RunStatus::notSolved: return "not_solved";
-    }
-    return {};
-}
-
 std::string namesOf(const std::vector<ConstraintResult>& constraints, bool holding) {
     std::string names;
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
@@ -65,8 +55,8 @@ std::string namesOf(const std::vector<ConstraintResult>& constraints, bool holdi
 std::string verdictOf(const SimulationResult& result) {
     const auto constraints = evaluateConstraints(result);
     const bool traverse = result.project.operation == Operation::traverse;
-    return "Verdict: " + statusWord(result.status) + "; holds: " + namesOf(constraints, true)
-           + "; fails: " + namesOf(constraints, false)
+    return std::string("Verdict: ") + statusKey(result.status)
+           + "; holds: " + namesOf(constraints, true) + "; fails: " + namesOf(constraints, false)
            + (traverse ? "; double strokes: " : "; revolutions: ")
            + std::to_string(result.cycleCount)
            + "; time: " + QString::number(result.time_s / 60, 'f', 3).toStdString() + " min";

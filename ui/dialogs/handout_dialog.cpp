@@ -19,7 +19,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int handoutWidth = 560, shortestStep = 30;
+constexpr int handoutWidth = 640, shortestStep = 30;
 const QString answersWord = QStringLiteral("answers");
 
 report::StepWish wishOf(const Place& at, int radius) {

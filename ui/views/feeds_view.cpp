@@ -8,6 +8,7 @@
 #include "ui/views/feeds_plot.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
+#include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
 
 #include <QComboBox>
@@ -93,9 +94,10 @@ void FeedsView::showState() {
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
     const bool drawn = m_good != nullptr && !unrecorded;
-    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_overview, m_legend, m_values}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_overview, m_legend}) {
         part->setVisible(drawn);
     }
+    m_values->setVisible(drawn && !m_cursors->toggle->isChecked()); // their table tells them
     for (QWidget* tool : std::initializer_list<QWidget*>{m_span, m_stroke, m_axis, m_section}) {
         tool->setEnabled(drawn);
     }

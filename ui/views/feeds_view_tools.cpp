@@ -154,6 +154,7 @@ void FeedsView::buildLabels() {
 }
 
 void FeedsView::connectTools() {
+    connect(m_cursors->toggle, &QAction::toggled, this, &FeedsView::showState);
     connect(m_span, &QComboBox::currentIndexChanged, this, &FeedsView::onSpanChosen);
     connect(m_stroke, &QSpinBox::valueChanged, this, &FeedsView::onStrokeChosen);
     connect(m_previous, &QToolButton::clicked, m_stroke, &QSpinBox::stepDown);

@@ -15,6 +15,18 @@
 
 namespace sparkout {
 
+namespace {
+
+/// A name as it stands within a sentence; a symbol, as Ra, stays.
+QString inSentence(QString name) {
+    if (name.size() > 1 && name[1].isLower() && name.section(u' ', 0, 0).size() > 2) {
+        name[0] = name[0].toLower();
+    }
+    return name;
+}
+
+} // namespace
+
 QString OptimiseText::minutes(double time_s) {
     return Names::significant(time_s / units::secondsPerMinute, 4);
 }
@@ -58,7 +70,7 @@ QString OptimiseText::cycleHint(Operation operation) {
 QString OptimiseText::names(const std::vector<ConstraintKind>& kinds) {
     QStringList names;
     for (const ConstraintKind kind : kinds) {
-        names << Names::constraint(kind);
+        names << inSentence(Names::constraint(kind));
     }
     return names.join(QStringLiteral(", "));
 }
@@ -115,7 +127,8 @@ QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
     QStringList names;
     for (const auto& [count, kind] : cuts) {
         names << tr("%1 (%2 times)")
-                     .arg(Names::constraint(kind), QLocale().toString(qlonglong(count)));
+                     .arg(inSentence(Names::constraint(kind)),
+                          QLocale().toString(qlonglong(count)));
     }
     return names.isEmpty() ? QString()
                            : tr("What cut most: %1.").arg(names.join(QStringLiteral(", ")));
