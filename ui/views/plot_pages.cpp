@@ -15,14 +15,16 @@
 namespace sparkout {
 
 PlotPages::PlotPages(QWidget& view, LegendStrip& legend, std::function<QStringList()> heading,
-                     Settings* settings)
+                     Settings* settings, Chosen chosen)
     : QObject(&view)
     , m_view(view)
     , m_legend(legend)
     , m_heading(std::move(heading))
     , m_settings(settings)
-    , m_content(new QComboBox(&view))
     , m_stack(new QStackedWidget(&view)) {
+    if (chosen == Chosen::inBox) {
+        m_content = new QComboBox(&view);
+    }
     connect(&legend, &LegendStrip::toggled, this, [this](int key) { page().toggle(key); });
     connect(&legend, &LegendStrip::onlyAsked, this, [this](int key) { page().showOnly(key); });
 }
@@ -39,11 +41,13 @@ void PlotPages::finish(Page page, PlotSubject subject) {
     row->addWidget(page.tools->exportButton(page.buttons));
     m_stack->addWidget(page.plot);
     m_pages.push_back(std::move(page));
-    m_content->addItem(QString()); // the first becomes the one in sight
+    if (m_content) {
+        m_content->addItem(QString()); // the first becomes the one in sight
+    }
 }
 
 const PlotPages::Page& PlotPages::page() const {
-    return m_pages[static_cast<std::size_t>(m_content->currentIndex())];
+    return m_pages[m_shown];
 }
 
 void PlotPages::addButtons(QBoxLayout& row) const {
@@ -53,6 +57,11 @@ void PlotPages::addButtons(QBoxLayout& row) const {
 }
 
 void PlotPages::show() {
+    show(static_cast<std::size_t>(m_content->currentIndex()));
+}
+
+void PlotPages::show(std::size_t index) {
+    m_shown = index;
     m_stack->setCurrentWidget(page().plot);
     for (const Page& other : m_pages) {
         other.buttons->setVisible(&other == &page());

@@ -17,8 +17,8 @@ namespace sparkout {
 
 class LegendStrip;
 
-/// The plots of a view of which one is in sight, chosen in a box of contents: each with its tools,
-/// their two buttons, and its legend in the strip that they share.
+/// The plots of a view of which one is in sight, chosen in a box of contents or by the view: each
+/// with its tools, their two buttons, and its legend in the strip that they share.
 class PlotPages : public QObject {
     Q_OBJECT
 public:
@@ -30,9 +30,11 @@ public:
         std::function<void(int)> toggle, showOnly; ///< by the key of the legend
     };
 
+    enum class Chosen { inBox, byView };
+
     /// @param heading over an exported picture
     PlotPages(QWidget& view, LegendStrip& legend, std::function<QStringList()> heading,
-              Settings* settings);
+              Settings* settings, Chosen chosen = Chosen::inBox);
 
     /// The next page; the view names it in the box. The subject says what is special to the plot.
     template <typename Plot>
@@ -50,13 +52,14 @@ public:
         finish(std::move(page), std::move(subject));
     }
 
-    [[nodiscard]] QComboBox* content() const { return m_content; }
+    [[nodiscard]] QComboBox* content() const { return m_content; } ///< null: the view chooses
     [[nodiscard]] QStackedWidget* stack() const { return m_stack; }
     [[nodiscard]] const std::vector<Page>& all() const { return m_pages; }
     [[nodiscard]] const Page& page() const; ///< in sight
 
     void addButtons(QBoxLayout& row) const; ///< of all pages; show() leaves those of one
-    void show();                            ///< the chosen plot with its buttons and its legend
+    void show();                            ///< what the box says, with its buttons and its legend
+    void show(std::size_t index);
     void showLegend();
 
 private:
@@ -66,9 +69,10 @@ private:
     LegendStrip& m_legend;
     std::function<QStringList()> m_heading;
     Settings* m_settings;
-    QComboBox* m_content;
+    QComboBox* m_content = nullptr;
     QStackedWidget* m_stack;
     std::vector<Page> m_pages;
+    std::size_t m_shown = 0;
 };
 
 } // namespace sparkout

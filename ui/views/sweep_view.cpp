@@ -141,8 +141,7 @@ void SweepView::showPlots() {
         other->setSweep(shown ? m_sweep : nullptr, shown ? chosenEntry() : SweepEntry{},
                         m_side->currentIndex() == 1);
     }
-    m_pages->content()->setCurrentIndex(&plot() == m_map ? 1 : 0);
-    m_pages->show();
+    m_pages->show(&plot() == m_map ? 1 : 0);
     showState();
     replotShown();
 }

@@ -35,7 +35,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
     , m_map(new SweepMap(this))
     , m_legend(new LegendStrip(this))
     , m_pages(new PlotPages(
-          *this, *m_legend, [this] { return heading(); }, settings))
+          *this, *m_legend, [this] { return heading(); }, settings, PlotPages::Chosen::byView))
     , m_entry(new QComboBox(this))
     , m_side(new QComboBox(this))
     , m_point(new QSpinBox(this))
@@ -109,7 +109,6 @@ QWidget* SweepView::buildTools() {
         m_pages->add(*plot, std::move(subject));
         plot->setMinimumSize(240, 120);
     }
-    m_pages->content()->hide(); // the number of inputs decides
     auto* bar = new QWidget(this);
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 0, 0);
