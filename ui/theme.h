@@ -59,6 +59,11 @@ enum class Tone {
 [[nodiscard]] QColor tone(Tone which, const QPalette& palette);
 [[nodiscard]] bool isDark(const QPalette& palette);
 
+/// What is drawn over a map of colours, which is the same in every theme.
+namespace onMap {
+inline constexpr QColor dark(0, 0, 0), light(255, 255, 255), accent(0xff, 0x9d, 0x5c);
+}
+
 /// An icon of resources/icons by its name without ending: drawn at the size and in the colours of
 /// the moment, so a change of theme needs no new icon.
 [[nodiscard]] QIcon themeIcon(QStringView name);

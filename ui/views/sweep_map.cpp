@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep_map.h"
 
+#include "ui/theme.h"
 #include "ui/views/contour_lines.h"
 
 #include <algorithm>
@@ -224,18 +225,18 @@ void SweepMap::colour() {
     axis.setNumberFormat(QStringLiteral("g"));
     m_map->setGradient(sweepColours(dim()));
     for (QCPCurve* halo : {m_limitHalo, m_holdsHalo}) {
-        halo->setPen(QPen(style::dimmed(Qt::black, dim()), 4));
+        halo->setPen(QPen(style::dimmed(onMap::dark, dim()), 4));
     }
-    m_limit->setPen(QPen(style::dimmed(Qt::white, dim()), 2));
-    m_holds->setPen(QPen(style::dimmed(QColor(0xff, 0x9d, 0x5c), dim()), 2));
+    m_limit->setPen(QPen(style::dimmed(onMap::light, dim()), 2));
+    m_holds->setPen(QPen(style::dimmed(onMap::accent, dim()), 2));
     const QColor text = style::dimmed(palette().color(QPalette::Text), dim());
     m_refused->setScatterStyle(QCPScatterStyle(
         QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, mapSignSize));
     const QColor stuck = toned(Hue::orange);
     m_notReached->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, mapSignSize));
-    m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(Qt::black, 1.5),
-                                               Qt::white, mapPresentSize));
+    m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(onMap::dark, 1.5),
+                                               onMap::light, mapPresentSize));
     m_chosenMark->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(text, 3), Qt::NoBrush, mapChosenSize));
 }
