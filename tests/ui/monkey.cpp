@@ -122,8 +122,11 @@ void Monkey::later() {
 void Monkey::step() {
     if (!m_trouble.isEmpty() || m_done >= m_events) {
         QWidget* popup = QApplication::activePopupWidget();
-        if (QWidget* open = popup ? popup : QApplication::activeModalWidget()) {
+        QWidget* open = popup ? popup : QApplication::activeModalWidget();
+        if (open) {
             open->close(); // back to run()
+        }
+        if (open || m_depth > 0) { // what was begun last may open a dialog yet
             later();
         }
         return;
