@@ -24,7 +24,7 @@ constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
-  sparkout-cli optimize FILE [--robust] [--method search|full] [--stages N,…]
+  sparkout-cli optimize FILE [--robust] [--method search|full|dp|labels] [--stages N,…]
                         [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
   sparkout-cli validate FILE
   sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
@@ -40,7 +40,10 @@ simulate   runs the cycle of a project file
 optimize   finds the quickest cycle of the file's grid that holds every requirement
   --robust   it must hold in every phase of the stock against the feeds, too; a file whose
              optimisation says scenarios corners or batch is searched for those without it
-  --method   search: proves the answer from few runs; full: runs every cycle
+  --method   search: proves the answer from few runs; full: runs every cycle;
+             for plunge grinding also two heuristics, which prove nothing and may
+             find no cycle where there is one: dp, the dynamic programming that
+             was published, and labels, which keeps more ways to each stock level
   --stages   numbers of stages to try, instead of the file's
   --time-limit  ends the search after so many seconds, as Ctrl+C does: the best
              so far stays, with the time that no cycle is quicker than

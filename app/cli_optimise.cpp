@@ -56,7 +56,7 @@ std::vector<double> stagesIn(std::string_view text) {
 /// What an option's value may be; nothing where it has none.
 const char* valueOf(const std::string& option) {
     if (option == "--method") {
-        return "search or full";
+        return "search, full, dp or labels";
     }
     if (option == "--stages") {
         return "numbers from 1 to 5 with commas between";
@@ -72,8 +72,9 @@ const char* valueOf(const std::string& option) {
 
 bool readValue(const std::string& option, const std::string& value, OptimiseOptions& options) {
     if (option == "--method") {
-        options.method = value == "full" ? SearchMethod::full : SearchMethod::pruned;
-        return value == "full" || value == "search";
+        const auto method = methodNamed(value);
+        options.method = method.value_or(SearchMethod::pruned);
+        return method.has_value();
     }
     if (option == "--stages") {
         options.stages = stagesIn(value);
@@ -120,7 +121,11 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
 }
 
 /// Why the project's grid cannot be searched.
-std::optional<std::string> refusal(const Project& project) {
+std::optional<std::string> refusal(const Project& project, SearchMethod method) {
+    if (isHeuristic(method) && project.operation != Operation::plunge) {
+        return std::string("/operation: --method ") + methodName(method)
+               + " is for plunge grinding; --method search takes traverse cycles";
+    }
     switch (Grid(project).fault()) {
     case GridFault::none: break;
     case GridFault::notGiven: return "/optimisation: what to search is not given";
@@ -154,6 +159,7 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     search.stop = watch.token();
     OptimiseReport report;
     report.project = project;
+    report.method = options.method;
     if (options.robust || asksForABatch(project)) {
         report.robust = optimiseRobustly(project, scenariosAskedFor(project), {.search = search});
         report.search = report.robust->search;
@@ -161,7 +167,8 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
         report.search = optimise(project, search);
     }
     report.limit_s = steplessLimit_s(project);
-    if (report.search.status == SearchStatus::stopped) { // no cycle at all is quicker than that
+    if (report.search.status == SearchStatus::stopped
+        || isHeuristic(options.method)) { // no cycle at all is quicker than that
         report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
     }
     if (report.search.best) {
@@ -186,7 +193,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
     if (project->optimisation && !options.stages.empty()) {
         project->optimisation->stages = options.stages;
     }
-    if (const auto reason = refusal(*project)) {
+    if (const auto reason = refusal(*project, options.method)) {
         print(stderr, options.file + ": " + *reason + '\n');
         return refused;
     }

@@ -21,7 +21,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array searchStatusNames{"proved", "infeasible", "stopped"};
+constexpr std::array searchStatusNames{"proved", "infeasible", "stopped", "found", "not_found"};
+constexpr std::array methodNames{"full", "search", "dp", "labels"};
 
 const char* statusName(SearchStatus status) {
     return searchStatusNames[static_cast<std::size_t>(status)];
@@ -98,11 +99,24 @@ std::string stageLine(const Stage& stage, std::size_t number) {
            + fixed(stage.stock_mm, 4) + " mm\n";
 }
 
+std::string heuristicText(SearchMethod method) {
+    return method == SearchMethod::published
+               ? "dynamic programming as published, a heuristic (nothing is proved)"
+               : "labels of time and deflection, a heuristic (nothing is proved)";
+}
+
 std::string statusText(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     if (search.status == SearchStatus::proved) {
         return report.robust ? "the quickest of the grid for the part and the stocks added, proved"
                              : "the quickest of the grid, proved";
+    }
+    if (search.status == SearchStatus::found) {
+        return "found by " + heuristicText(report.method)
+               + ": it holds, but a quicker cycle may hold too";
+    }
+    if (isHeuristic(report.method)) {
+        return "stopped: the best so far by " + heuristicText(report.method);
     }
     return "stopped: the best so far; none of the grid is quicker than "
            + fixed(minutes(search.bound_s), 4) + " min";
@@ -134,6 +148,17 @@ std::string robustText(const RobustSummary& robust, double best_s) {
 
 } // namespace
 
+const char* methodName(SearchMethod method) {
+    return methodNames[static_cast<std::size_t>(method)];
+}
+
+std::optional<SearchMethod> methodNamed(const std::string& name) {
+    const auto found = std::find(methodNames.begin(), methodNames.end(), name);
+    return found == methodNames.end()
+               ? std::nullopt
+               : std::optional(static_cast<SearchMethod>(found - methodNames.begin()));
+}
+
 bool hasAnswer(const OptimiseReport& report) {
     return report.search.best && (!report.robust || report.robust->holdsInSample);
 }
@@ -155,8 +180,10 @@ std::string optimiseText(const OptimiseReport& report) {
     const std::string binding = joined(bindingNames(report));
     text += "least margin         " + fixed(search.best->leastRelativeMargin * 100, 1) + " %\n";
     text += "binding              "
-            + (binding.empty() ? "nothing: no cycle that differs in one setting is quicker"
-                               : binding + " in quicker cycles that differ in one setting")
+            + (!binding.empty() ? binding + " in quicker cycles that differ in one setting"
+               : search.status == SearchStatus::proved
+                   ? "nothing: no cycle that differs in one setting is quicker"
+                   : "nothing known: a cycle that differs in one setting may be quicker and hold")
             + '\n';
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
     const long long visits = report.robust ? report.robust->visits : search.visits;
@@ -169,6 +196,8 @@ std::string optimiseJson(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
     root["status"] = statusName(search.status);
+    root["method"] = methodName(report.method);
+    root["heuristic"] = isHeuristic(report.method);
     root["cycle"] = nullptr;
     root["cycle_time_min"] = nullptr;
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
@@ -210,6 +239,8 @@ std::string noAnswerSentence(const OptimiseReport& report) {
         text = "no cycle was found that holds in every phase of the stock";
     } else if (search.status == SearchStatus::stopped) {
         text = "stopped before a feasible cycle was found";
+    } else if (search.status == SearchStatus::notFound) {
+        text = "the heuristic found no feasible cycle; there may be one, --method search tells";
     } else {
         text = "no cycle of the grid is feasible";
     }

@@ -12,11 +12,16 @@ namespace sparkout::cli {
 /// A search and what its answer is to be read with.
 struct OptimiseReport {
     Project project; ///< as read: the given cycle
+    SearchMethod method = SearchMethod::pruned;
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     double limit_s = 0;                  ///< stepless
     std::vector<ConstraintKind> binding;
 };
+
+/// A method as `--method` names it.
+[[nodiscard]] const char* methodName(SearchMethod method);
+[[nodiscard]] std::optional<SearchMethod> methodNamed(const std::string& name);
 
 /// Whether there is a cycle to give: feasible, and tested where it must be robust.
 [[nodiscard]] bool hasAnswer(const OptimiseReport& report);

@@ -23,9 +23,16 @@
 namespace sparkout {
 
 enum class SearchMethod {
-    full,   ///< runs every cycle of the grid from the blank, until it is decided
-    pruned, ///< the same answer, proven, from fewer simulations
+    full,      ///< runs every cycle of the grid from the blank, until it is decided
+    pruned,    ///< the same answer, proven, from fewer simulations
+    published, ///< heuristic for plunge: dynamic programming as the thesis has it
+    labels,    ///< heuristic for plunge: labels by time and deflection
 };
+
+/// Whether what a method finds is proved by nothing.
+[[nodiscard]] constexpr bool isHeuristic(SearchMethod method) {
+    return method == SearchMethod::published || method == SearchMethod::labels;
+}
 
 /// A feasible cycle of the grid and what it is compared by.
 struct FeasibleCycle {
@@ -64,13 +71,15 @@ enum class SearchStatus {
     proved,     ///< the best cycle of the grid
     infeasible, ///< no cycle of the grid is feasible
     stopped,    ///< on request: best so far and bound
+    found,      ///< by a heuristic: holds, but a quicker one may hold too
+    notFound,   ///< by a heuristic: there may be one
 };
 
 struct SearchSummary {
     SearchStatus status = SearchStatus::infeasible;
     std::optional<FeasibleCycle> best;
     Cycle cycle;               ///< the best one, as a project states it
-    double bound_s = 0;        ///< no cycle of the grid that holds is quicker
+    double bound_s = 0;        ///< no cycle of the grid that holds is quicker; heuristics: 0
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles decided on one by one
     long long visits = 0;      ///< radii under the wheel, of all runs

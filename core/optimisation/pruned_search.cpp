@@ -2,7 +2,7 @@
 #include "core/optimisation/pruned_search.h"
 
 #include "core/optimisation/judge.h"
-#include "core/optimisation/time_bound.h"
+#include "core/optimisation/stage_runs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,9 @@ namespace sparkout {
 
 namespace {
 
-/// A cycle up to the end of a stage.
+/// A cycle up to the end of a stage, and the settings of the next one.
 struct Prefix {
-    std::shared_ptr<const CycleSteps> steps;
-    std::size_t stages = 0; ///< of the whole cycle
-    GridCycle cycle;        ///< so far
-    std::vector<int> counts;
-    int taken = 0;  ///< steps of stock
+    CyclePrefix done;
     int merged = 0; ///< further ends of its last stage on the same step
     std::vector<std::pair<double, std::size_t>> next; ///< bound [s] and setting, by bound
 };
@@ -53,9 +49,8 @@ public:
         , m_options(options)
         , m_judge(grid, options.scenarios)
         , m_runner(project, grid)
-        , m_total(makeBlank(project.part).totalInfeed_mm)
-        , m_bound(project, grid, m_total)
-        , m_gauge(project.gauge.control == Control::gauge)
+        , m_runs(project, grid, m_runner.cuts())
+        , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
         , m_most(options.memory_bytes / prefixBytes(project, grid)) {}
 
     SearchSummary run() {
@@ -93,10 +88,11 @@ private:
     void begin() {
         for (const std::size_t stages : m_grid.stageCounts()) {
             seed(stages);
+            const auto steps = m_runner.begin(stages);
             Prefix root;
-            root.steps = m_runner.begin(stages);
-            root.stages = stages;
-            add(std::move(root), 0);
+            root.done.steps = steps;
+            root.done.stages = stages;
+            add(std::move(root), 0, *steps);
         }
     }
 
@@ -104,7 +100,7 @@ private:
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            order.emplace_back(m_bound.rest_s(s, 0, 0, true), s);
+            order.emplace_back(m_runs.bound().rest_s(s, 0, 0, true), s);
         }
         std::sort(order.begin(), order.end());
         for (const auto& [bound_s, setting] : order) {
@@ -122,33 +118,35 @@ private:
         }
     }
 
-    /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
-    [[nodiscard]] int leastTaken(const Prefix& prefix) const {
-        return prefix.taken + m_grid.leastOf(prefix.stages - prefix.cycle.size(), prefix.taken);
-    }
-    [[nodiscard]] int mostTaken(const Prefix& prefix) const {
-        return m_grid.mostSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
-    }
-    [[nodiscard]] static bool isLast(const Prefix& prefix) {
-        return prefix.cycle.size() + 1 == prefix.stages;
-    }
-    /// Least time of all cycles that go on with this setting.
-    [[nodiscard]] double boundOf(const Prefix& prefix, const Run& run, std::size_t setting,
-                                 int taken) const {
-        return run.time_s() * (1 - 1e-12)
-               + m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), isLast(prefix));
+    /// Whether a shorter cycle of the grid makes the same passes as those that go on with this
+    /// setting: point 5 of the header.
+    [[nodiscard]] bool isToldShorter(const CyclePrefix& prefix, std::size_t setting) const {
+        const std::vector<std::size_t>& counts = m_grid.stageCounts();
+        const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
+        return m_runs.isGauged() && !prefix.cycle.empty() && prefix.cycle.back().setting == setting
+               && (m_freeLast || !prefix.isBeforeLast())
+               && std::find(counts.begin(), own, prefix.stages - 1) != own;
     }
 
-    void add(Prefix prefix, double least_s) {
+    /// Keeps a prefix whose steps are these, or go on from them.
+    void add(Prefix prefix, double least_s, const CycleSteps& steps) {
+        const CyclePrefix& done = prefix.done;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (!prefix.cycle.empty() && !m_grid.mayFollow(prefix.cycle.back().setting, s)) {
+            if (isToldShorter(done, s)
+                || (!done.cycle.empty() && !m_grid.mayFollow(done.cycle.back().setting, s))) {
                 continue;
             }
             const double bound_s =
-                std::max(least_s, boundOf(prefix, prefix.steps->run(), s, leastTaken(prefix)));
+                std::max(least_s, m_runs.bound_s(done, steps.run(), s, m_runs.leastTaken(done)));
             if (!isSlower(bound_s)) {
                 prefix.next.emplace_back(bound_s, s);
             }
+        }
+        if (prefix.next.empty()) {
+            return;
+        }
+        if (!done.steps) {
+            prefix.done.steps = steps.copy();
         }
         std::sort(prefix.next.begin(), prefix.next.end());
         push(std::make_shared<const Prefix>(std::move(prefix)), 0);
@@ -185,102 +183,39 @@ private:
     }
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
-        if (isLast(from)) {
-            runStage(from, setting, {0, 0}, least_s);
-        } else if (m_gauge) {
-            runStage(from, setting, {leastTaken(from), mostTaken(from)}, least_s);
+        const CyclePrefix& done = from.done;
+        const bool single = !m_options.scenarios.empty() && done.cycle.size() + 2 != done.stages;
+        m_runs.run(
+            done, setting,
+            [&](const Run& run, int taken) {
+                return isSlower(m_runs.bound_s(done, run, setting, taken));
+            },
+            [&](const StageRuns::End& end) {
+                if (done.isBeforeLast()) {
+                    complete(from, setting, end);
+                    return;
+                }
+                for (int taken = end.first; taken <= (single ? end.last : end.first); ++taken) {
+                    Prefix prefix;
+                    prefix.done = m_runs.after(done, setting, end, taken);
+                    prefix.merged = single ? 0 : end.last - taken;
+                    add(std::move(prefix), least_s, end.steps);
+                }
+            },
+            m_judge.counts);
+    }
+
+    /// Judges a cycle behind its last stage.
+    void complete(const Prefix& from, std::size_t setting, const StageRuns::End& end) {
+        if (comparedTime_us(end.steps.run().time_s()) > m_judge.bestTime_us()) {
+            return;
+        }
+        const CyclePrefix whole = m_runs.after(from.done, setting, end, 0);
+        if (m_runs.isGauged()) {
+            m_judge.judge(whole.cycle, m_runner.finish(whole.cycle, end.steps, whole.counts),
+                          from.merged);
         } else {
-            for (int taken = leastTaken(from); taken <= mostTaken(from); ++taken) {
-                runStage(from, setting, {taken, taken}, least_s);
-            }
-        }
-    }
-
-    /// Steps of stock behind a stage, from the first end on to the last.
-    struct Ends {
-        int taken = 0, last = 0;
-    };
-
-    /// Runs the next stage until its last end, and goes on from each end.
-    void runStage(const Prefix& from, std::size_t setting, Ends ends, double least_s) {
-        const std::unique_ptr<CycleSteps> steps = from.steps->copy();
-        Run& run = steps->run();
-        const long long visitsBefore = run.visits();
-        const std::size_t stage = from.cycle.size();
-        int count = 0;
-        const bool begun =
-            std::any_of(from.counts.begin(), from.counts.end(), [](int each) { return each > 0; });
-        while (true) {
-            if (begun || count > 0) {
-                takeEnds(from, setting, *steps, count, ends, least_s);
-            }
-            if (ends.taken > ends.last || isSlower(boundOf(from, run, setting, ends.taken))
-                || run.mustEnd()
-                || !steps->step({nextInfeed(isLast(from), setting, run.fed_mm, ends.taken), stage,
-                                 m_grid.settings()[setting].axialFeed_mm_min})) {
-                break;
-            }
-            ++count;
-            if (const auto kind = m_runner.cuts().broken(run, stage)) {
-                ++m_judge.counts.cuts[static_cast<std::size_t>(*kind)];
-                break;
-            }
-        }
-        m_judge.counts.visits += run.visits() - visitsBefore;
-    }
-
-    [[nodiscard]] double later(bool last, int taken) const {
-        return last ? 0 : m_grid.remainder(taken);
-    }
-
-    [[nodiscard]] double nextInfeed(bool last, std::size_t setting, double fed_mm,
-                                    int taken) const {
-        const double infeed = m_bound.infeed_mm(setting);
-        return m_gauge ? infeed : std::clamp(m_total - later(last, taken) - fed_mm, 0.0, infeed);
-    }
-
-    [[nodiscard]] bool ended(const CycleSteps& steps, double later_mm) const {
-        return m_gauge ? steps.remaining() <= later_mm + stageSlack_mm
-                       : steps.run().fed_mm >= m_total - later_mm - stageSlack_mm;
-    }
-
-    /// The ends that the state after a step has reached.
-    void takeEnds(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count,
-                  Ends& ends, double least_s) {
-        const int first = ends.taken;
-        while (ends.taken <= ends.last && ended(steps, later(isLast(from), ends.taken))) {
-            ++ends.taken;
-        }
-        const bool single = !m_options.scenarios.empty() && from.cycle.size() + 2 != from.stages;
-        for (int taken = first; taken < ends.taken; ++taken) {
-            end(from, setting, steps, count, {taken, single ? taken : ends.taken - 1}, least_s);
-            if (!single) {
-                break;
-            }
-        }
-    }
-
-    /// Goes on from ends that fall on one step.
-    void end(const Prefix& from, std::size_t setting, const CycleSteps& steps, int count,
-             Ends merged, double least_s) {
-        Prefix prefix;
-        prefix.stages = from.stages;
-        prefix.cycle = from.cycle;
-        prefix.counts = from.counts;
-        prefix.counts.push_back(count);
-        prefix.cycle.push_back({setting, isLast(from) ? 0 : merged.taken - from.taken});
-        prefix.taken = merged.taken;
-        prefix.merged = isLast(from) ? from.merged : merged.last - merged.taken;
-        if (!isLast(from)) {
-            prefix.steps = steps.copy();
-            add(std::move(prefix), least_s);
-        } else if (comparedTime_us(steps.run().time_s()) <= m_judge.bestTime_us()) {
-            if (m_gauge) {
-                m_judge.judge(prefix.cycle, m_runner.finish(prefix.cycle, steps, prefix.counts),
-                              prefix.merged);
-            } else {
-                m_judge.decide(prefix.cycle, m_runner);
-            }
+            m_judge.decide(whole.cycle, m_runner);
         }
     }
 
@@ -288,9 +223,8 @@ private:
     const SearchOptions& m_options;
     Judge m_judge;
     CycleRunner m_runner;
-    double m_total; ///< |R_first − R_t| [mm]
-    TimeBound m_bound;
-    bool m_gauge;
+    StageRuns m_runs;
+    bool m_freeLast; ///< no bounds of the last stage's stock
     std::priority_queue<Branch> m_branches;
     std::vector<Branch> m_newest; ///< beyond the most branches in order
     std::size_t m_most;

@@ -21,6 +21,12 @@
 ///    the bound of the next one holds for all that is left; those beyond the memory given newest
 ///    first, their bounds not below the last one taken in order.
 /// 4. Cuts. A branch is dropped when PassCuts tells that its passes break a requirement.
+/// 5. Equal neighbours. Under gauge control two stages in a row with one setting make the passes of
+///    one stage with the stock of both, on every part: the first's end changes nothing but the name
+///    of the stage. The cycle with one stage less takes the same time, its margins are the same but
+///    that of the gauge's commands, which is larger. So where that number of stages is listed
+///    before, and no bound of the last stock forbids the sum, it is the better one, and the longer
+///    is not run.
 ///
 /// Whatever remains is judged as the full search does, from the same result of the same passes.
 namespace sparkout {

@@ -208,7 +208,10 @@ std::optional<WheelMarking> readWheelMarking(std::string_view text) {
         return std::nullopt;
     }
     scan.skipSpace();
-    const auto grit = scan.take("F") ? scan.wholeNumber(4) : std::nullopt;
+    std::optional<int> grit;
+    if (scan.take("F")) {
+        grit = scan.wholeNumber(4);
+    }
     scan.skipSpace();
     marking.hardness = scan.letter();
     if (!grit || !grainOfGrit(*grit) || marking.hardness == '\0') {

@@ -35,6 +35,20 @@ json shaft() {
     return file;
 }
 
+/// A soft shaft ground by plunging in three stages of equal stocks, with a field of 4 µm.
+json softShaft() {
+    json file = json::parse(samples::readText(
+        samples::sourcePath("resources/examples/plunge-shaft-two-stage.sparkout")));
+    file["part"]["radii_per_section"] = 12;
+    file["part"]["lower_deviation_um"] = 8;
+    file["part"]["upper_deviation_um"] = 12;
+    file["machine"]["compliance_mm_per_n"] = {3e-4, 3e-4, 3e-4, 3e-4};
+    file["optimisation"] = {{"stages", json::array({3})},
+                            {"stock_step_mm", file["part"]["stock_mm"].get<double>() / 3},
+                            {"radial_feed_mm_min", {0.2, 0.6, 1.6}}};
+    return file;
+}
+
 /// The same with so many cycles that no search comes to its end.
 json endless() {
     json file = shaft();
@@ -176,6 +190,45 @@ private slots:
             }
             QVERIFY(answer.at("evaluations") == answer.at("grid_size"));
             QVERIFY(answer.at("visits") > pruned.at("visits"));
+        }
+    }
+
+    void aHeuristicSaysThatItIsOne() {
+        const QString saved = save("soft.sparkout", softShaft());
+        const json exact = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(exact.at("method") == "search" && exact.at("heuristic") == false);
+        const Outcome outcome = optimize({saved, "--method", "labels", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("status") == "found");
+        QVERIFY(answer.at("method") == "labels" && answer.at("heuristic") == true);
+        QVERIFY(answer.at("cycle_time_min") > exact.at("cycle_time_min"));
+        QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min")); // proved for any cycle
+        const std::string text = optimize({saved, "--method", "labels"}).out;
+        QVERIFY(text.find("a heuristic (nothing is proved)") != std::string::npos);
+        QVERIFY(text.find(", proved") == std::string::npos);
+    }
+
+    void theRuleAsPublishedSaysThatThereMayBeACycle() {
+        const QString saved = save("soft.sparkout", softShaft());
+        const Outcome outcome = optimize({saved, "--method", "dp"});
+        QCOMPARE(outcome.status, 5);
+        QVERIFY(outcome.out.empty());
+        QVERIFY(outcome.err.find("the heuristic found no feasible cycle; there may be one")
+                != std::string::npos);
+        const json answer = json::parse(optimize({saved, "--method", "dp", "--json"}).out);
+        QVERIFY(answer.at("status") == "not_found" && answer.at("cycle").is_null());
+    }
+
+    void theMethodsForPlungeRefuseTraverseCycles() {
+        for (const char* method : {"dp", "labels"}) {
+            const Outcome outcome = optimize({m_shaft, "--method", method});
+            QCOMPARE(outcome.status, 1);
+            QVERIFY(outcome.out.empty());
+            QVERIFY2(outcome.err.find("/operation: --method " + std::string(method)
+                                      + " is for plunge grinding")
+                         != std::string::npos,
+                     outcome.err.c_str());
         }
     }
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/stage_runs.h"
+
+#include "core/simulation/stage_control.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts)
+    : m_grid(grid)
+    , m_cuts(cuts)
+    , m_total(makeBlank(project.part).totalInfeed_mm)
+    , m_bound(project, grid, m_total)
+    , m_gauge(project.gauge.control == Control::gauge) {}
+
+int StageRuns::leastTaken(const CyclePrefix& prefix) const {
+    return prefix.taken + m_grid.leastOf(prefix.stages - prefix.cycle.size(), prefix.taken);
+}
+
+int StageRuns::mostTaken(const CyclePrefix& prefix) const {
+    return m_grid.mostSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
+}
+
+double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
+                          int taken) const {
+    return run.time_s() * (1 - 1e-12)
+           + m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+}
+
+void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
+                    const AtEnd& atEnd, SearchCounts& counts) const {
+    if (from.isBeforeLast()) {
+        runTo({0, 0}, from, setting, useless, atEnd, counts);
+    } else if (m_gauge) {
+        runTo({leastTaken(from), mostTaken(from)}, from, setting, useless, atEnd, counts);
+    } else {
+        for (int taken = leastTaken(from); taken <= mostTaken(from); ++taken) {
+            runTo({taken, taken}, from, setting, useless, atEnd, counts);
+        }
+    }
+}
+
+void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
+                      const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const {
+    const std::unique_ptr<CycleSteps> steps = from.steps->copy();
+    Run& run = steps->run();
+    const long long visitsBefore = run.visits();
+    const std::size_t stage = from.cycle.size();
+    const bool last = from.isBeforeLast();
+    const bool begun =
+        std::any_of(from.counts.begin(), from.counts.end(), [](int each) { return each > 0; });
+    for (int count = 0;; ++count) {
+        const int first = ends.taken;
+        while ((begun || count > 0) && ends.taken <= ends.last
+               && ended(*steps, later(last, ends.taken))) {
+            ++ends.taken;
+        }
+        if (ends.taken > first) {
+            atEnd({*steps, count, first, ends.taken - 1});
+        }
+        if (ends.taken > ends.last || useless(run, ends.taken) || run.mustEnd()
+            || !steps->step({nextInfeed(later(last, ends.taken), setting, run.fed_mm), stage,
+                             m_grid.settings()[setting].axialFeed_mm_min})) {
+            break;
+        }
+        if (const auto kind = m_cuts.broken(run, stage)) {
+            ++counts.cuts[static_cast<std::size_t>(*kind)];
+            break;
+        }
+    }
+    counts.visits += run.visits() - visitsBefore;
+}
+
+CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const End& end,
+                             int taken) const {
+    CyclePrefix prefix{nullptr, from.stages, from.cycle, from.counts, taken};
+    prefix.counts.push_back(end.count);
+    prefix.cycle.push_back({setting, from.isBeforeLast() ? 0 : taken - from.taken});
+    return prefix;
+}
+
+double StageRuns::later(bool last, int taken) const {
+    return last ? 0 : m_grid.remainder(taken);
+}
+
+double StageRuns::nextInfeed(double later_mm, std::size_t setting, double fed_mm) const {
+    const double infeed = m_bound.infeed_mm(setting);
+    return m_gauge ? infeed : std::clamp(m_total - later_mm - fed_mm, 0.0, infeed);
+}
+
+bool StageRuns::ended(const CycleSteps& steps, double later_mm) const {
+    return m_gauge ? steps.remaining() <= later_mm + stageSlack_mm
+                   : steps.run().fed_mm >= m_total - later_mm - stageSlack_mm;
+}
+
+} // namespace sparkout

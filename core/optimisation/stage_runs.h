@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/time_bound.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace sparkout {
+
+/// A cycle up to the end of a stage.
+struct CyclePrefix {
+    std::shared_ptr<const CycleSteps> steps;
+    std::size_t stages = 0;  ///< of the whole cycle
+    GridCycle cycle;         ///< so far
+    std::vector<int> counts; ///< steps of each stage
+    int taken = 0;           ///< steps of stock
+    [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
+};
+
+/// Goes on from cycles by one stage, through all the ends that the grid leaves it.
+class StageRuns {
+public:
+    StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts);
+
+    /// Ends that fall on one step: steps of stock behind the stage from `first` to `last`; of the
+    /// last stage both are 0.
+    struct End {
+        const CycleSteps& steps;
+        int count = 0; ///< of steps in the stage
+        int first = 0, last = 0;
+    };
+    /// Whether it is no use to run on to the end with so many steps of stock behind it.
+    using Useless = std::function<bool(const Run& run, int taken)>;
+    using AtEnd = std::function<void(const End& end)>;
+    /// Under gauge control the stage is run once, under position control once for each end. A run
+    /// that breaks a requirement counts as cut and ends.
+    void run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
+             const AtEnd& atEnd, SearchCounts& counts) const;
+    /// The prefix behind the stage, without steps.
+    [[nodiscard]] CyclePrefix after(const CyclePrefix& from, std::size_t setting, const End& end,
+                                    int taken) const;
+
+    /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
+    [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
+    [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
+    /// Least time [s] of all cycles that go on with this setting.
+    [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
+                                 int taken) const;
+    [[nodiscard]] const TimeBound& bound() const { return m_bound; }
+    [[nodiscard]] bool isGauged() const { return m_gauge; }
+    [[nodiscard]] double totalInfeed_mm() const { return m_total; }
+
+private:
+    struct Ends {
+        int taken = 0, last = 0;
+    };
+    void runTo(Ends ends, const CyclePrefix& from, std::size_t setting, const Useless& useless,
+               const AtEnd& atEnd, SearchCounts& counts) const;
+    [[nodiscard]] double later(bool last, int taken) const;
+    [[nodiscard]] double nextInfeed(double later_mm, std::size_t setting, double fed_mm) const;
+    [[nodiscard]] bool ended(const CycleSteps& steps, double later_mm) const;
+
+    const Grid& m_grid;
+    const PassCuts& m_cuts;
+    double m_total; ///< |R_first − R_t| [mm]
+    TimeBound m_bound;
+    bool m_gauge;
+};
+
+} // namespace sparkout
