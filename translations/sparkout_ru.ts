@@ -6444,25 +6444,6 @@ target, µm</source>
         </message>
     </context>
     <context>
-        <name>sparkout::BatchHelper</name>
-        <message>
-            <source>A batch says which share of many parts keeps the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
-            <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
-        </message>
-        <message>
-            <source>Add a usual batch</source>
-            <translation>Добавить обычную партию</translation>
-        </message>
-        <message>
-            <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
-            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
-        </message>
-        <message>
-            <source>What a batch is for</source>
-            <translation>Для чего партия</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::BatchView</name>
         <message>
             <source>Batch</source>
@@ -9259,6 +9240,41 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::OfferHelper</name>
+        <message>
+            <source>What a batch is for</source>
+            <translation>Для чего партия</translation>
+        </message>
+        <message>
+            <source>A batch says which share of many parts keeps the drawing when stock, runout, dullness and other factors scatter. The view Batch runs it.</source>
+            <translation>Партия показывает, какая доля многих деталей выдерживает чертёж, когда припуск, биение, затупление и другие факторы рассеиваются. Её рассчитывает вид «Партия».</translation>
+        </message>
+        <message>
+            <source>Add a usual batch</source>
+            <translation>Добавить обычную партию</translation>
+        </message>
+        <message>
+            <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
+            <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений</translation>
+        </message>
+        <message>
+            <source>What a search is for</source>
+            <translation>Для чего нужен поиск</translation>
+        </message>
+        <message>
+            <source>A search finds the quickest cycle that holds every requirement, out of all feeds and stocks listed here. The view Optimise runs it.</source>
+            <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
+        </message>
+        <message>
+            <source>Add a usual search</source>
+            <translation>Добавить обычный поиск</translation>
+        </message>
+        <message>
+            <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
+            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::OptimiseView</name>
         <message>
             <source>Optimise</source>
@@ -10241,25 +10257,6 @@ target, µm</source>
         <message>
             <source>Part %1: %2; %3</source>
             <translation>Деталь %1: %2; %3</translation>
-        </message>
-    </context>
-    <context>
-        <name>sparkout::SearchHelper</name>
-        <message>
-            <source>What a search is for</source>
-            <translation>Для чего нужен поиск</translation>
-        </message>
-        <message>
-            <source>A search finds the quickest cycle that holds every requirement, out of all feeds and stocks listed here. The view Optimise runs it.</source>
-            <translation>Поиск находит самый быстрый цикл, который выдерживает все требования, среди всех перечисленных здесь подач и припусков. Его запускает вид «Оптимизация».</translation>
-        </message>
-        <message>
-            <source>Add a usual search</source>
-            <translation>Добавить обычный поиск</translation>
-        </message>
-        <message>
-            <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
-            <translation>Около двенадцати уровней каждой подачи вокруг текущего цикла и шаги припуска</translation>
         </message>
     </context>
     <context>

@@ -37,6 +37,35 @@ void sayWhatIsDone(QPushButton& button, const QString& text, const QString& tip)
     button.setAccessibleDescription(tip);
 }
 
+const Offer usualBatch{
+    "noBatch",
+    "addBatch",
+    [](const Project& project) { return project.batch.has_value(); },
+    withUsualBatch,
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a batch is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A batch says which share of many parts keeps the drawing when stock, "
+                      "runout, dullness and other factors scatter. The view Batch runs it."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual batch"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "50 parts whose stock, runout and dullness scatter about the present "
+                      "inputs")};
+
+const Offer usualSearch{
+    "noSearch",
+    "addSearch",
+    [](const Project& project) { return project.optimisation.has_value(); },
+    withUsualSearch,
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A search finds the quickest cycle that holds every requirement, out of all "
+                      "feeds and stocks listed here. The view Optimise runs it."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual search"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A dozen levels of each feed about the present cycle, and steps of stock")};
+
 } // namespace
 
 RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
@@ -44,10 +73,10 @@ RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* p
         return new MarkingHelper(document, parent);
     }
     if (path == "/batch") {
-        return new BatchHelper(document, parent);
+        return new OfferHelper(usualBatch, document, parent);
     }
     if (path == "/optimisation") {
-        return new SearchHelper(document, parent);
+        return new OfferHelper(usualSearch, document, parent);
     }
     return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
 }
@@ -109,12 +138,13 @@ void MarkingHelper::retranslate() {
     showMarking();
 }
 
-BatchHelper::BatchHelper(Document& document, QWidget* parent)
+OfferHelper::OfferHelper(const Offer& offer, Document& document, QWidget* parent)
     : RowHelper(parent)
+    , m_offer(offer)
     , m_document(document)
-    , m_note(noteLabel(this, "noBatch"))
+    , m_note(noteLabel(this, offer.noteName))
     , m_add(new QPushButton(this)) {
-    m_add->setObjectName(QStringLiteral("addBatch"));
+    m_add->setObjectName(QLatin1String(offer.buttonName));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
     layout->setSpacing(metrics::gap);
@@ -122,51 +152,18 @@ BatchHelper::BatchHelper(Document& document, QWidget* parent)
     layout->addWidget(m_add, 0, Qt::AlignLeft);
     connect(m_add, &QPushButton::clicked, this, [this] {
         m_document.endMerge();
-        m_document.edit(withUsualBatch(m_document.project()),
-                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
+        m_document.edit(m_offer.give(m_document.project()), m_offer.edit);
     });
-    const auto show = [this] { setVisible(!m_document.project().batch); };
+    const auto show = [this] { setVisible(!m_offer.isGiven(m_document.project())); };
     connect(&document, &Document::changed, this, show);
     show();
     retranslate();
 }
 
-void BatchHelper::retranslate() {
-    m_note->setAccessibleName(tr("What a batch is for"));
-    m_note->setText(tr("A batch says which share of many parts keeps the drawing when stock, "
-                       "runout, dullness and other factors scatter. The view Batch runs it."));
-    sayWhatIsDone(*m_add, tr("Add a usual batch"),
-                  tr("50 parts whose stock, runout and dullness scatter about the present inputs"));
-}
-
-SearchHelper::SearchHelper(Document& document, QWidget* parent)
-    : RowHelper(parent)
-    , m_document(document)
-    , m_note(noteLabel(this, "noSearch"))
-    , m_add(new QPushButton(this)) {
-    m_add->setObjectName(QStringLiteral("addSearch"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
-    layout->setSpacing(metrics::gap);
-    layout->addWidget(m_note);
-    layout->addWidget(m_add, 0, Qt::AlignLeft);
-    connect(m_add, &QPushButton::clicked, this, [this] {
-        m_document.endMerge();
-        m_document.edit(withUsualSearch(m_document.project()),
-                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
-    });
-    const auto show = [this] { setVisible(!m_document.project().optimisation); };
-    connect(&document, &Document::changed, this, show);
-    show();
-    retranslate();
-}
-
-void SearchHelper::retranslate() {
-    m_note->setAccessibleName(tr("What a search is for"));
-    m_note->setText(tr("A search finds the quickest cycle that holds every requirement, out of all "
-                       "feeds and stocks listed here. The view Optimise runs it."));
-    sayWhatIsDone(*m_add, tr("Add a usual search"),
-                  tr("A dozen levels of each feed about the present cycle, and steps of stock"));
+void OfferHelper::retranslate() {
+    m_note->setAccessibleName(tr(m_offer.purpose));
+    m_note->setText(tr(m_offer.note));
+    sayWhatIsDone(*m_add, tr(m_offer.button), tr(m_offer.tip));
 }
 
 SizeHelper::SizeHelper(Document& document, QWidget* parent)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/session/document.h"
+
 #include <QWidget>
 
 #include <memory>
@@ -11,8 +13,6 @@ class QLineEdit;
 class QPushButton;
 
 namespace sparkout {
-
-class Document;
 
 /// What stands below a row of the inputs and fills others from what is typed there.
 class RowHelper : public QWidget {
@@ -44,29 +44,25 @@ private:
     QPushButton* m_fill;
 };
 
-/// Offers a usual batch to a project that describes none.
-class BatchHelper : public RowHelper {
-    Q_OBJECT
-
-public:
-    BatchHelper(Document& document, QWidget* parent);
-    void retranslate() override;
-
-private:
-    Document& m_document;
-    QLabel* m_note;
-    QPushButton* m_add;
+/// A part of the project that may not be given yet, and a usual one of it.
+struct Offer {
+    const char *noteName, *buttonName; ///< of the widgets
+    bool (*isGiven)(const Project& project);
+    Project (*give)(Project project);
+    EditText edit;
+    const char *purpose, *note, *button, *tip; ///< to be translated
 };
 
-/// Offers a usual grid to a project that says nothing of a search.
-class SearchHelper : public RowHelper {
+/// Says what the part is for and offers the usual one, as long as it is not given.
+class OfferHelper : public RowHelper {
     Q_OBJECT
 
 public:
-    SearchHelper(Document& document, QWidget* parent);
+    OfferHelper(const Offer& offer, Document& document, QWidget* parent);
     void retranslate() override;
 
 private:
+    const Offer& m_offer;
     Document& m_document;
     QLabel* m_note;
     QPushButton* m_add;
