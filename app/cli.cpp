@@ -24,8 +24,9 @@ constexpr const char* helpText =
     R"(sparkout-cli: cylindrical grinding cycles, computed pass by pass
 
   sparkout-cli simulate FILE [--json] [--check] [--trace OUT.csv]
-  sparkout-cli optimize FILE [--robust] [--method search|full|dp|labels] [--stages N,…]
-                        [--time-limit S] [--threads N] [--json] [-o OUT.sparkout]
+  sparkout-cli optimize FILE [--robust] [--refine] [--method search|full|dp|labels]
+                        [--stages N,…] [--time-limit S] [--threads N] [--json]
+                        [-o OUT.sparkout]
   sparkout-cli validate FILE
   sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
@@ -40,6 +41,8 @@ simulate   runs the cycle of a project file
 optimize   finds the quickest cycle of the file's grid that holds every requirement
   --robust   it must hold in every phase of the stock against the feeds, too; a file whose
              optimisation says scenarios corners or batch is searched for those without it
+  --refine   from the grid's best on between its levels, in the machine's steps: a
+             quicker cycle that holds, if one is met; it is not proved
   --method   search: proves the answer from few runs; full: runs every cycle;
              for plunge grinding also two heuristics, which prove nothing and may
              find no cycle where there is one: dp, the dynamic programming that

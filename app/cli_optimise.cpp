@@ -21,7 +21,7 @@ namespace {
 
 struct OptimiseOptions {
     std::string file, output;
-    bool json = false, robust = false;
+    bool json = false, robust = false, refine = false;
     SearchMethod method = SearchMethod::pruned;
     std::vector<double> stages; ///< empty: the file's
     std::optional<double> timeLimit_s;
@@ -100,6 +100,8 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
             options.json = true;
         } else if (argument == "--robust") {
             options.robust = true;
+        } else if (argument == "--refine") {
+            options.refine = true;
         } else if (const char* value = valueOf(argument)) {
             if (++i == arguments.size() || !readValue(argument, arguments[i], options)) {
                 return usageError(argument + " needs " + value);
@@ -150,6 +152,18 @@ bool asksForABatch(const Project& project) {
     return project.optimisation->scenarios != OptimisationScenarios::nominal;
 }
 
+/// Off the grid, from the best of it; Ctrl+C ends it, the time limit is the search's.
+RefineSummary refined(const OptimiseReport& report) {
+    SearchWatch watch(std::nullopt);
+    RefineOptions options;
+    options.stop = watch.token();
+    if (report.robust) {
+        options.scenarios = report.robust->added;
+        options.source = scenariosAskedFor(report.project);
+    }
+    return refine(report.project, report.search.cycle, options);
+}
+
 OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     SearchWatch watch(options.timeLimit_s);
     SearchOptions search;
@@ -175,6 +189,9 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
         report.binding =
             bindingRequirements(project, *report.search.best,
                                 report.robust ? report.robust->added : std::vector<Project>{});
+    }
+    if (options.refine && hasAnswer(report)) {
+        report.refined = refined(report);
     }
     return report;
 }
@@ -217,7 +234,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
         return nothingFeasible;
     }
     if (!options.output.empty()) {
-        project->cycle = report.search.cycle;
+        project->cycle = cycleFound(report);
         return save(options.output, writeProject(*project));
     }
     return done;

@@ -70,7 +70,7 @@ std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& searc
 ordered_json cycleJson(const OptimiseReport& report) {
     Project best = report.project;
     best.runs.clear();
-    best.cycle = report.search.cycle;
+    best.cycle = cycleFound(report);
     return ordered_json::parse(writeProject(best))["cycle"];
 }
 
@@ -97,6 +97,27 @@ std::string stageLine(const Stage& stage, std::size_t number) {
                                   : fixed(*stage.radial_feed_mm_min, 3) + " mm/min";
     return "  stage " + std::to_string(number) + "            " + feeds + "; stock "
            + fixed(stage.stock_mm, 4) + " mm\n";
+}
+
+double timeFound_s(const OptimiseReport& report) {
+    return static_cast<double>(report.refined ? report.refined->time_us
+                                              : report.search.best->time_us)
+           * 1e-6;
+}
+
+double leastMargin(const OptimiseReport& report) {
+    return report.refined ? report.refined->leastRelativeMargin
+                          : report.search.best->leastRelativeMargin;
+}
+
+std::string refinedText(const OptimiseReport& report) {
+    const double grid_s = static_cast<double>(report.search.best->time_us) * 1e-6;
+    const std::string runs = "; " + std::to_string(report.refined->runs) + " cycles run\n";
+    return report.refined->isQuicker
+               ? "refined              off the grid, "
+                     + fixed(minutes(grid_s - timeFound_s(report)), 4) + " min less than its best, "
+                     + fixed(minutes(grid_s), 4) + " min; not proved" + runs
+               : "refined              nothing quicker was met off the grid" + runs;
 }
 
 std::string heuristicText(SearchMethod method) {
@@ -163,22 +184,32 @@ bool hasAnswer(const OptimiseReport& report) {
     return report.search.best && (!report.robust || report.robust->holdsInSample);
 }
 
+const Cycle& cycleFound(const OptimiseReport& report) {
+    return report.refined ? report.refined->cycle : report.search.cycle;
+}
+
 std::string optimiseText(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
-    const double best_s = static_cast<double>(search.best->time_us) * 1e-6;
-    std::string text = "status               " + statusText(report) + '\n';
+    const double best_s = timeFound_s(report);
+    const bool offTheGrid = report.refined && report.refined->isQuicker;
+    std::string text = "status               " + statusText(report)
+                       + (offTheGrid ? "; refined off the grid, not proved\n" : "\n");
     text += "machining time       " + fixed(minutes(best_s), 4) + " min; stepless limit "
             + fixed(minutes(report.limit_s), 4) + " min, gap "
             + fixed(gapToLimit(best_s, report.limit_s) * 100, 1) + " %\n";
-    for (std::size_t z = 0; z < search.cycle.stages.size(); ++z) {
-        text += stageLine(search.cycle.stages[z], z + 1);
+    const Cycle& cycle = cycleFound(report);
+    for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
+        text += stageLine(cycle.stages[z], z + 1);
+    }
+    if (report.refined) {
+        text += refinedText(report);
     }
     text += givenText(report, best_s);
     if (report.robust) {
-        text += robustText(*report.robust, best_s);
+        text += robustText(*report.robust, static_cast<double>(search.best->time_us) * 1e-6);
     }
     const std::string binding = joined(bindingNames(report));
-    text += "least margin         " + fixed(search.best->leastRelativeMargin * 100, 1) + " %\n";
+    text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              "
             + (!binding.empty() ? binding + " in quicker cycles that differ in one setting"
                : search.status == SearchStatus::proved
@@ -206,13 +237,20 @@ std::string optimiseJson(const OptimiseReport& report) {
     root["binding"] = bindingNames(report);
     root["scenarios_added"] = report.robust ? report.robust->added.size() : 0;
     if (search.best) {
-        const double best_s = static_cast<double>(search.best->time_us) * 1e-6;
+        const double best_s = timeFound_s(report);
         root["cycle"] = cycleJson(report);
         root["cycle_time_min"] = minutes(best_s);
         root["gap"] = gapToLimit(best_s, report.limit_s);
-        root["least_relative_margin"] = search.best->leastRelativeMargin;
+        root["least_relative_margin"] = leastMargin(report);
     }
     root["bound_time_min"] = minutes(search.bound_s);
+    if (report.refined) { // off the grid only the limit is proved
+        root["bound_time_min"] = minutes(report.limit_s);
+        root["refined"] = {{"is_quicker", report.refined->isQuicker},
+                           {"grid_time_min", minutes(search.best->time_us)},
+                           {"grid_bound_time_min", minutes(search.bound_s)},
+                           {"cycles_run", report.refined->runs}};
+    }
     root["grid_size"] = search.gridSize;
     root["visits"] = report.robust ? report.robust->visits : search.visits;
     ordered_json cuts = ordered_json::object();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/robust.h"
+#include "core/optimisation/refine.h"
 
 #include <optional>
 #include <string>
@@ -15,7 +15,8 @@ struct OptimiseReport {
     SearchMethod method = SearchMethod::pruned;
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
-    double limit_s = 0;                  ///< stepless
+    std::optional<RefineSummary> refined;
+    double limit_s = 0; ///< stepless
     std::vector<ConstraintKind> binding;
 };
 
@@ -25,6 +26,9 @@ struct OptimiseReport {
 
 /// Whether there is a cycle to give: feasible, and tested where it must be robust.
 [[nodiscard]] bool hasAnswer(const OptimiseReport& report);
+
+/// The cycle to give: refined, or the best of the grid.
+[[nodiscard]] const Cycle& cycleFound(const OptimiseReport& report);
 
 /// For people.
 [[nodiscard]] std::string optimiseText(const OptimiseReport& report);

@@ -208,16 +208,13 @@ std::optional<WheelMarking> readWheelMarking(std::string_view text) {
         return std::nullopt;
     }
     scan.skipSpace();
-    std::optional<int> grit;
-    if (scan.take("F")) {
-        grit = scan.wholeNumber(4);
-    }
+    const int grit = scan.take("F") ? scan.wholeNumber(4).value_or(0) : 0;
     scan.skipSpace();
     marking.hardness = scan.letter();
-    if (!grit || !grainOfGrit(*grit) || marking.hardness == '\0') {
+    if (!grainOfGrit(grit) || marking.hardness == '\0') {
         return std::nullopt;
     }
-    marking.grit = *grit;
+    marking.grit = grit;
     scan.skipSpace();
     marking.structure = scan.wholeNumber(2);
     constexpr int mostOpen = 20;

@@ -29,7 +29,7 @@ public:
         , m_sections(static_cast<std::size_t>(project.sections))
         , m_hasFreeGauge(project.gauge.position_mm.has_value())
         , m_stop(stop)
-        , m_width(m_run.makeCut(project.part.length_mm))
+        , m_width(std::make_shared<CutWidth>(m_run.makeCut(project.part.length_mm)))
         , m_places(m_sections) {
         for (std::size_t j = 0; j < m_places.size(); ++j) {
             m_places[j].section = static_cast<int>(j);
@@ -40,7 +40,11 @@ public:
     }
 
     std::unique_ptr<CycleSteps> copy() const override {
-        return std::make_unique<PlungeSteps>(*this);
+        auto other = std::make_unique<PlungeSteps>(*this);
+        if (m_coupling) {
+            other->m_width = std::make_shared<CutWidth>(*m_width);
+        }
+        return other;
     }
 
     /// t_П + (S_p/n)·(k+1)/K for radius k; after the revolution t_П += S_p/n.
@@ -56,10 +60,10 @@ public:
         if (m_coupling && !couple(feed)) {
             return false;
         }
-        m_run.cut(0, m_sections, m_width, feed, m_places.data(),
+        m_run.cut(0, m_sections, *m_width, feed, m_places.data(),
                   {.duration_s = duration, .radialFeed_mm = infeed});
         if (m_hasFreeGauge) {
-            m_run.cut(m_sections, 1, m_width, feed, nullptr, {});
+            m_run.cut(m_sections, 1, *m_width, feed, nullptr, {});
         }
         m_run.fed_mm += infeed;
         m_run.advance(duration, step.stage);
@@ -82,7 +86,7 @@ private:
     }
 
     bool couple(const PassFeed& feed) {
-        switch (m_coupling->solve(feed, m_places.front(), m_width, m_stop)) {
+        switch (m_coupling->solve(feed, m_places.front(), *m_width, m_stop)) {
         case SectionCoupling::Outcome::solved: return true;
         case SectionCoupling::Outcome::notSolved: m_run.setStatus(RunStatus::notSolved); break;
         case SectionCoupling::Outcome::stopped: m_run.setStatus(RunStatus::stopped); break;
@@ -94,7 +98,7 @@ private:
     std::size_t m_sections;
     bool m_hasFreeGauge;
     std::stop_token m_stop;
-    CutWidth m_width;
+    std::shared_ptr<CutWidth> m_width; ///< one for all copies, but where the coupling changes it
     std::vector<Place> m_places;
     std::optional<SectionCoupling> m_coupling; ///< with sections coupled
 };

@@ -232,6 +232,31 @@ private slots:
         }
     }
 
+    void refinedIsQuickerAndHoldsAsWritten() {
+        json file = shaft();
+        file["optimisation"]["radial_feed_mm"] = {0.001, 0.01};
+        file["optimisation"]["axial_feed_mm_min"] = {600, 3000};
+        const QString saved = save("coarse.sparkout", file);
+        const json grid = json::parse(optimize({saved, "--json"}).out);
+        QVERIFY(!grid.contains("refined"));
+        const QString written = m_folder.filePath("refined.sparkout");
+        const Outcome outcome = optimize({saved, "--refine", "--json", "-o", written});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(answer.at("status") == "proved"); // of the grid
+        QVERIFY(answer.at("refined").at("is_quicker") == true);
+        QVERIFY(answer.at("refined").at("grid_time_min") == grid.at("cycle_time_min"));
+        QVERIFY(answer.at("refined").at("grid_bound_time_min") == grid.at("bound_time_min"));
+        QVERIFY(answer.at("cycle_time_min") < grid.at("cycle_time_min"));
+        QVERIFY(answer.at("bound_time_min") == answer.at("limit_time_min"));
+        const Outcome alone = run({"simulate", written, "--check", "--json"});
+        QCOMPARE(alone.status, 0);
+        const double time_min = json::parse(alone.out).at("cycle_time_min").get<double>();
+        QVERIFY(std::abs(time_min - answer.at("cycle_time_min").get<double>()) <= 1e-8);
+        const std::string text = optimize({saved, "--refine"}).out;
+        QVERIFY(text.find("min; not proved") != std::string::npos);
+    }
+
     void stagesReplaceTheFiles() {
         const json one = json::parse(optimize({m_shaft, "--stages", "1", "--json"}).out);
         const json three = json::parse(optimize({m_shaft, "--stages", "3,2,1", "--json"}).out);

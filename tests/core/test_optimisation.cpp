@@ -17,6 +17,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -160,6 +161,32 @@ private slots:
         QVERIFY2(found > all / 5 && found < all - all / 20, QByteArray::number(found));
         QVERIFY2(prunedVisits < plainVisits / 5,
                  QByteArray::number(prunedVisits) + " of " + QByteArray::number(plainVisits));
+    }
+
+    // Two stages with equal feeds are one, but where a bound of the last stock forbids the sum, or
+    // the shorter cycle is not in the grid or comes later.
+    void equalNeighboursAreFoundWhereOnlyMoreStagesAllowThem() {
+        int equal = 0;
+        for (unsigned seed = 0; seed < 200; ++seed) {
+            Project p = smallCase(seed);
+            p.optimisation->stages =
+                std::array<std::vector<double>, 3>{{{1, 2, 3}, {1, 3}, {3, 2}}}[seed % 3];
+            p.optimisation->last_stock_mm.reset();
+            if (seed % 3 == 0) {
+                p.optimisation->last_stock_mm = std::vector<double>{0.01, 0.01};
+            }
+            const PlainSearch plain(p);
+            const SearchSummary pruned = search(p, SearchMethod::pruned);
+            QVERIFY2(same(pruned.best, plain.best), QByteArray::number(seed));
+            if (plain.best && plain.best->cycle.size() == 3) {
+                const GridCycle& cycle = plain.best->cycle;
+                equal +=
+                    cycle[0].setting == cycle[1].setting || cycle[1].setting == cycle[2].setting
+                        ? 1
+                        : 0;
+            }
+        }
+        QVERIFY2(equal > 5, QByteArray::number(equal));
     }
 
     void theBestCycleHoldsWhenItIsRunAlone() {

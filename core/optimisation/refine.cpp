@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/refine.h"
+
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/refine_space.h"
+#include "core/simulation/simulate.h"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// What came of a cycle on all parts.
+struct Tried {
+    double value = 0; ///< what is made small
+    bool holds = false;
+    std::int64_t time_us = 0;
+    double margin = 0; ///< least relative
+};
+
+class Refinement {
+public:
+    Refinement(const Project& project, const Cycle& cycle, const RefineOptions& options,
+               std::vector<Project> scenarios, long long runs)
+        : m_space(project, cycle)
+        , m_options(options)
+        , m_parts(std::move(scenarios))
+        , m_mostRuns(runs + options.mostRuns) {
+        m_parts.insert(m_parts.begin(), project);
+        for (Project& part : m_parts) {
+            part.runs.clear();
+        }
+        m_best.runs = runs;
+        const Tried given = tryCycle(cycle);
+        m_best.cycle = cycle;
+        m_best.time_us = given.time_us;
+        m_best.leastRelativeMargin = given.margin;
+    }
+
+    [[nodiscard]] const RefineSummary& given() const { return m_best; }
+
+    RefineSummary run() {
+        if (m_space.settings().empty()) {
+            return m_best;
+        }
+        const std::vector<double> given = m_space.valuesOf(m_best.cycle);
+        for (const bool again : {false, true}) { // from the given cycle, then from the best so far
+            for (const double firstStep : {0.1, 0.3, 0.03}) { // each finds what others miss
+                const auto from = again ? m_space.valuesOf(m_best.cycle) : given;
+                descend(m_space.rounded(offTheSteps(from, firstStep)));
+            }
+            descend(m_space.rounded(m_space.valuesOf(m_best.cycle)));
+        }
+        return m_best;
+    }
+
+private:
+    [[nodiscard]] bool mustStop() const {
+        return m_options.stop.stop_requested() || m_best.runs >= m_mostRuns;
+    }
+
+    Tried tryCycle(const Cycle& cycle) {
+        ++m_best.runs;
+        Tried tried{0, true, 0, std::numeric_limits<double>::infinity()};
+        double broken = 0;
+        for (Project& part : m_parts) {
+            part.cycle = cycle;
+            const SimulationResult result = simulate(part);
+            if (&part == &m_parts.front()) {
+                tried.time_us = comparedTime_us(result.time_s);
+                const double beyond = std::min(0.0, result.remainingStock_mm);
+                tried.value = result.time_s * (1 + beyond / part.part.stock_mm);
+                m_scale_s = m_scale_s > 0 ? m_scale_s : result.time_s;
+            }
+            broken = std::max(broken, brokenBy(result, tried));
+        }
+        constexpr double leastCost = 0.05, cost = 2; // of the first cycle's time
+        tried.value += tried.holds ? 0 : m_scale_s * (leastCost + cost * broken);
+        return tried;
+    }
+
+    /// By how much of their limits requirements break, together.
+    static double brokenBy(const SimulationResult& result, Tried& tried) {
+        constexpr double mostEach = 5;
+        if (result.status != RunStatus::completed) {
+            tried.holds = false;
+            return 2 * mostEach;
+        }
+        double broken = 0;
+        for (const ConstraintResult& each : evaluateConstraints(result)) {
+            tried.holds = tried.holds && each.holds;
+            tried.margin = std::min(tried.margin, each.relativeMargin);
+            broken += each.holds ? 0 : std::min(-each.relativeMargin, mostEach);
+        }
+        return broken;
+    }
+
+    /// What the settings are worth; `counts`: the cycle can be set, and may be the answer.
+    double worth(const std::vector<double>& values, bool counts) {
+        const auto known = m_known.find(values);
+        if (known != m_known.end()) {
+            return known->second;
+        }
+        constexpr double notInTheGrid = 100; // times the first cycle's time
+        const std::optional<Cycle> cycle = m_space.cycleOf(values);
+        double value = m_scale_s * notInTheGrid;
+        if (cycle) {
+            const Tried tried = tryCycle(*cycle);
+            value = tried.value;
+            const bool better = tried.time_us < m_best.time_us
+                                || (m_best.isQuicker && tried.time_us == m_best.time_us
+                                    && tried.margin > m_best.leastRelativeMargin);
+            if (counts && tried.holds && better) {
+                m_best.cycle = *cycle;
+                m_best.time_us = tried.time_us;
+                m_best.leastRelativeMargin = tried.margin;
+                m_best.isQuicker = true;
+            }
+        }
+        if (counts) {
+            m_known.emplace(values, value);
+        }
+        return value;
+    }
+
+    /// Point 1 of the header; each setting as a share of its range.
+    std::vector<double> offTheSteps(const std::vector<double>& given, double firstStep) {
+        const auto& settings = m_space.settings();
+        std::vector<double> shares;
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            shares.push_back((given[i] - settings[i].low) / (settings[i].high - settings[i].low));
+        }
+        const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> search(
+            nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(shares.size())), nlopt_destroy);
+        m_nlopt = search.get();
+        nlopt_set_lower_bounds1(m_nlopt, 0);
+        nlopt_set_upper_bounds1(m_nlopt, 1);
+        nlopt_set_initial_step1(m_nlopt, firstStep);
+        nlopt_set_xtol_rel(m_nlopt, 1e-4);
+        nlopt_set_maxeval(m_nlopt, m_options.mostRuns / 8);
+        nlopt_set_min_objective(m_nlopt, &Refinement::objective, this);
+        double value = 0;
+        nlopt_optimize(m_nlopt, shares.data(), &value); // whatever ends it, the best so far stays
+        m_nlopt = nullptr;
+        return valuesAt(shares.data());
+    }
+
+    [[nodiscard]] std::vector<double> valuesAt(const double* shares) const {
+        std::vector<double> values;
+        for (const RefineSpace::Setting& setting : m_space.settings()) {
+            values.push_back(setting.low + *shares++ * (setting.high - setting.low));
+        }
+        return values;
+    }
+
+    static double objective(unsigned, const double* shares, double*, void* refinement) {
+        auto& self = *static_cast<Refinement*>(refinement);
+        if (self.mustStop()) {
+            nlopt_force_stop(self.m_nlopt);
+            return std::numeric_limits<double>::max();
+        }
+        return self.worth(self.valuesAt(shares), false);
+    }
+
+    /// Point 2: larger strides first.
+    void descend(std::vector<double> at) {
+        if (mustStop()) {
+            return;
+        }
+        double value = worth(at, true);
+        for (int stride = 16; stride >= 1;) {
+            const auto [next, there] = bestNeighbour(at, value, stride);
+            if (mustStop()) {
+                return;
+            }
+            if (there < value) {
+                at = next;
+                value = there;
+            } else {
+                stride /= 2;
+            }
+        }
+    }
+
+    /// One setting by so many steps, and a feed with a stock.
+    std::pair<std::vector<double>, double> bestNeighbour(const std::vector<double>& at,
+                                                         double value, int stride) {
+        std::vector<double> best = at;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            for (const int up : {stride, -stride}) {
+                std::vector<double> one = moved(at, i, up);
+                tryNeighbour(one, best, value);
+                for (std::size_t j = 0; j < at.size(); ++j) {
+                    if (j != i && m_space.settings()[j].isStock()) {
+                        tryNeighbour(moved(one, j, stride), best, value);
+                        tryNeighbour(moved(one, j, -stride), best, value);
+                    }
+                }
+            }
+        }
+        return {best, value};
+    }
+
+    void tryNeighbour(const std::vector<double>& values, std::vector<double>& best, double& value) {
+        if (mustStop()) {
+            return;
+        }
+        const double there = worth(values, true);
+        if (there < value) {
+            best = values;
+            value = there;
+        }
+    }
+
+    [[nodiscard]] std::vector<double> moved(std::vector<double> at, std::size_t i,
+                                            int steps) const {
+        const RefineSpace::Setting& setting = m_space.settings()[i];
+        const double to = at[i] + steps * setting.stepAt(at[i]);
+        at[i] = setting.rounded(std::clamp(to, setting.low, setting.high));
+        return at;
+    }
+
+    RefineSpace m_space;
+    const RefineOptions& m_options;
+    std::vector<Project> m_parts; ///< the part itself first
+    long long m_mostRuns;
+    RefineSummary m_best;
+    double m_scale_s = 0;
+    std::map<std::vector<double>, double> m_known; ///< cycles that can be set
+    nlopt_opt m_nlopt = nullptr;
+};
+
+/// Of what is drawn the first in which the cycle does not hold.
+std::optional<Project> failing(const Project& project, const Cycle& cycle,
+                               const FreshScenarios& source, int round) {
+    Project best = project;
+    best.cycle = cycle;
+    for (Project& scenario : source(best, round)) {
+        scenario.cycle = cycle;
+        const SimulationResult result = simulate(scenario);
+        const std::vector<ConstraintResult> all = evaluateConstraints(result);
+        if (result.status != RunStatus::completed
+            || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
+            return std::move(scenario);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOptions& options) {
+    constexpr int mostRounds = 10;
+    RefineSummary summary;
+    std::vector<Project> scenarios = options.scenarios;
+    for (int round = 0; round < mostRounds; ++round) {
+        summary = Refinement(project, cycle, options, scenarios, summary.runs).run();
+        if (!summary.isQuicker || !options.source) {
+            return summary;
+        }
+        std::optional<Project> fails = failing(project, summary.cycle, options.source, round);
+        if (!fails) {
+            return summary;
+        }
+        scenarios.push_back(std::move(*fails));
+    }
+    const long long runs = summary.runs; // nothing quicker passed the test
+    summary = Refinement(project, cycle, options, options.scenarios, runs).given();
+    return summary;
+}
+
+} // namespace sparkout
