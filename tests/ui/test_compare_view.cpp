@@ -125,7 +125,7 @@ private slots:
         desk.keep();
         desk.change(quicker);
         QCOMPARE(desk.plot().runs().size(), 2u);
-        for (const Quantity quantity : ComparePlot::quantities) {
+        for (const Quantity quantity : desk.plot().quantities()) {
             compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
             compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
         }
@@ -135,6 +135,52 @@ private slots:
         QCOMPARE(pen(0, Quantity::actual).style(), Qt::SolidLine);
         QVERIFY(pen(1, Quantity::actual).dashPattern() != pen(0, Quantity::actual).dashPattern());
         QCOMPARE(pen(1, Quantity::force).dashPattern(), pen(1, Quantity::actual).dashPattern());
+    }
+
+    /// Chosen from the menu: drawn, named, zoomed, read, exported on an axis of its own.
+    void aSecondQuantityHasAnAxisOfItsOwn() {
+        Desk desk;
+        const OutcomePtr first = desk.outcome;
+        desk.keep();
+        desk.change(quicker);
+        const QCPRange feeds = desk.plot().axisOf(Quantity::actual)->range();
+        const auto choose = [&](Quantity quantity) {
+            desk.view
+                .findChild<QAction*>(QStringLiteral("second%1").arg(static_cast<int>(quantity)))
+                ->trigger();
+            desk.settle();
+        };
+        choose(Quantity::axialFeed);
+        choose(Quantity::programmedSum);
+        QVERIFY(!desk.plot().curve(0, Quantity::force) && !desk.plot().curve(0, Quantity::left));
+        for (const Quantity quantity : desk.plot().quantities()) {
+            compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
+            compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
+        }
+        QCPAxis* axis = desk.plot().axisOf(Quantity::axialFeed);
+        QCOMPARE(axis->axisType(), QCPAxis::atRight);
+        QVERIFY(axis->range().contains(2400)); // of the present run
+        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        const QCPGraph* curve = desk.plot().curve(0, Quantity::axialFeed);
+        QCOMPARE(axis->labelColor(), curve->pen().color());
+        QCOMPARE(axis->tickLabelColor(), curve->pen().color());
+        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
+        const QString name = QStringLiteral("axial feed");
+        QVERIFY(std::ranges::any_of(desk.plot().legendEntries(),
+                                    [&](const LegendEntry& e) { return e.text == name; }));
+        const CsvTable table = desk.plot().table();
+        const auto column = table.header.indexOf(QStringLiteral("axial feed, mm/min"));
+        QVERIFY(column > 0);
+        QCOMPARE(std::get<double>(table.rows[0][std::size_t(column)]), 2400.0);
+        // The wheel over the axis zooms it alone.
+        const QCPAxisRect* rect = axis->axisRect();
+        const double before = axis->range().size();
+        fixtures::wheel(&desk.plot(), QPointF(rect->right() + 12, rect->center().y()), 120);
+        QVERIFY(axis->range().size() < before);
+        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        choose(Quantity::force);
+        QVERIFY(desk.plot().curve(0, Quantity::force)
+                && !desk.plot().curve(0, Quantity::axialFeed));
     }
 
     void anotherZoneIsDrawnOfAllRuns() {
