@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/cursor_strip.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/metrics.h"
@@ -78,7 +79,7 @@ void CursorStrip::build() {
         m_letters[cursor] = new QLabel(PlotCursors::letter(cursor), this);
         auto* field = m_fields[cursor] = new NumberField({}, this);
         field->setObjectName(QStringLiteral("cursor") + PlotCursors::letter(cursor));
-        field->setFixedWidth(metrics::field);
+        setTextWidth(*field, metrics::field);
         m_letters[cursor]->setBuddy(field);
         row->addSpacing(metrics::gap);
         row->addWidget(m_letters[cursor]);

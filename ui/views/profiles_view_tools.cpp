@@ -2,6 +2,7 @@
 // The widgets of the view of zone profiles: building, naming and connecting.
 #include "ui/views/profiles_view.h"
 
+#include "ui/font_size.h"
 #include "ui/theme.h"
 #include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
@@ -154,7 +155,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     }
     for (QComboBox* box : {m_parts, m_reference}) {
-        box->setMinimumWidth(leastBoxWidth); // in a narrow window its text may be cut
+        setTextMinimumWidth(*box, leastBoxWidth); // in a narrow window its text may be cut
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
         row->addWidget(w);
