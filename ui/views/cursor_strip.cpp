@@ -134,7 +134,10 @@ void CursorStrip::fill() {
         }
     }
     const int before = m_table->sizeHint().height();
-    m_axis->setText(subject.axis());
+    m_axis->setText(
+        places[0] && places[1]
+            ? tr("%1; B − A = %2").arg(subject.axis(), toldPlace(*places[1] - *places[0]))
+            : subject.axis());
     m_model->show(subject.axis(), places, subject.curves());
     if (m_table->sizeHint().height() != before) {
         m_table->updateGeometry();
