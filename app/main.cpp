@@ -65,7 +65,7 @@ constexpr const char* usageText =
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
     "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
-    "  --font-size N      of the system's, in per cent: 100, 115, 130 or 150, this time only\n"
+    "  --font-size N      of the system's, in per cent: 90, 100, 115 or 130, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
     "  --size WxH         size of the window, 1366x768 unless told\n"
@@ -144,7 +144,7 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
     } else if (word == u"--font-size") {
         options.fontSize = words[++i].toInt();
         if (fontSizeFrom(*options.fontSize) != *options.fontSize) {
-            options.fault = QStringLiteral("--font-size is 100, 115, 130 or 150");
+            options.fault = QStringLiteral("--font-size is 90, 100, 115 or 130");
         }
     } else if (word == u"--view") {
         options.view = words[++i];
@@ -358,7 +358,6 @@ int main(int argc, char** argv) {
     Language language;
     language.apply(options.language.isEmpty() ? settings.language() : options.language);
     applyTheme(themeFrom(options.theme.isEmpty() ? settings.theme() : options.theme));
-    applyFontSize(options.fontSize.value_or(fontSizeFrom(settings.fontSize())));
     if (!options.report.isEmpty()) {
         ReportRequest request = options.request;
         request.kind = *report::kindOf(options.report);
@@ -369,6 +368,7 @@ int main(int argc, char** argv) {
     if (!options.output.isEmpty()) {
         return writeExport(options.exported);
     }
+    applyFontSize(options.fontSize.value_or(fontSizeFrom(settings.fontSize())));
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {
         return exitUsage;

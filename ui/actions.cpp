@@ -249,7 +249,7 @@ void Actions::retranslate() {
     for (std::size_t i = 0; i < themes.size(); ++i) {
         themes[i]->setText(names[qsizetype(i)]);
     }
-    const QStringList types{tr("&Usual"), tr("&Larger"), tr("L&arge"), tr("La&rgest")};
+    const QStringList types{tr("&Smaller"), tr("&Usual"), tr("&Larger"), tr("La&rgest")};
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         sizes[i]->setText(tr("%1: %2 %").arg(types[qsizetype(i)]).arg(fontSizes[i]));
     }

@@ -2,6 +2,8 @@
 #include "ui/font_size.h"
 
 #include <QApplication>
+#include <QComboBox>
+#include <QEvent>
 #include <QFont>
 #include <QFontMetrics>
 #include <QVariant>
@@ -13,8 +15,6 @@ namespace sparkout {
 
 namespace {
 
-constexpr int usualPercent = fontSizes.front();
-
 // Properties of the program, and of widgets that follow the size.
 constexpr const char* systemFont = "sparkoutSystemFont";
 constexpr const char* percentNow = "sparkoutFontSize";
@@ -25,10 +25,19 @@ constexpr const char* pixelsMore = "sparkoutTextLinesMore";
 constexpr const char* timesWanted = "sparkoutFontTimes";
 constexpr const char* boldWanted = "sparkoutFontBold";
 
+/// A system may give its size in points or in pixels.
+QFont enlarged(QFont font, double times) {
+    if (font.pointSizeF() > 0) {
+        font.setPointSizeF(font.pointSizeF() * times);
+    } else {
+        font.setPixelSize(qRound(font.pixelSize() * times));
+    }
+    return font;
+}
+
 void follow(QWidget& widget) {
     if (const QVariant times = widget.property(timesWanted); times.isValid()) {
-        QFont font = QApplication::font();
-        font.setPointSizeF(font.pointSizeF() * times.toDouble());
+        QFont font = enlarged(QApplication::font(), times.toDouble());
         font.setBold(widget.property(boldWanted).toBool());
         widget.setFont(font);
     }
@@ -47,12 +56,12 @@ void follow(QWidget& widget) {
 } // namespace
 
 int fontSizeFrom(int percent) {
-    return std::ranges::find(fontSizes, percent) == fontSizes.end() ? usualPercent : percent;
+    return std::ranges::find(fontSizes, percent) == fontSizes.end() ? usualFontSize : percent;
 }
 
 int appliedFontSize() {
     const QVariant percent = qApp->property(percentNow);
-    return percent.isValid() ? percent.toInt() : usualPercent;
+    return percent.isValid() ? percent.toInt() : usualFontSize;
 }
 
 void applyFontSize(int percent) {
@@ -62,17 +71,21 @@ void applyFontSize(int percent) {
     if (!qApp->property(systemFont).isValid()) {
         qApp->setProperty(systemFont, QApplication::font());
     }
-    QFont font = qApp->property(systemFont).value<QFont>();
-    font.setPointSizeF(font.pointSizeF() * percent / usualPercent);
     qApp->setProperty(percentNow, percent);
-    QApplication::setFont(font);
+    QApplication::setFont(
+        enlarged(qApp->property(systemFont).value<QFont>(), percent / double(usualFontSize)));
     for (QWidget* widget : QApplication::allWidgets()) {
         follow(*widget);
+        if (auto* box = qobject_cast<QComboBox*>(widget)) { // keeps the least width of its old type
+            QEvent anew(QEvent::StyleChange);
+            QCoreApplication::sendEvent(box, &anew);
+            box->updateGeometry();
+        }
     }
 }
 
 int atFontSize(int pixels) {
-    return pixels * appliedFontSize() / usualPercent;
+    return pixels * appliedFontSize() / usualFontSize;
 }
 
 void setTextWidth(QWidget& widget, int pixels) {

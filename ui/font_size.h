@@ -3,14 +3,14 @@
 
 #include <array>
 
-class QLabel;
 class QWidget;
 
 /// How large the type of the whole program is, in per cent of the system's, and
 /// what follows it beyond the fonts themselves.
 namespace sparkout {
 
-inline constexpr std::array fontSizes{100, 115, 130, 150};
+inline constexpr int usualFontSize = 100;
+inline constexpr std::array fontSizes{90, usualFontSize, 115, 130};
 
 [[nodiscard]] int fontSizeFrom(int percent); ///< the usual one when it is none of them
 

@@ -218,7 +218,7 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
     splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
-    resizeDocks({m_inputsDock, m_verdictDock}, {atFontSize(inputsWidth), verdictWidth},
+    resizeDocks({m_inputsDock, m_verdictDock}, {atFontSize(inputsWidth), atFontSize(verdictWidth)},
                 Qt::Horizontal);
     resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
 }
@@ -470,12 +470,13 @@ void MainWindow::setTheme(Theme theme) {
     m_actions->showTheme(theme);
 }
 
-/// The inputs keep their room, the views take what is left.
+/// The panels keep their room, the views take what is left.
 void MainWindow::setFontSize(int percent) {
     m_settings.setFontSize(percent);
     applyFontSize(percent);
     m_actions->showFontSize(percent);
-    resizeDocks({m_inputsDock}, {atFontSize(inputsWidth)}, Qt::Horizontal);
+    resizeDocks({m_inputsDock, m_verdictDock}, {atFontSize(inputsWidth), atFontSize(verdictWidth)},
+                Qt::Horizontal);
 }
 
 /// What was given colours takes those of the palette the window has now.

@@ -4,11 +4,11 @@
 #include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/names.h"
 
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -72,7 +72,7 @@ void PlaybackBar::build() {
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(metrics::gap, 0, metrics::gap, metrics::hair);
     rows->setSpacing(0);
-    m_row = new QHBoxLayout;
+    m_row = new ToolRow;
     m_row->setSpacing(metrics::tight);
     for (QToolButton* button : {m_first, m_previous, m_play, m_next, m_last}) {
         m_row->addWidget(button);

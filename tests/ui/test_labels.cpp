@@ -115,7 +115,7 @@ private slots:
         QTest::addColumn<QSize>("size");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : fontSizes) {
-                if (percent <= fontSizes[1]) {
+                if (percent < fontSizes.back()) {
                     QTest::addRow("%s %d small", language, percent)
                         << QString::fromUtf8(language) << percent << QSize(1366, 768);
                 }
@@ -129,7 +129,7 @@ private slots:
         QFETCH(QString, language);
         QFETCH(int, percent);
         QFETCH(QSize, size);
-        const auto usual = qScopeGuard([] { applyFontSize(fontSizes[0]); });
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
         for (const char* name : {"shaft-30h6-optimal", "internal-plunge"}) {
             Bench bench(language);
             bench.window->resize(size);

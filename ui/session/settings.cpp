@@ -78,9 +78,9 @@ void Settings::setTheme(const QString& theme) {
 }
 
 int Settings::fontSize() const {
-    constexpr int usual = 100, most = 400;
+    constexpr int usual = 100, least = 50, most = 400;
     const int percent = m_file->value(fontKey).toInt();
-    return percent >= usual && percent <= most ? percent : usual;
+    return percent >= least && percent <= most ? percent : usual;
 }
 
 void Settings::setFontSize(int percent) {

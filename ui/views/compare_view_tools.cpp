@@ -4,6 +4,7 @@
 
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/cursor_strip.h"
@@ -211,8 +212,8 @@ QWidget* CompareView::buildRuns() {
 QWidget* CompareView::buildCurves() {
     auto* panel = new QWidget(this);
     auto* column = columnIn(panel);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(metrics::tight);
+    auto* row = new ToolRow;
+    row->setSpacing(metrics::hair); // many stand in it
     for (QComboBox* box : {m_zone, m_axis}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         row->addWidget(box);

@@ -105,6 +105,25 @@ void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     event->accept();
 }
 
+/// Sections as wide and high as their contents are measured again, in the type the table has now.
+void CopyTable::fitFont() {
+    for (QHeaderView* header : {horizontalHeader(), verticalHeader()}) {
+        for (int i = 0; i < header->count(); ++i) {
+            if (header->sectionResizeMode(i) == QHeaderView::ResizeToContents) {
+                header->setSectionResizeMode(i, QHeaderView::ResizeToContents);
+            }
+        }
+    }
+    emit resized();
+}
+
+void CopyTable::changeEvent(QEvent* event) {
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) { // later: all of its parts have theirs
+        QMetaObject::invokeMethod(this, &CopyTable::fitFont, Qt::QueuedConnection);
+    }
+}
+
 void CopyTable::resizeEvent(QResizeEvent* event) {
     QTableView::resizeEvent(event);
     emit resized();

@@ -4,6 +4,7 @@
 
 #include "ui/font_size.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
@@ -16,7 +17,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -135,7 +135,7 @@ void ProfilesView::buildSpectrumTools(Settings* settings) {
 }
 
 void ProfilesView::buildToolBar(QWidget* bar) {
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     m_parts = new QComboBox(bar);
@@ -169,7 +169,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
 }
 
 void ProfilesView::buildStrokeBar(QWidget* bar) {
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     m_strokeLabel = new QLabel(bar);
