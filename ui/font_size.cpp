@@ -25,16 +25,6 @@ constexpr const char* pixelsMore = "sparkoutTextLinesMore";
 constexpr const char* timesWanted = "sparkoutFontTimes";
 constexpr const char* boldWanted = "sparkoutFontBold";
 
-/// A system may give its size in points or in pixels.
-QFont enlarged(QFont font, double times) {
-    if (font.pointSizeF() > 0) {
-        font.setPointSizeF(font.pointSizeF() * times);
-    } else {
-        font.setPixelSize(qRound(font.pixelSize() * times));
-    }
-    return font;
-}
-
 void follow(QWidget& widget) {
     if (const QVariant times = widget.property(timesWanted); times.isValid()) {
         QFont font = enlarged(QApplication::font(), times.toDouble());
@@ -54,6 +44,15 @@ void follow(QWidget& widget) {
 }
 
 } // namespace
+
+QFont enlarged(QFont font, double times) {
+    if (font.pointSizeF() > 0) {
+        font.setPointSizeF(font.pointSizeF() * times);
+    } else {
+        font.setPixelSize(qRound(font.pixelSize() * times));
+    }
+    return font;
+}
 
 int fontSizeFrom(int percent) {
     return std::ranges::find(fontSizes, percent) == fontSizes.end() ? usualFontSize : percent;

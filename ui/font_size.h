@@ -3,6 +3,7 @@
 
 #include <array>
 
+class QFont;
 class QWidget;
 
 /// How large the type of the whole program is, in per cent of the system's, and
@@ -17,6 +18,9 @@ inline constexpr std::array fontSizes{90, usualFontSize, 115, 130};
 /// Gives the whole program a size; may be called again at any time.
 void applyFontSize(int percent);
 [[nodiscard]] int appliedFontSize();
+
+/// A font as large so many times; a system may give its size in points or in pixels.
+[[nodiscard]] QFont enlarged(QFont font, double times);
 
 /// What holds text and is this wide at the usual size.
 [[nodiscard]] int atFontSize(int pixels);

@@ -51,7 +51,6 @@ namespace {
 
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
-constexpr int inputsWidth = 361;
 constexpr int verdictWidth = 327;
 constexpr int messagesHeight = 96;
 
@@ -175,7 +174,6 @@ void MainWindow::buildDocks() {
     m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
     m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
     m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
-    setTextMinimumWidth(*m_inputs, inputsWidth);
     QAction* const sheet = m_sheetDock->toggleViewAction();
     sheet->setIcon(themeIcon(u"formula"));
     m_playback->addTool(sheet);
@@ -218,8 +216,8 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
     splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
-    resizeDocks({m_inputsDock, m_verdictDock}, {atFontSize(inputsWidth), atFontSize(verdictWidth)},
-                Qt::Horizontal);
+    resizeDocks({m_inputsDock, m_verdictDock},
+                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
     resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
 }
 
@@ -475,8 +473,8 @@ void MainWindow::setFontSize(int percent) {
     m_settings.setFontSize(percent);
     applyFontSize(percent);
     m_actions->showFontSize(percent);
-    resizeDocks({m_inputsDock, m_verdictDock}, {atFontSize(inputsWidth), atFontSize(verdictWidth)},
-                Qt::Horizontal);
+    resizeDocks({m_inputsDock, m_verdictDock},
+                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
 }
 
 /// What was given colours takes those of the palette the window has now.

@@ -25,6 +25,7 @@ constexpr std::array speeds{1, 2, 5, 10, 25, 50}; ///< steps a second
 constexpr int usualSpeed = 2;                     ///< index
 constexpr int oneSecond_ms = 1000;
 constexpr int slideSteps = 1'000'000; ///< a slider counts in int
+constexpr int leastSlider = 60;       ///< wide
 constexpr int wheelSteps = 200;       ///< of the mouse wheel over the whole cycle
 } // namespace
 
@@ -79,6 +80,7 @@ void PlaybackBar::build() {
     }
     m_row->addWidget(m_unit);
     m_row->addWidget(m_speed);
+    m_slider->setMinimumWidth(leastSlider);
     m_row->addWidget(m_slider, 1);
     rows->addLayout(m_row);
     rows->addWidget(m_place);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tool_row.h"
 
+#include <QComboBox>
 #include <QWidget>
 
 #include <algorithm>
@@ -14,6 +15,23 @@ int roundedShare(int whole, int part, int of) {
     return of > 0 ? static_cast<int>(static_cast<long long>(whole) * part / of) : 0;
 }
 
+/// A box needs no more than its present text does; its own least width is of an older type.
+int leastOf(const QLayoutItem& item) {
+    const auto* box = qobject_cast<const QComboBox*>(const_cast<QLayoutItem&>(item).widget());
+    if (!box) {
+        return item.minimumSize().width();
+    }
+    constexpr int air = 4;
+    const QFontMetrics metrics = box->fontMetrics();
+    int widest = 0;
+    for (int i = 0; i < box->count(); ++i) {
+        widest = std::max(widest, metrics.boundingRect(box->itemText(i)).width());
+    }
+    const QString text = box->currentIndex() < 0 ? box->placeholderText() : box->currentText();
+    const int hint = item.sizeHint().width();
+    return std::clamp(hint - widest + metrics.horizontalAdvance(text) + air, 0, hint);
+}
+
 } // namespace
 
 ToolRow::ToolRow(QWidget* parent) : QLayout(parent) {}
@@ -22,6 +40,9 @@ ToolRow::~ToolRow() = default;
 
 void ToolRow::addWidget(QWidget* widget, int stretch) {
     addChildWidget(widget);
+    if (auto* box = qobject_cast<QComboBox*>(widget)) {
+        connect(box, &QComboBox::currentTextChanged, this, &QLayout::update);
+    }
     m_items.push_back({std::make_unique<QWidgetItem>(widget), stretch});
     invalidate();
 }
@@ -52,9 +73,8 @@ QLayoutItem* ToolRow::takeAt(int index) {
 
 int ToolRow::leastWidth(const Line& line) const {
     const int gaps = std::max(0, static_cast<int>(line.size()) - 1) * spacing();
-    return std::accumulate(line.begin(), line.end(), gaps, [](int sum, const Tool* tool) {
-        return sum + tool->item->minimumSize().width();
-    });
+    return std::accumulate(line.begin(), line.end(), gaps,
+                           [](int sum, const Tool* tool) { return sum + leastOf(*tool->item); });
 }
 
 int ToolRow::heightOf(const Line& line) {
@@ -122,7 +142,7 @@ QSize ToolRow::minimumSize() const {
     QSize size(0, 0);
     for (const Tool& tool : m_items) {
         if (!tool.item->isEmpty()) {
-            size = size.expandedTo(tool.item->minimumSize());
+            size = size.expandedTo({leastOf(*tool.item), tool.item->minimumSize().height()});
         }
     }
     return size.grownBy(contentsMargins());
@@ -145,13 +165,13 @@ void ToolRow::layOut(const Line& line, const QRect& rect) const {
     const int least = leastWidth(line);
     int wished = least, stretches = 0;
     for (const Tool* tool : line) {
-        wished += tool->item->sizeHint().width() - tool->item->minimumSize().width();
+        wished += tool->item->sizeHint().width() - leastOf(*tool->item);
         stretches += tool->stretch;
     }
     const int spare = std::max(0, rect.width() - wished);
     int x = rect.left();
     for (const Tool* tool : line) {
-        const int own = tool->item->sizeHint().width(), mine = tool->item->minimumSize().width();
+        const int own = tool->item->sizeHint().width(), mine = leastOf(*tool->item);
         const int width =
             wished <= rect.width()
                 ? own + roundedShare(spare, tool->stretch, stretches)

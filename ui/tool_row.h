@@ -9,7 +9,8 @@
 namespace sparkout {
 
 /// Tools side by side, as in a QHBoxLayout; where they have no room they go on in further lines,
-/// at a stretch if that is enough. As wide as its widest tool at least.
+/// at a stretch if that is enough. As wide as its widest tool at least; a box of choices shows the
+/// present one in full, not each.
 class ToolRow : public QLayout {
     Q_OBJECT
 public:

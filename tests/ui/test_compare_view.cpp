@@ -6,6 +6,7 @@
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
 #include "ui/file_commands.h"
+#include "ui/language.h"
 #include "ui/notice_bar.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/project_io.h"
@@ -178,6 +179,14 @@ private slots:
         fixtures::wheel(&desk.plot(), QPointF(rect->right() + 12, rect->center().y()), 120);
         QVERIFY(axis->range().size() < before);
         QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        Language language; // what was chosen stays, in other words
+        language.apply(QStringLiteral("ru"));
+        desk.settle();
+        QCOMPARE(desk.plot().second(0), Quantity::axialFeed);
+        QVERIFY(axis->label().contains(QStringLiteral("мм/мин")));
+        language.apply(QStringLiteral("en"));
+        desk.settle();
+        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
         choose(Quantity::force);
         QVERIFY(desk.plot().curve(0, Quantity::force)
                 && !desk.plot().curve(0, Quantity::axialFeed));

@@ -111,6 +111,12 @@ InputsPanel::~InputsPanel() {
     }
 }
 
+/// As wide as the forms are laid out for, and the names of the pages need.
+QSize InputsPanel::minimumSizeHint() const {
+    return {std::max(atFontSize(usualWidth), m_strip->minimumSize().width()),
+            QWidget::minimumSizeHint().height()};
+}
+
 void InputsPanel::showPage(int index) {
     m_buttons[std::size_t(index)]->setChecked(true);
     m_stack->setCurrentIndex(index);

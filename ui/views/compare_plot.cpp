@@ -55,8 +55,24 @@ void ComparePlot::build() {
         connect(m_rects[row]->axis(QCPAxis::atBottom), changed, other,
                 [other](const QCPRange& range) { other->setRange(range); });
     }
+    connect(this, &QCustomPlot::afterLayout, this, &ComparePlot::fitTexts);
     m_momentLine = new HairLine(*this, HairLine::Role::moment);
     m_hairLine = new HairLine(*this);
+}
+
+/// Names as long as the plots are high, and as many numbers as there is room for.
+void ComparePlot::fitTexts() {
+    constexpr int least = 2, most = 8;
+    const int room = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000.0"));
+    for (QCPAxisRect* rect : m_rects) {
+        style::fitLabels(*rect, font());
+        QCPAxis* const below = rect->axis(QCPAxis::atBottom);
+        const int count = std::clamp(rect->width() / room, least, most);
+        if (below->ticker()->tickCount() != count) {
+            below->ticker()->setTickCount(count);
+            replot(rpQueuedReplot);
+        }
+    }
 }
 
 std::array<Quantity, 4> ComparePlot::quantities() const {

@@ -86,6 +86,7 @@ private:
         QCPGraph* graph;
     };
     void build();
+    void fitTexts();
     void fitValues(Quantity quantity);
     [[nodiscard]] QColor colourOf(Quantity quantity) const;
     [[nodiscard]] const FeedPoints& pointsOf(const ComparedFeeds& run) const;

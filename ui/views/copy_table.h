@@ -38,7 +38,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void fitFont();
+    static void measure(QHeaderView& header);
     void addSaving(QMenu& menu);
     void save(TableFormat format);
 

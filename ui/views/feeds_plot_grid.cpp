@@ -2,6 +2,7 @@
 // The grid of plots: building, linking, room and labels.
 #include "ui/views/feeds_plot.h"
 
+#include "ui/font_size.h"
 #include "ui/views/band_layer.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_style.h"
@@ -254,6 +255,22 @@ int FeedsPlot::longestAxisName() const {
     return longest;
 }
 
+/// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
+/// has them.
+void FeedsPlot::fitAxisNames(int room) {
+    constexpr double least = 0.7;
+    const double times = double(room) / std::max(longestAxisName(), 1);
+    const QFont own = times < 1 ? enlarged(font(), std::max(times, least)) : font();
+    for (const Column* column : {&m_columns.front(), &m_columns.back()}) {
+        for (const QCPAxisRect* rect : column->rects) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                rect->axis(side)->setLabelFont(own);
+                rect->axis(side)->setLabel(times < least ? QString() : rect->axis(side)->label());
+            }
+        }
+    }
+}
+
 /// Lines the labels of an outer column's axes up; the room that ticks and labels take together.
 int FeedsPlot::alignLabels(QCPAxis::AxisType side, std::size_t column) const {
     const QFontMetrics metrics(font());
@@ -303,6 +320,7 @@ void FeedsPlot::fitColumns() {
     const int high = std::max((height() - taken) / rowCount, smallestPlot);
     nameValueAxes(false);
     nameValueAxes(longestAxisName() > high + rowGap);
+    fitAxisNames(high + rowGap);
     for (int row = 0; row < rowCount; ++row) {
         m_grid->setRowStretchFactor(row + 1, high + margins[row]);
     }

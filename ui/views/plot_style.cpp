@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/plot_style.h"
 
+#include "ui/font_size.h"
 #include "ui/theme.h"
 
 #include <qcustomplot.h>
@@ -65,6 +66,25 @@ void applyPalette(QCustomPlot& plot, const QPalette& palette) {
             applyPalette(*axis, palette);
         }
     }
+}
+
+bool fitLabels(QCPAxisRect& rect, const QFont& font) {
+    constexpr double least = 0.7; // of the usual size
+    constexpr int air = 6;        // beyond the plot, before a neighbour's label
+    bool fit = true;
+    for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+        int need = 1;
+        for (const QString& line : axis->label().split(u'\n')) {
+            need = std::max(need, QFontMetrics(font).horizontalAdvance(line));
+        }
+        const double times = double(rect.height() + air) / need;
+        const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
+        fit = fit && times >= least;
+        if (axis->labelFont() != own) {
+            axis->setLabelFont(own);
+        }
+    }
+    return fit;
 }
 
 void setSafeRange(QCPAxis& axis, double low, double high) {

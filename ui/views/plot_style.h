@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
 
 class QCPAxis;
+class QCPAxisRect;
 class QCustomPlot;
 
 /// Colours and safe ranges that the plots share. The set of colours is Okabe and Ito's, told apart
@@ -23,6 +25,10 @@ enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
 void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers without sub-ticks
+
+/// The names of the value axes in that type, or as much smaller, to a limit, as a low plot asks
+/// for. Returns whether they fit.
+bool fitLabels(QCPAxisRect& rect, const QFont& font);
 
 /// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
 /// ranges are ignored.

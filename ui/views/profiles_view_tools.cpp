@@ -2,7 +2,6 @@
 // The widgets of the view of zone profiles: building, naming and connecting.
 #include "ui/views/profiles_view.h"
 
-#include "ui/font_size.h"
 #include "ui/theme.h"
 #include "ui/tool_row.h"
 #include "ui/views/cursor_strip.h"
@@ -29,9 +28,7 @@
 
 namespace sparkout {
 
-namespace {
-constexpr int leastBoxWidth = 92;
-}
+namespace {}
 
 ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     setObjectName(QStringLiteral("profiles"));
@@ -153,9 +150,6 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     }
     for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    }
-    for (QComboBox* box : {m_parts, m_reference}) {
-        setTextMinimumWidth(*box, leastBoxWidth); // in a narrow window its text may be cut
     }
     for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
         row->addWidget(w);
