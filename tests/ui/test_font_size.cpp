@@ -33,6 +33,9 @@ Sizes sizesOf(const MainWindow& window) {
         if (const auto* plot = qobject_cast<const QCustomPlot*>(widget)) {
             for (const QCPAxisRect* rect : const_cast<QCustomPlot*>(plot)->axisRects()) {
                 for (const QCPAxis* axis : rect->axes()) {
+                    if (!axis->visible()) {
+                        continue;
+                    }
                     sizes.insert(QStringLiteral("%1 axis %2").arg(plot->objectName()).arg(++number),
                                  axis->tickLabelFont().pointSizeF());
                 }

@@ -65,7 +65,7 @@ void ComparePlot::fitTexts() {
     constexpr int least = 2, most = 8;
     const int room = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000.0"));
     for (QCPAxisRect* rect : m_rects) {
-        style::fitLabels(*rect, font());
+        style::fitValueAxes(*rect, font());
         QCPAxis* const below = rect->axis(QCPAxis::atBottom);
         const int count = std::clamp(rect->width() / room, least, most);
         if (below->ticker()->tickCount() != count) {

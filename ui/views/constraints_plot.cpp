@@ -180,7 +180,7 @@ void ConstraintsPlot::fillMark() {
 
 /// The text stands on the side of the mark that has room.
 void ConstraintsPlot::placeMark() {
-    style::fitLabels(*m_rect, font());
+    style::fitValueAxes(*m_rect, font());
     if (!m_markedCut) {
         return;
     }

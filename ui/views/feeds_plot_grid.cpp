@@ -256,16 +256,20 @@ int FeedsPlot::longestAxisName() const {
 }
 
 /// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
-/// has them.
-void FeedsPlot::fitAxisNames(int room) {
+/// has them. And no more numbers than have room.
+void FeedsPlot::fitValueAxes(int high) {
     constexpr double least = 0.7;
-    const double times = double(room) / std::max(longestAxisName(), 1);
+    constexpr int usualTicks = 4;
+    const double times = double(high + rowGap) / std::max(longestAxisName(), 1);
     const QFont own = times < 1 ? enlarged(font(), std::max(times, least)) : font();
-    for (const Column* column : {&m_columns.front(), &m_columns.back()}) {
-        for (const QCPAxisRect* rect : column->rects) {
+    for (const Column& column : m_columns) {
+        for (const QCPAxisRect* rect : column.rects) {
             for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
-                rect->axis(side)->setLabelFont(own);
-                rect->axis(side)->setLabel(times < least ? QString() : rect->axis(side)->label());
+                QCPAxis* const axis = rect->axis(side);
+                axis->setLabelFont(own);
+                axis->setLabel(times < least ? QString() : axis->label());
+                axis->ticker()->setTickCount(
+                    std::min(usualTicks, style::ticksWithRoom(high, font())));
             }
         }
     }
@@ -320,7 +324,7 @@ void FeedsPlot::fitColumns() {
     const int high = std::max((height() - taken) / rowCount, smallestPlot);
     nameValueAxes(false);
     nameValueAxes(longestAxisName() > high + rowGap);
-    fitAxisNames(high + rowGap);
+    fitValueAxes(high);
     for (int row = 0; row < rowCount; ++row) {
         m_grid->setRowStretchFactor(row + 1, high + margins[row]);
     }

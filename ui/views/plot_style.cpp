@@ -68,10 +68,16 @@ void applyPalette(QCustomPlot& plot, const QPalette& palette) {
     }
 }
 
-bool fitLabels(QCPAxisRect& rect, const QFont& font) {
+int ticksWithRoom(int height, const QFont& font) {
+    constexpr int least = 2, usual = 5;
+    constexpr double lines = 1.4; // of a number and what is clear of it
+    return std::clamp(static_cast<int>(height / (lines * QFontMetrics(font).height())), least,
+                      usual);
+}
+
+void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
     constexpr double least = 0.7; // of the usual size
     constexpr int air = 6;        // beyond the plot, before a neighbour's label
-    bool fit = true;
     for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
         int need = 1;
         for (const QString& line : axis->label().split(u'\n')) {
@@ -79,12 +85,11 @@ bool fitLabels(QCPAxisRect& rect, const QFont& font) {
         }
         const double times = double(rect.height() + air) / need;
         const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
-        fit = fit && times >= least;
         if (axis->labelFont() != own) {
             axis->setLabelFont(own);
         }
+        axis->ticker()->setTickCount(ticksWithRoom(rect.height(), font));
     }
-    return fit;
 }
 
 void setSafeRange(QCPAxis& axis, double low, double high) {

@@ -26,9 +26,11 @@ void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
 void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers without sub-ticks
 
-/// The names of the value axes in that type, or as much smaller, to a limit, as a low plot asks
-/// for. Returns whether they fit.
-bool fitLabels(QCPAxisRect& rect, const QFont& font);
+/// The names of the value axes in that type, or in smaller, to a limit, as a low plot asks for; and
+/// no more numbers than have room.
+void fitValueAxes(QCPAxisRect& rect, const QFont& font);
+/// So many numbers of that type stand one above the other, at most the usual number.
+[[nodiscard]] int ticksWithRoom(int height, const QFont& font);
 
 /// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
 /// ranges are ignored.
