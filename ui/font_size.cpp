@@ -38,7 +38,7 @@ void follow(QWidget& widget) {
         widget.setMinimumWidth(atFontSize(width.toInt()));
     }
     if (const QVariant lines = widget.property(linesWanted); lines.isValid()) {
-        widget.setFixedHeight(QFontMetrics(widget.font()).lineSpacing() * lines.toInt()
+        widget.setFixedHeight(QFontMetrics(QApplication::font()).lineSpacing() * lines.toInt()
                               + widget.property(pixelsMore).toInt());
     }
 }

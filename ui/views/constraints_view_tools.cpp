@@ -147,6 +147,8 @@ QWidget* ConstraintsView::buildMargins() {
     m_table->setModel(m_model);
     m_table->setItemDelegateForColumn(MarginModel::usage, new MarginBar(m_table));
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setIconSize(QSize(metrics::iconSmall, metrics::iconSmall));
     m_table->setWordWrap(true);

@@ -258,7 +258,7 @@ int FeedsPlot::longestAxisName() const {
 /// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
 /// has them. And no more numbers than have room.
 void FeedsPlot::fitValueAxes(int high) {
-    constexpr double least = 0.7;
+    constexpr double least = 0.6; // of the usual size
     constexpr int usualTicks = 4;
     const double times = double(high + rowGap) / std::max(longestAxisName(), 1);
     const QFont own = times < 1 ? enlarged(font(), std::max(times, least)) : font();

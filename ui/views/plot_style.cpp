@@ -76,7 +76,7 @@ int ticksWithRoom(int height, const QFont& font) {
 }
 
 void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
-    constexpr double least = 0.7; // of the usual size
+    constexpr double least = 0.6; // of the usual size
     constexpr int air = 6;        // beyond the plot, before a neighbour's label
     for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
         int need = 1;
