@@ -35,7 +35,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int leastColumn = 70; ///< of the margins, at the usual size of type
+constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
 
 bool anyBut(const std::vector<ConstraintKind>& kinds, std::initializer_list<ConstraintKind> known) {
     return std::ranges::any_of(kinds, [&known](ConstraintKind kind) {
