@@ -5,6 +5,7 @@
 #include "core/version.h"
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/file_commands.h"
+#include "ui/font_size.h"
 #include "ui/help/help_desk.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
@@ -40,7 +41,7 @@ constexpr int pictureRound_ms = 30, calmRounds = 3, mostRounds = 100;
 constexpr const char* usageText =
     "Usage: sparkout [FILE]\n"
     "       sparkout --picture OUT.png [--lang en|ru] [--theme THEME] [--view VIEW]\n"
-    "                [--stroke N] [--size WIDTHxHEIGHT] FILE\n"
+    "                [--font-size PERCENT] [--stroke N] [--size WxH] FILE\n"
     "       sparkout --report KIND -o OUT.pdf|OUT.html|OUT.md [--lang en|ru]\n"
     "                [--at STEP] [--views VIEWS] [--answers on|off] FILE\n"
     "       sparkout --export PART -o OUT.xlsx|OUT.csv|OUT.json [--lang en|ru] FILE\n"
@@ -65,6 +66,7 @@ constexpr const char* usageText =
     "  --answers on|off   whether a hand-out has the answers to its questions, on unless told\n"
     "  --lang en|ru       language of the window, the report or the tables, this time only\n"
     "  --theme THEME      system, light, dark or contrast, this time only\n"
+    "  --font-size N      of the system's, in per cent: 90, 100, 115 or 130, this time only\n"
     "  --view VIEW        the view in front, by name (feeds) or number\n"
     "  --stroke N         the cycle after N double strokes or revolutions, at its end unless told\n"
     "  --size WxH         size of the window, 1366x768 unless told\n"
@@ -89,6 +91,7 @@ struct Options {
     QString handoutOption; ///< one of --at, --views, --answers, if given
     QString language;
     QString theme;
+    std::optional<int> fontSize;
     QString view;
     std::optional<int> stroke;
     QSize size{1366, 768};
@@ -138,6 +141,11 @@ void readOption(const QStringList& words, qsizetype& i, Options& options) {
         options.theme = words[++i];
         if (!isThemeCode(options.theme)) {
             options.fault = QStringLiteral("--theme is system, light, dark or contrast");
+        }
+    } else if (word == u"--font-size") {
+        options.fontSize = words[++i].toInt();
+        if (fontSizeFrom(*options.fontSize) != *options.fontSize) {
+            options.fault = QStringLiteral("--font-size is 90, 100, 115 or 130");
         }
     } else if (word == u"--view") {
         options.view = words[++i];
@@ -362,6 +370,7 @@ int main(int argc, char** argv) {
     if (!options.output.isEmpty()) {
         return writeExport(options.exported);
     }
+    applyFontSize(options.fontSize.value_or(fontSizeFrom(settings.fontSize())));
     MainWindow window(settings, language);
     if (!showWantedView(window, options.view)) {
         return exitUsage;

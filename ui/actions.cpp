@@ -58,6 +58,12 @@ Actions::Actions(QMainWindow& window)
         themes[i]->setCheckable(true);
         looks->addAction(themes[i]);
     }
+    auto* types = new QActionGroup(this);
+    for (std::size_t i = 0; i < fontSizes.size(); ++i) {
+        sizes[i] = make(("fontSize-" + QByteArray::number(fontSizes[i])).constData(), u"");
+        sizes[i]->setCheckable(true);
+        types->addAction(sizes[i]);
+    }
     for (const report::KindRow& row : report::kinds()) {
         reports.push_back(makeReport(row.kind));
     }
@@ -138,6 +144,8 @@ void Actions::buildViewMenu(QMenuBar& bar) {
     m_language->addActions({english, russian});
     m_theme = m_view->addMenu(QString());
     m_theme->addActions({themes.begin(), themes.end()});
+    m_fontSize = m_view->addMenu(QString());
+    m_fontSize->addActions({sizes.begin(), sizes.end()});
     m_view->addSeparator();
     m_view->addAction(resetLayout);
 }
@@ -209,6 +217,7 @@ void Actions::retranslate() {
     m_new->menuAction()->setToolTip(tr("New project"));
     m_language->setTitle(tr("&Language"));
     m_theme->setTitle(tr("&Theme"));
+    m_fontSize->setTitle(tr("&Font size"));
     m_views->setTitle(tr("&Show a view"));
     m_bar->setWindowTitle(tr("Tool bar"));
     newTraverse->setText(tr("&Traverse grinding"));
@@ -240,6 +249,10 @@ void Actions::retranslate() {
     for (std::size_t i = 0; i < themes.size(); ++i) {
         themes[i]->setText(names[qsizetype(i)]);
     }
+    const QStringList types{tr("&Smaller"), tr("&Usual"), tr("&Larger"), tr("La&rgest")};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        sizes[i]->setText(tr("%1: %2 %").arg(types[qsizetype(i)]).arg(fontSizes[i]));
+    }
     help->setText(tr("&Help on what is in focus"));
     helpContents->setText(tr("&Contents"));
     helpShortcuts->setText(tr("&Keyboard shortcuts"));
@@ -250,6 +263,11 @@ void Actions::retranslate() {
 
 void Actions::showTheme(Theme theme) {
     themes[std::size_t(std::ranges::find(allThemes, theme) - allThemes.begin())]->setChecked(true);
+}
+
+void Actions::showFontSize(int percent) {
+    const auto found = std::ranges::find(fontSizes, fontSizeFrom(percent));
+    sizes[std::size_t(found - fontSizes.begin())]->setChecked(true);
 }
 
 void Actions::showLanguage(const QString& code) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/font_size.h"
 #include "ui/report/report_kinds.h"
 #include "ui/theme.h"
 
@@ -44,6 +45,7 @@ public:
     void retranslate();
     void showLanguage(const QString& code);
     void showTheme(Theme theme);
+    void showFontSize(int percent);
     void nameViews(const std::vector<View*>& views);
 
     QAction* newTraverse;
@@ -63,6 +65,7 @@ public:
     QAction* english;
     QAction* russian;
     std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
+    std::array<QAction*, fontSizes.size()> sizes;  ///< in the order of fontSizes
     QAction* detach;                               ///< or attach: the view in use
     QAction* nextPanel;
     QAction* previousPanel;
@@ -86,6 +89,7 @@ private:
     QMenu* m_view;
     QMenu* m_language;
     QMenu* m_theme;
+    QMenu* m_fontSize;
     QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;

@@ -52,7 +52,6 @@ namespace {
 
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
-constexpr int inputsWidth = 361;
 constexpr int verdictWidth = 327;
 constexpr int messagesHeight = 96;
 
@@ -178,7 +177,6 @@ void MainWindow::buildDocks() {
     m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
     m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
     m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
-    m_inputs->setMinimumWidth(inputsWidth);
     QAction* const sheet = m_sheetDock->toggleViewAction();
     sheet->setIcon(themeIcon(u"formula"));
     m_playback->addTool(sheet);
@@ -221,7 +219,8 @@ void MainWindow::resetLayout() {
     addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
     splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
-    resizeDocks({m_inputsDock, m_verdictDock}, {inputsWidth, verdictWidth}, Qt::Horizontal);
+    resizeDocks({m_inputsDock, m_verdictDock},
+                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
     resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
 }
 
@@ -273,6 +272,9 @@ void MainWindow::connectActions() {
     on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
     for (std::size_t i = 0; i < allThemes.size(); ++i) {
         on(m_actions->themes[i], [this, i] { setTheme(allThemes[i]); });
+    }
+    for (std::size_t i = 0; i < fontSizes.size(); ++i) {
+        on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
     }
     on(m_actions->detach, [this] { toggleDetached(); });
     on(m_actions->nextPanel, [this] { movePanel(1); });
@@ -469,6 +471,15 @@ void MainWindow::setTheme(Theme theme) {
     m_actions->showTheme(theme);
 }
 
+/// The panels keep their room, the views take what is left.
+void MainWindow::setFontSize(int percent) {
+    m_settings.setFontSize(percent);
+    applyFontSize(percent);
+    m_actions->showFontSize(percent);
+    resizeDocks({m_inputsDock, m_verdictDock},
+                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
+}
+
 /// What was given colours takes those of the palette the window has now.
 void MainWindow::recolour() {
     retranslate(); // with the texts, their marks
@@ -498,6 +509,7 @@ void MainWindow::retranslate() {
     m_actions->follow(m_document, !m_inputs->refusals().empty());
     m_actions->showLanguage(m_language.code());
     m_actions->showTheme(appliedTheme());
+    m_actions->showFontSize(appliedFontSize());
     m_actions->nameViews(views());
     m_playback->retranslate();
     m_inputsDock->setWindowTitle(tr("Inputs"));
@@ -527,7 +539,7 @@ void MainWindow::retranslate() {
 void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
+    } else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         m_recolour.start();
     }
     QMainWindow::changeEvent(event);

@@ -76,6 +76,7 @@ private:
     void resetLayout();
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
+    void setFontSize(int percent);
     void recolour();
     void movePanel(int by);
     void toggleDetached();

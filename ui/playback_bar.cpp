@@ -4,11 +4,11 @@
 #include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/names.h"
 
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -25,6 +25,7 @@ constexpr std::array speeds{1, 2, 5, 10, 25, 50}; ///< steps a second
 constexpr int usualSpeed = 2;                     ///< index
 constexpr int oneSecond_ms = 1000;
 constexpr int slideSteps = 1'000'000; ///< a slider counts in int
+constexpr int leastSlider = 60;       ///< wide
 constexpr int wheelSteps = 200;       ///< of the mouse wheel over the whole cycle
 } // namespace
 
@@ -72,13 +73,14 @@ void PlaybackBar::build() {
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(metrics::gap, 0, metrics::gap, metrics::hair);
     rows->setSpacing(0);
-    m_row = new QHBoxLayout;
+    m_row = new ToolRow;
     m_row->setSpacing(metrics::tight);
     for (QToolButton* button : {m_first, m_previous, m_play, m_next, m_last}) {
         m_row->addWidget(button);
     }
     m_row->addWidget(m_unit);
     m_row->addWidget(m_speed);
+    m_slider->setMinimumWidth(leastSlider);
     m_row->addWidget(m_slider, 1);
     rows->addLayout(m_row);
     rows->addWidget(m_place);

@@ -7,12 +7,13 @@
 #include <QWidget>
 
 class QComboBox;
-class QHBoxLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
 
 namespace sparkout {
+
+class ToolRow;
 
 /// Moves the cursor through the cycle: by steps of a chosen unit, by a slider, or by itself.
 class PlaybackBar : public QWidget {
@@ -49,7 +50,7 @@ private:
     QComboBox* m_unit;
     QComboBox* m_speed;
     QSlider* m_slider;
-    QHBoxLayout* m_row = nullptr;
+    ToolRow* m_row = nullptr;
     QLabel* m_place;
 };
 

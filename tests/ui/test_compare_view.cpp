@@ -6,6 +6,7 @@
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
 #include "ui/file_commands.h"
+#include "ui/language.h"
 #include "ui/notice_bar.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/project_io.h"
@@ -125,7 +126,7 @@ private slots:
         desk.keep();
         desk.change(quicker);
         QCOMPARE(desk.plot().runs().size(), 2u);
-        for (const Quantity quantity : ComparePlot::quantities) {
+        for (const Quantity quantity : desk.plot().quantities()) {
             compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
             compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
         }
@@ -135,6 +136,60 @@ private slots:
         QCOMPARE(pen(0, Quantity::actual).style(), Qt::SolidLine);
         QVERIFY(pen(1, Quantity::actual).dashPattern() != pen(0, Quantity::actual).dashPattern());
         QCOMPARE(pen(1, Quantity::force).dashPattern(), pen(1, Quantity::actual).dashPattern());
+    }
+
+    /// Chosen from the menu: drawn, named, zoomed, read, exported on an axis of its own.
+    void aSecondQuantityHasAnAxisOfItsOwn() {
+        Desk desk;
+        const OutcomePtr first = desk.outcome;
+        desk.keep();
+        desk.change(quicker);
+        const QCPRange feeds = desk.plot().axisOf(Quantity::actual)->range();
+        const auto choose = [&](Quantity quantity) {
+            desk.view
+                .findChild<QAction*>(QStringLiteral("second%1").arg(static_cast<int>(quantity)))
+                ->trigger();
+            desk.settle();
+        };
+        choose(Quantity::axialFeed);
+        choose(Quantity::programmedSum);
+        QVERIFY(!desk.plot().curve(0, Quantity::force) && !desk.plot().curve(0, Quantity::left));
+        for (const Quantity quantity : desk.plot().quantities()) {
+            compareWithFeeds(*desk.plot().curve(0, quantity), desk.outcome->feeds, 1, quantity);
+            compareWithFeeds(*desk.plot().curve(1, quantity), first->feeds, 1, quantity);
+        }
+        QCPAxis* axis = desk.plot().axisOf(Quantity::axialFeed);
+        QCOMPARE(axis->axisType(), QCPAxis::atRight);
+        QVERIFY(axis->range().contains(2400)); // of the present run
+        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        const QCPGraph* curve = desk.plot().curve(0, Quantity::axialFeed);
+        QCOMPARE(axis->labelColor(), curve->pen().color());
+        QCOMPARE(axis->tickLabelColor(), curve->pen().color());
+        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
+        const QString name = QStringLiteral("axial feed");
+        QVERIFY(std::ranges::any_of(desk.plot().legendEntries(),
+                                    [&](const LegendEntry& e) { return e.text == name; }));
+        const CsvTable table = desk.plot().table();
+        const auto column = table.header.indexOf(QStringLiteral("axial feed, mm/min"));
+        QVERIFY(column > 0);
+        QCOMPARE(std::get<double>(table.rows[0][std::size_t(column)]), 2400.0);
+        // The wheel over the axis zooms it alone.
+        const QCPAxisRect* rect = axis->axisRect();
+        const double before = axis->range().size();
+        fixtures::wheel(&desk.plot(), QPointF(rect->right() + 12, rect->center().y()), 120);
+        QVERIFY(axis->range().size() < before);
+        QCOMPARE(desk.plot().axisOf(Quantity::actual)->range(), feeds);
+        Language language; // what was chosen stays, in other words
+        language.apply(QStringLiteral("ru"));
+        desk.settle();
+        QCOMPARE(desk.plot().second(0), Quantity::axialFeed);
+        QVERIFY(axis->label().contains(QStringLiteral("мм/мин")));
+        language.apply(QStringLiteral("en"));
+        desk.settle();
+        QVERIFY(axis->label().contains(QStringLiteral("mm/min")));
+        choose(Quantity::force);
+        QVERIFY(desk.plot().curve(0, Quantity::force)
+                && !desk.plot().curve(0, Quantity::axialFeed));
     }
 
     void anotherZoneIsDrawnOfAllRuns() {

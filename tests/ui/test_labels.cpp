@@ -5,6 +5,7 @@
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/examples_dialog.h"
+#include "ui/font_size.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/operation.h"
 #include "ui/view_tabs.h"
@@ -15,6 +16,7 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QTabBar>
 #include <QTest>
@@ -106,6 +108,44 @@ private slots:
             offenders.add(place, textsWithoutRoom(*bench.window));
         });
         QVERIFY2(offenders.none(), offenders.report());
+    }
+
+    void everyVisibleTextHasRoomWithLargerType_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("percent");
+        QTest::addColumn<QSize>("size");
+        for (const char* language : {"en", "ru"}) {
+            for (const int percent : fontSizes) {
+                if (percent < fontSizes.back()) {
+                    QTest::addRow("%s %d small", language, percent)
+                        << QString::fromUtf8(language) << percent << QSize(1366, 768);
+                }
+                QTest::addRow("%s %d large", language, percent)
+                    << QString::fromUtf8(language) << percent << QSize(1920, 1080);
+            }
+        }
+    }
+
+    void everyVisibleTextHasRoomWithLargerType() {
+        QFETCH(QString, language);
+        QFETCH(int, percent);
+        QFETCH(QSize, size);
+        const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
+        for (const char* name : {"shaft-30h6-optimal", "internal-plunge"}) {
+            Bench bench(language);
+            bench.window->resize(size);
+            QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
+                                   .arg(QLatin1String(name))));
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.settle();
+            QCOMPARE(bench.settings.fontSize(), percent);
+            Offenders offenders;
+            everyPlace(bench, [&](const QString& place) {
+                offenders.add(place, textsWithoutRoom(*bench.window));
+            });
+            QVERIFY2(offenders.none(), offenders.report());
+            QCOMPARE(bench.window->size(), size); // nothing asks for more
+        }
     }
 
     void noPageNeedsScrollingSideways() {

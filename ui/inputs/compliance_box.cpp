@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/compliance_box.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/hint_text.h"
@@ -101,8 +102,8 @@ void ComplianceBox::addLine(const std::string& key) {
     line.label->setTextFormat(Qt::PlainText);
     line.label->setBuddy(line.field);
     line.unit->setTextFormat(Qt::PlainText);
-    line.unit->setFixedWidth(unitColumn);
-    line.field->setFixedWidth(metrics::field);
+    setTextWidth(*line.unit, unitColumn);
+    setTextWidth(*line.field, metrics::field);
     line.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     line.field->setObjectName(QString::fromStdString(pathOf(line)));
     line.slider->setObjectName(line.field->objectName() + QStringLiteral("/slider"));

@@ -3,6 +3,7 @@
 
 #include "core/project/blanks_csv.h"
 #include "core/project/safe_file.h"
+#include "ui/font_size.h"
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/factor_lines.h"
 #include "ui/inputs/form_metrics.h"
@@ -76,7 +77,7 @@ void FactorBox::build() {
     m_measured->setWordWrap(true);
     m_formLabel->setTextFormat(Qt::PlainText);
     m_formLabel->setBuddy(m_form);
-    m_form->setFixedWidth(wideField);
+    setTextWidth(*m_form, wideField);
     auto* choice = new QHBoxLayout;
     choice->setSpacing(metrics::gap);
     choice->addWidget(m_formLabel, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/form_row.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/hint_text.h"
@@ -81,8 +82,8 @@ void FormRow::addTo(QGridLayout& grid) {
         head->addWidget(field);
         grid.addWidget(m_head, row, 0, 1, 3);
     } else {
-        field->setFixedWidth(metrics::field);
-        m_unit->setFixedWidth(unitColumn);
+        setTextWidth(*field, metrics::field);
+        setTextWidth(*m_unit, unitColumn);
         grid.addWidget(field, row, 1);
         grid.addWidget(m_unit, row, 2);
         if (QWidget* slider = m_editor->slider()) { // a label of two lines stands beside both
@@ -119,7 +120,8 @@ void FormRow::setIssues(const Issues& issues) {
 
 bool FormRow::meaningIsLong() const {
     const QString meaning = inputText(m_editor->field().nullMeaning);
-    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning) > metrics::field - 12;
+    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning)
+           > atFontSize(metrics::field) - 12;
 }
 
 QString FormRow::emptyCaption() const {
@@ -156,10 +158,10 @@ void FormRow::fitWide() {
     if (!m_editor->wide() || m_editor->tall()) {
         return;
     }
-    int width = wideField;
+    int width = atFontSize(wideField);
     if (auto* box = qobject_cast<QComboBox*>(m_editor->widget())) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        width = std::clamp(box->sizeHint().width(), wideField, widestField);
+        width = std::clamp(box->sizeHint().width(), atFontSize(wideField), atFontSize(widestField));
     }
     m_editor->widget()->setFixedWidth(width);
 }

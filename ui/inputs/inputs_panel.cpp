@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/inputs_panel.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/list_table.h"
@@ -59,9 +60,7 @@ InputsPanel::InputsPanel(Document& document, QWidget* parent, Settings* settings
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setCheckable(true);
         button->setAutoRaise(true);
-        QFont small = button->font(); // eight of them stand side by side
-        small.setPointSizeF(small.pointSizeF() * noteType);
-        button->setFont(small);
+        setRelativeFont(*button, noteType); // eight of them stand side by side
         m_strip->addWidget(button);
         m_group->addButton(button, static_cast<int>(m_pages.size()));
         m_buttons.push_back(button);
@@ -110,6 +109,12 @@ InputsPanel::~InputsPanel() {
     for (FormPage* page : m_pages) {
         disconnect(page, nullptr, this, nullptr); // … and leaves what was typed there
     }
+}
+
+/// As wide as the forms are laid out for, and the names of the pages need.
+QSize InputsPanel::minimumSizeHint() const {
+    return {std::max(atFontSize(usualWidth), m_strip->minimumSize().width()),
+            QWidget::minimumSizeHint().height()};
 }
 
 void InputsPanel::showPage(int index) {

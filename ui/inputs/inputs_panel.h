@@ -23,9 +23,13 @@ class InputsPanel : public QWidget {
     Q_OBJECT
 
 public:
+    static constexpr int usualWidth = 361; ///< at the usual size of type
+
     explicit InputsPanel(Document& document, QWidget* parent = nullptr,
                          Settings* settings = nullptr);
     ~InputsPanel() override;
+
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void retranslate();

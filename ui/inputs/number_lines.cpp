@@ -2,6 +2,7 @@
 #include "ui/inputs/number_lines.h"
 
 #include "core/project/batch_rules.h"
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/session/document.h"
@@ -62,8 +63,8 @@ void NumberLines::addRow(Line line) {
     added.label->setWordWrap(true);
     added.label->setBuddy(added.field);
     added.unit->setTextFormat(Qt::PlainText);
-    added.unit->setFixedWidth(unitColumn);
-    added.field->setFixedWidth(metrics::field);
+    setTextWidth(*added.unit, unitColumn);
+    setTextWidth(*added.field, metrics::field);
     added.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     added.field->setObjectName(QString::fromStdString(added.line.path));
     const int at = m_grid->rowCount();

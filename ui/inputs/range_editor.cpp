@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/range_editor.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/number_field.h"
 #include "ui/session/document.h"
@@ -38,7 +39,7 @@ RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& 
         });
     }
     m_unit->setTextFormat(Qt::PlainText);
-    m_unit->setFixedWidth(unitColumn);
+    setTextWidth(*m_unit, unitColumn);
     layout->addWidget(m_unit);
     m_body->setFocusProxy(m_fields[0]);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/row_helper.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/session/batch_edits.h"
 #include "ui/session/document.h"
@@ -24,9 +25,7 @@ QLabel* noteLabel(QWidget* parent, const char* name) {
     label->setTextFormat(Qt::PlainText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     label->setWordWrap(true);
-    QFont small = label->font();
-    small.setPointSizeF(small.pointSizeF() * noteType);
-    label->setFont(small);
+    setRelativeFont(*label, noteType);
     return label;
 }
 
@@ -175,7 +174,7 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     , m_meaning(noteLabel(this, "sizeMeaning")) {
     m_size->setObjectName(QStringLiteral("sizeField"));
     m_fill->setObjectName(QStringLiteral("fillFromSize"));
-    m_size->setFixedWidth(metrics::field);
+    setTextWidth(*m_size, metrics::field);
     m_size->setMaxLength(40);
     m_label->setTextFormat(Qt::PlainText);
     m_label->setWordWrap(true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/row_sliders.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/hint_text.h"
 #include "ui/inputs/list_model.h"
@@ -78,7 +79,7 @@ void RowSliders::addLine(int column) {
     line.label->setTextFormat(Qt::RichText);
     line.label->setBuddy(line.slider);
     line.value->setTextFormat(Qt::PlainText);
-    line.value->setMinimumWidth(valueWidth);
+    setTextMinimumWidth(*line.value, valueWidth);
     line.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     line.slider->setObjectName(QString::fromUtf8(field.key) + QStringLiteral("/slider"));
     setHintField(*line.slider, field);

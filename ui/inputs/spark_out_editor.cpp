@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/spark_out_editor.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/number_field.h"
 #include "ui/session/texts.h"
@@ -19,7 +20,7 @@ SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* paren
     spec.hard = field.hard;
     spec.integer = true;
     m_count = new NumberField(spec, this);
-    m_count->setFixedWidth(56);
+    setTextWidth(*m_count, 56);
     m_count->setAccessibleName(traverse ? tr("Double strokes of spark-out")
                                         : tr("Revolutions of spark-out"));
     m_mode->addItem(tr("none"), int(SparkOut::Mode::none));

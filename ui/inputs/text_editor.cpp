@@ -2,6 +2,7 @@
 #include "ui/inputs/text_editor.h"
 
 #include "core/project/project_file.h"
+#include "ui/font_size.h"
 #include "ui/session/document.h"
 
 #include <QEvent>
@@ -39,7 +40,7 @@ NotesEditor::NotesEditor(const std::string& path, const Field& field, Document& 
                          QWidget* parent)
     : FieldEditor(path, field, document), m_text(new QPlainTextEdit(parent)) {
     m_text->setTabChangesFocus(true);
-    m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * 5 + 10);
+    setTextLines(*m_text, 5, 10);
     m_text->installEventFilter(this);
     connect(m_text, &QPlainTextEdit::textChanged, this, &NotesEditor::take);
 }

@@ -12,6 +12,7 @@ namespace {
 
 const QString languageKey = QStringLiteral("language");
 const QString themeKey = QStringLiteral("theme");
+const QString fontKey = QStringLiteral("fontSize");
 const QString tourKey = QStringLiteral("tourSeen");
 const QString csvKey = QStringLiteral("csvDialect");
 const QString handoutKey = QStringLiteral("handout");
@@ -74,6 +75,16 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
     m_file->set(themeKey, theme);
+}
+
+int Settings::fontSize() const {
+    constexpr int usual = 100, least = 50, most = 400;
+    const int percent = m_file->value(fontKey).toInt();
+    return percent >= least && percent <= most ? percent : usual;
+}
+
+void Settings::setFontSize(int percent) {
+    m_file->set(fontKey, percent);
 }
 
 bool Settings::tourSeen() const {

@@ -23,6 +23,8 @@ public:
     void setLanguage(const QString& code);
     [[nodiscard]] QString theme() const; ///< "system", "light", "dark" or "contrast"
     void setTheme(const QString& theme);
+    [[nodiscard]] int fontSize() const; ///< in per cent of the system's; 100: as it is
+    void setFontSize(int percent);
     [[nodiscard]] bool tourSeen() const; ///< the tour of the window was shown once
     void setTourSeen();
     [[nodiscard]] QString csvDialect() const; ///< "ru" (; and comma) or "en" (, and point)

@@ -55,14 +55,44 @@ void ComparePlot::build() {
         connect(m_rects[row]->axis(QCPAxis::atBottom), changed, other,
                 [other](const QCPRange& range) { other->setRange(range); });
     }
+    connect(this, &QCustomPlot::afterLayout, this, &ComparePlot::fitTexts);
     m_momentLine = new HairLine(*this, HairLine::Role::moment);
     m_hairLine = new HairLine(*this);
 }
 
+/// Names as long as the plots are high, and as many numbers as there is room for.
+void ComparePlot::fitTexts() {
+    constexpr int least = 2, most = 8;
+    const int room = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000.0"));
+    for (QCPAxisRect* rect : m_rects) {
+        style::fitValueAxes(*rect, font());
+        QCPAxis* const below = rect->axis(QCPAxis::atBottom);
+        const int count = std::clamp(rect->width() / room, least, most);
+        if (below->ticker()->tickCount() != count) {
+            below->ticker()->setTickCount(count);
+            replot(rpQueuedReplot);
+        }
+    }
+}
+
+std::array<Quantity, 4> ComparePlot::quantities() const {
+    return {Quantity::actual, m_second[0], Quantity::actualSum, m_second[1]};
+}
+
 QCPAxis* ComparePlot::axisOf(Quantity quantity) const {
-    const bool upper = quantity == Quantity::actual || quantity == Quantity::force;
-    const bool left = quantity == Quantity::actual || quantity == Quantity::actualSum;
-    return m_rects[upper ? 0 : 1]->axis(left ? QCPAxis::atLeft : QCPAxis::atRight);
+    const std::array<Quantity, 4> all = quantities();
+    const auto index = static_cast<std::size_t>(std::ranges::find(all, quantity) - all.begin());
+    return m_rects.at(index / 2)->axis(index % 2 == 0 ? QCPAxis::atLeft : QCPAxis::atRight);
+}
+
+void ComparePlot::setSecond(std::size_t row, Quantity quantity) {
+    const bool all = ranges() == m_fitted;
+    m_second.at(row) = quantity;
+    fill();
+    fitValues(quantity);
+    m_fitted = all ? ranges() : m_fitted;
+    labelAxes();
+    emit contentChanged();
 }
 
 const FeedPoints& ComparePlot::pointsOf(const ComparedFeeds& run) const {
@@ -98,7 +128,7 @@ void ComparePlot::fill() {
         m_scales.emplace_back(*run.feeds, m_axis);
     }
     for (std::size_t run = m_runs.size(); run-- > 0;) { // the present one on top
-        for (const Quantity quantity : quantities) {
+        for (const Quantity quantity : quantities()) {
             QCPAxis* const value = axisOf(quantity);
             QCPGraph* const graph = addGraph(value->axisRect()->axis(QCPAxis::atBottom), value);
             graph->removeFromLegend();
@@ -173,21 +203,25 @@ double ComparePlot::end() const {
     return end;
 }
 
+void ComparePlot::fitValues(Quantity quantity) {
+    double low = 0, high = 0;
+    for (const Curve& curve : m_curves) {
+        if (curve.quantity == quantity) {
+            bool found = false;
+            const QCPRange range = curve.graph->getValueRange(found);
+            low = found ? std::min(low, range.lower) : low;
+            high = found ? std::max(high, range.upper) : high;
+        }
+    }
+    const double room = (high - low) * curveRoom;
+    style::setSafeRange(*axisOf(quantity), low < 0 ? low - room : low, high + room);
+}
+
 void ComparePlot::fit() {
     style::setSafeRange(*m_rects[0]->axis(QCPAxis::atBottom), 0, end());
     style::setSafeRange(*m_rects[1]->axis(QCPAxis::atBottom), 0, end());
-    for (const Quantity quantity : quantities) {
-        double low = 0, high = 0;
-        for (const Curve& curve : m_curves) {
-            if (curve.quantity == quantity) {
-                bool found = false;
-                const QCPRange range = curve.graph->getValueRange(found);
-                low = found ? std::min(low, range.lower) : low;
-                high = found ? std::max(high, range.upper) : high;
-            }
-        }
-        const double room = (high - low) * curveRoom;
-        style::setSafeRange(*axisOf(quantity), low < 0 ? low - room : low, high + room);
+    for (const Quantity quantity : quantities()) {
+        fitValues(quantity);
     }
     m_fitted = ranges();
 }

@@ -27,21 +27,29 @@ struct ComparedFeeds {
     int number = 0; ///< chooses the dash; 0: the present run
 };
 
-/// Actual feed and force over accumulated feed and radius of several runs, double stroke by double
-/// stroke, over one horizontal axis: the colour says which quantity, the dash which run.
+/// Actual over accumulated feed of several runs, double stroke by double stroke, over one
+/// horizontal axis; each with a second quantity on an axis to the right, force and radius unless
+/// chosen otherwise. The colour says which quantity, the dash which run.
 class ComparePlot : public QCustomPlot {
     Q_OBJECT
 public:
-    static constexpr std::array quantities{Quantity::actual, Quantity::force, Quantity::actualSum,
-                                           Quantity::left};
+    static constexpr std::size_t rowCount = 2;
+    /// What the right-hand axes can show, row by row; the first unless chosen.
+    static constexpr std::array<std::array<Quantity, 3>, rowCount> secondQuantities{
+        {{Quantity::force, Quantity::programmed, Quantity::axialFeed},
+         {Quantity::left, Quantity::came, Quantity::programmedSum}}};
     static constexpr int runKey = 100; ///< of the legend, plus the number; below: a Quantity
 
     explicit ComparePlot(QWidget* parent = nullptr);
 
     /// The present run first; what is in sight stays unless all was. No replot.
     void setRuns(std::vector<ComparedFeeds> runs);
-    void setAxis(CycleAxis axis);                 ///< shows all
-    void setMoment(std::optional<double> time_s); ///< of the present run
+    void setAxis(CycleAxis axis); ///< shows all
+    /// On the right-hand axis of a row, in its place; shows all of its values.
+    void setSecond(std::size_t row, Quantity quantity);
+    [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
+    [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, row by row
+    void setMoment(std::optional<double> time_s);             ///< of the present run
     void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
@@ -53,6 +61,7 @@ public:
     [[nodiscard]] static QList<QCPAxis*> movedAxes(QCPAxisRect& rect);
 
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_runs; }
+    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const; ///< of a quantity that is drawn
     [[nodiscard]] QCPGraph* curve(int number, Quantity quantity) const; ///< null: no such run
     [[nodiscard]] std::optional<double> moment_s() const { return m_moment_s; }
     [[nodiscard]] QString timeLabel() const; ///< "Time, min"
@@ -77,12 +86,14 @@ private:
         QCPGraph* graph;
     };
     void build();
-    [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const;
+    void fitTexts();
+    void fitValues(Quantity quantity);
     [[nodiscard]] QColor colourOf(Quantity quantity) const;
     [[nodiscard]] const FeedPoints& pointsOf(const ComparedFeeds& run) const;
     void fill();
     void showCurves();
     void labelAxes();
+    [[nodiscard]] static QString briefName(Quantity quantity);
     void onMouse(QMouseEvent* event);
     [[nodiscard]] const Curve* nearestCurve(const QPointF& at) const;
     [[nodiscard]] QString values(std::size_t run, double x) const;
@@ -96,7 +107,8 @@ private:
     std::vector<Curve> m_curves;
     CurveChoice m_choice;
     CycleAxis m_axis = CycleAxis::minutes;
-    std::array<QCPAxisRect*, 2> m_rects{};
+    std::array<Quantity, rowCount> m_second{secondQuantities[0][0], secondQuantities[1][0]};
+    std::array<QCPAxisRect*, rowCount> m_rects{};
     HairLine* m_hairLine = nullptr;
     HairLine* m_momentLine = nullptr;
     std::optional<double> m_moment_s;

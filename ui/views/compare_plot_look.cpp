@@ -32,6 +32,9 @@ QColor ComparePlot::colourOf(Quantity quantity) const {
     case Quantity::actual: return style::colour(Hue::vermilion, palette());
     case Quantity::actualSum: return style::colour(Hue::blue, palette());
     case Quantity::left: return style::colour(Hue::purple, palette());
+    case Quantity::programmed:
+    case Quantity::programmedSum: return style::colour(Hue::sky, palette());
+    case Quantity::axialFeed: return style::colour(Hue::orange, palette());
     default: return style::colour(Hue::green, palette());
     }
 }
@@ -44,7 +47,7 @@ void ComparePlot::restyle() {
             axis->setLabelFont(font());
         }
     }
-    for (const Quantity quantity : quantities) { // an axis has the colour of its curves
+    for (const Quantity quantity : quantities()) { // an axis has the colour of its curves
         axisOf(quantity)->setLabelColor(colourOf(quantity));
         axisOf(quantity)->setTickLabelColor(colourOf(quantity));
     }
@@ -81,12 +84,25 @@ QString ComparePlot::timeLabel() const {
     return {};
 }
 
-/// Brief, for plots are low; the legend has the full names.
+/// For plots are low; the legend has the full names.
+QString ComparePlot::briefName(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::actual: return tr("Feed, µm");
+    case Quantity::force: return tr("Force, N");
+    case Quantity::actualSum: return tr("Σ feed,\nµm");
+    case Quantity::left: return tr("Radius,\nµm");
+    case Quantity::programmed: return tr("Programmed,\nµm");
+    case Quantity::axialFeed: return tr("Axial,\nmm/min");
+    case Quantity::came: return tr("Radius\nbefore, µm");
+    case Quantity::programmedSum: return tr("Σ program-\nmed, µm");
+    }
+    return {};
+}
+
 void ComparePlot::labelAxes() {
-    axisOf(Quantity::actual)->setLabel(tr("Feed, µm"));
-    axisOf(Quantity::force)->setLabel(tr("Force, N"));
-    axisOf(Quantity::actualSum)->setLabel(tr("Σ feed,\nµm"));
-    axisOf(Quantity::left)->setLabel(tr("Radius,\nµm"));
+    for (const Quantity quantity : quantities()) {
+        axisOf(quantity)->setLabel(briefName(quantity));
+    }
     m_rects[1]->axis(QCPAxis::atBottom)->setLabel(timeLabel());
 }
 
@@ -99,7 +115,7 @@ void ComparePlot::retranslate() {
 
 LegendEntries ComparePlot::legendEntries() const {
     LegendEntries entries;
-    for (const Quantity quantity : quantities) {
+    for (const Quantity quantity : quantities()) {
         const int key = static_cast<int>(quantity);
         entries.push_back({style::dimmed(colourOf(quantity), m_dim), Qt::SolidLine,
                            quantityName(quantity), key, m_choice.shows(key)});
@@ -155,10 +171,18 @@ QString ComparePlot::values(std::size_t run, double x) const {
     const QString stroke =
         (of.feeds->operation == Operation::traverse ? tr("double stroke %1") : tr("revolution %1"))
             .arg(p->place.cycleCount);
+    QString chosen;
+    for (std::size_t row = 0; row < rowCount; ++row) {
+        if (const Quantity q = m_second[row]; q != secondQuantities[row][0]) {
+            chosen += QStringLiteral("; %1 %2").arg(
+                quantityWithUnit(q), told(valueOf(*p, q, Edge::mean), quantityDigits(q)));
+        }
+    }
     return tr("%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N")
-        .arg(name, stroke, Names::micrometres(p->actual_um.mean),
-             Names::micrometres(p->actualSum_um.mean), Names::signedMicrometres(p->left_um.mean),
-             Names::significant(p->force_n.mean));
+               .arg(name, stroke, Names::micrometres(p->actual_um.mean),
+                    Names::micrometres(p->actualSum_um.mean),
+                    Names::signedMicrometres(p->left_um.mean), Names::significant(p->force_n.mean))
+           + chosen;
 }
 
 CsvTable ComparePlot::table() const {
@@ -167,7 +191,7 @@ CsvTable ComparePlot::table() const {
                  << tr("%1: from", "time").arg(timeLabel())
                  << tr("%1: to", "time").arg(timeLabel());
     std::vector<Quantity> shown;
-    for (const Quantity quantity : quantities) {
+    for (const Quantity quantity : quantities()) {
         if (m_choice.shows(static_cast<int>(quantity))) {
             shown.push_back(quantity);
             table.header << quantityWithUnit(quantity);

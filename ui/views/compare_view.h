@@ -12,6 +12,7 @@ class QAction;
 class QComboBox;
 class QLabel;
 class QListView;
+class QMenu;
 class QPushButton;
 class QSplitter;
 class QToolButton;
@@ -70,6 +71,8 @@ private:
     void showMoment();
     void showLegend();
     void fillAxes();
+    void buildSecond();
+    void nameSecond();
     void fillZones();
     [[nodiscard]] int selectedRun() const; ///< of the kept ones; −1: none
     [[nodiscard]] std::vector<int> chosenRuns() const;
@@ -101,6 +104,8 @@ private:
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     CursorStrip* m_strip = nullptr;
+    QMenu* m_second = nullptr;            ///< of the right-hand axes
+    std::vector<QAction*> m_seconds = {}; ///< its quantities, row by row
     QAction* m_keep = nullptr;
     QAction* m_restore = nullptr;
     QAction* m_rename = nullptr;

@@ -4,9 +4,11 @@
 
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/cursor_strip.h"
+#include "ui/views/feed_text.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/plot_cursors.h"
 #include "ui/views/plot_tools.h"
@@ -14,11 +16,13 @@
 #include "ui/views/runs_model.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QListView>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStyledItemDelegate>
@@ -140,6 +144,45 @@ void CompareView::buildTools(Settings* settings) {
     m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());
     m_strip = new CursorStrip(*m_cursors, this);
     m_tools->addTool(m_cursors->toggle);
+    buildSecond();
+}
+
+/// What stands on the right-hand axes, chosen from one menu.
+void CompareView::buildSecond() {
+    m_second = new QMenu(this);
+    m_second->setObjectName(QStringLiteral("secondAxis"));
+    m_second->setIcon(themeIcon(u"second_axis"));
+    for (std::size_t row = 0; row < ComparePlot::rowCount; ++row) {
+        m_second->addSeparator();
+        auto* group = new QActionGroup(m_second);
+        for (const Quantity quantity : ComparePlot::secondQuantities[row]) {
+            QAction* action = m_second->addAction(QString());
+            action->setObjectName(QStringLiteral("second%1").arg(static_cast<int>(quantity)));
+            action->setCheckable(true);
+            action->setChecked(m_plot->second(row) == quantity);
+            group->addAction(action);
+            m_seconds.push_back(action);
+            connect(action, &QAction::triggered, this, [this, row, quantity] {
+                m_plot->setSecond(row, quantity);
+                m_plot->replot(QCustomPlot::rpQueuedReplot);
+                m_tools->navigation().forgetViews(); // ranges of another quantity
+            });
+        }
+    }
+    m_tools->addTool(m_second->menuAction());
+}
+
+void CompareView::nameSecond() {
+    m_second->setTitle(tr("Right-hand axes"));
+    m_second->menuAction()->setToolTip(
+        tr("Right-hand axes: the second quantity of the upper and of the lower plot"));
+    auto action = m_seconds.begin();
+    for (std::size_t row = 0; row < ComparePlot::rowCount; ++row) {
+        for (const Quantity quantity : ComparePlot::secondQuantities[row]) {
+            (*action++)->setText(
+                (row == 0 ? tr("Above: %1") : tr("Below: %1")).arg(quantityWithUnit(quantity)));
+        }
+    }
 }
 
 /// The list of runs with its buttons.
@@ -169,13 +212,17 @@ QWidget* CompareView::buildRuns() {
 QWidget* CompareView::buildCurves() {
     auto* panel = new QWidget(this);
     auto* column = columnIn(panel);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(metrics::tight);
+    auto* row = new ToolRow;
+    row->setSpacing(metrics::hair); // many stand in it
     for (QComboBox* box : {m_zone, m_axis}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         row->addWidget(box);
     }
     row->addStretch(1);
+    QToolButton* second = PlotTools::button(m_second->menuAction(), panel);
+    second->setPopupMode(QToolButton::InstantPopup);
+    second->setObjectName(QStringLiteral("secondAxisButton"));
+    row->addWidget(second);
     for (QAction* action : {m_cursors->toggle, m_tools->back, m_tools->forward, m_tools->fit}) {
         row->addWidget(PlotTools::button(action, panel));
     }
@@ -256,6 +303,7 @@ void CompareView::connectParts() {
 
 void CompareView::nameParts() {
     setAccessibleName(tr("Compare"));
+    nameSecond();
     m_plot->setAccessibleName(tr("Curves of the compared runs"));
     m_legend->setAccessibleName(tr("Legend of quantities and runs"));
     m_notice->setAccessibleName(tr("State of the comparison"));

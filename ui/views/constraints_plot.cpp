@@ -180,6 +180,7 @@ void ConstraintsPlot::fillMark() {
 
 /// The text stands on the side of the mark that has room.
 void ConstraintsPlot::placeMark() {
+    style::fitValueAxes(*m_rect, font());
     if (!m_markedCut) {
         return;
     }

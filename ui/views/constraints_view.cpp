@@ -3,6 +3,7 @@
 
 #include "core/process/coupled_sections.h"
 #include "core/quality/constraint_sheet.h"
+#include "ui/font_size.h"
 #include "ui/metrics.h"
 #include "ui/views/constraints_plot.h"
 #include "ui/views/copy_table.h"
@@ -20,6 +21,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QPlainTextEdit>
@@ -32,6 +34,8 @@
 namespace sparkout {
 
 namespace {
+
+constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
 
 bool anyBut(const std::vector<ConstraintKind>& kinds, std::initializer_list<ConstraintKind> known) {
     return std::ranges::any_of(kinds, [&known](ConstraintKind kind) {
@@ -278,6 +282,7 @@ void ConstraintsView::nameParts() {
         widget->setToolTip(text);
     };
     m_table->retranslate();
+    m_table->horizontalHeader()->setMinimumSectionSize(atFontSize(leastColumn));
     tell(m_zone, tr("Zone or section; in a reversal zone the wheel stands or travels, which "
                     "differ in the width of cut. With the share of its limit it comes to."));
     tell(m_logarithmic, tr("Actual feeds on a logarithmic axis: sparking out and far limits in "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The widgets of the view of the constraints: building and connecting.
 #include "ui/metrics.h"
+#include "ui/tool_row.h"
 #include "ui/views/constraints_plot.h"
 #include "ui/views/constraints_view.h"
 #include "ui/views/copy_table.h"
@@ -26,7 +27,7 @@ namespace sparkout {
 
 namespace {
 constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
-constexpr int tableShare = 410, sheetShare = 260;
+constexpr int tableShare = 450, sheetShare = 220;
 } // namespace
 
 ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
@@ -146,6 +147,8 @@ QWidget* ConstraintsView::buildMargins() {
     m_table->setModel(m_model);
     m_table->setItemDelegateForColumn(MarginModel::usage, new MarginBar(m_table));
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setIconSize(QSize(metrics::iconSmall, metrics::iconSmall));
     m_table->setWordWrap(true);
@@ -164,7 +167,7 @@ QWidget* ConstraintsView::buildSheet() {
     column->setSpacing(metrics::tight);
     m_sheet->setReadOnly(true);
     m_sheet->setTabChangesFocus(true);
-    auto* row = new QHBoxLayout;
+    auto* row = new ToolRow;
     row->addWidget(m_goTo);
     row->addStretch(1);
     row->addWidget(m_places);

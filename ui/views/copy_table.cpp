@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QTimer>
 
 namespace sparkout {
 
@@ -105,8 +106,35 @@ void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
     event->accept();
 }
 
+/// Sections as wide or high as their contents are measured again, in the type the table has now.
+void CopyTable::measure(QHeaderView& header) {
+    for (int i = 0; i < header.count(); ++i) {
+        if (header.sectionResizeMode(i) == QHeaderView::ResizeToContents) {
+            header.setSectionResizeMode(i, QHeaderView::ResizeToContents); // measures all, soon
+            return;
+        }
+    }
+}
+
+/// Each when what it hangs on is done: texts wrap in columns that have their widths.
+void CopyTable::changeEvent(QEvent* event) {
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        QTimer::singleShot(0, this, [this] {
+            measure(*horizontalHeader());
+            QTimer::singleShot(0, this, [this] {
+                measure(*verticalHeader());
+                QTimer::singleShot(0, this, &CopyTable::resized);
+            });
+        });
+    }
+}
+
 void CopyTable::resizeEvent(QResizeEvent* event) {
     QTableView::resizeEvent(event);
+    if (wordWrap() && event->oldSize().width() != event->size().width()) {
+        QTimer::singleShot(0, this, [this] { measure(*verticalHeader()); });
+    }
     emit resized();
 }
 

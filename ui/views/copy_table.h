@@ -35,8 +35,10 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
+    static void measure(QHeaderView& header);
     void addSaving(QMenu& menu);
     void save(TableFormat format);
 

@@ -48,7 +48,9 @@ void CursorModel::show(const QString& axis, const Places& places, const ReadCurv
     const bool same = groups == m_groups && rows.size() == m_rows.size();
     if (same) {
         m_rows = std::move(rows);
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        if (rowCount() > 0) {
+            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        }
         return;
     }
     beginResetModel();
@@ -58,7 +60,7 @@ void CursorModel::show(const QString& axis, const Places& places, const ReadCurv
 }
 
 int CursorModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    return parent.isValid() || m_rows.empty() ? 0 : static_cast<int>(m_rows.size()) - 1;
 }
 
 int CursorModel::columnCount(const QModelIndex& parent) const {
@@ -81,7 +83,7 @@ QVariant CursorModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) {
         return {};
     }
-    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    const Row& row = m_rows[static_cast<std::size_t>(index.row()) + 1]; // the places stand above
     if (role == Qt::DisplayRole) {
         return index.column() == 0 ? row.name : cell(row, index.column() - 1);
     }

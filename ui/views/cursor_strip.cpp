@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/cursor_strip.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/number_field.h"
 #include "ui/inputs/reason_label.h"
 #include "ui/metrics.h"
@@ -48,6 +49,7 @@ CursorStrip::CursorStrip(PlotCursors& cursors, QWidget* parent)
     : QWidget(parent)
     , m_cursors(cursors)
     , m_axis(new QLabel(this))
+    , m_difference(new QLabel(this))
     , m_reason(new ReasonLabel(this))
     , m_model(new CursorModel(this))
     , m_table(new ReadingTable([this] { return m_model->asTsv(); }, this)) {
@@ -78,7 +80,7 @@ void CursorStrip::build() {
         m_letters[cursor] = new QLabel(PlotCursors::letter(cursor), this);
         auto* field = m_fields[cursor] = new NumberField({}, this);
         field->setObjectName(QStringLiteral("cursor") + PlotCursors::letter(cursor));
-        field->setFixedWidth(metrics::field);
+        setTextWidth(*field, metrics::field);
         m_letters[cursor]->setBuddy(field);
         row->addSpacing(metrics::gap);
         row->addWidget(m_letters[cursor]);
@@ -90,7 +92,11 @@ void CursorStrip::build() {
         });
         connect(field, &NumberField::remarkChanged, this, &CursorStrip::showReason);
     }
-    row->addStretch(1);
+    m_difference->setObjectName(QStringLiteral("cursorDifference"));
+    m_difference->setTextFormat(Qt::PlainText);
+    m_difference->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // only what is left
+    row->addSpacing(metrics::gap);
+    row->addWidget(m_difference, 1);
     column->addLayout(row);
     column->addWidget(m_reason);
     column->addWidget(m_table, 1);
@@ -134,10 +140,28 @@ void CursorStrip::fill() {
     }
     const int before = m_table->sizeHint().height();
     m_axis->setText(subject.axis());
+    const bool both = places[0] && places[1];
+    m_difference->setToolTip(both ? tr("B − A = %1").arg(toldPlace(*places[1] - *places[0]))
+                                  : QString());
+    showDifference();
     m_model->show(subject.axis(), places, subject.curves());
     if (m_table->sizeHint().height() != before) {
         m_table->updateGeometry();
     }
+}
+
+/// As much of it as there is room for; the tool tip has all.
+void CursorStrip::showDifference() {
+    const QString text = m_difference->toolTip();
+    m_difference->setText(
+        m_difference->fontMetrics().elidedText(text, Qt::ElideRight, m_difference->width()));
+    m_difference->setAccessibleDescription(text);
+}
+
+void CursorStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate(); // the label has its width
+    showDifference();
 }
 
 /// The first field's that is marked.
@@ -159,6 +183,7 @@ void CursorStrip::retranslate() {
     m_table->setAccessibleName(tr("Values at the cursors and their differences"));
     m_table->retranslate();
     m_cursors.retranslate();
+    m_difference->setAccessibleName(tr("Difference of the places"));
     for (std::size_t cursor = 0; cursor < PlotCursors::count; ++cursor) {
         m_fields[cursor]->setAccessibleName(
             tr("Place of cursor %1").arg(PlotCursors::letter(cursor)));

@@ -26,14 +26,19 @@ public:
     [[nodiscard]] CursorModel* model() const { return m_model; }
     void retranslate();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();
     void follow(); ///< later, what the plot shows now
     void fill();
     void showReason();
+    void showDifference();
 
     PlotCursors& m_cursors;
     QLabel* m_axis;
+    QLabel* m_difference; ///< of the places
     std::array<QLabel*, 2> m_letters{};
     std::array<NumberField*, 2> m_fields{};
     ReasonLabel* m_reason;

@@ -115,6 +115,7 @@ private:
     void labelAxes();
     void nameValueAxes(bool brief);
     [[nodiscard]] int longestAxisName() const;
+    void fitValueAxes(int high);
     void fitColumns();
     [[nodiscard]] int alignLabels(QCPAxis::AxisType side, std::size_t column) const;
     void showHeaders(int plotWidth, int left, int right);

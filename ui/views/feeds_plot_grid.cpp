@@ -2,6 +2,7 @@
 // The grid of plots: building, linking, room and labels.
 #include "ui/views/feeds_plot.h"
 
+#include "ui/font_size.h"
 #include "ui/views/band_layer.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_style.h"
@@ -254,6 +255,26 @@ int FeedsPlot::longestAxisName() const {
     return longest;
 }
 
+/// Where even brief names are longer than a plot is high, smaller type; at last none, the legend
+/// has them. And no more numbers than have room.
+void FeedsPlot::fitValueAxes(int high) {
+    constexpr double least = 0.6; // of the usual size
+    constexpr int usualTicks = 4;
+    const double times = double(high + rowGap) / std::max(longestAxisName(), 1);
+    const QFont own = times < 1 ? enlarged(font(), std::max(times, least)) : font();
+    for (const Column& column : m_columns) {
+        for (const QCPAxisRect* rect : column.rects) {
+            for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+                QCPAxis* const axis = rect->axis(side);
+                axis->setLabelFont(own);
+                axis->setLabel(times < least ? QString() : axis->label());
+                axis->ticker()->setTickCount(
+                    std::min(usualTicks, style::ticksWithRoom(high, font())));
+            }
+        }
+    }
+}
+
 /// Lines the labels of an outer column's axes up; the room that ticks and labels take together.
 int FeedsPlot::alignLabels(QCPAxis::AxisType side, std::size_t column) const {
     const QFontMetrics metrics(font());
@@ -303,6 +324,7 @@ void FeedsPlot::fitColumns() {
     const int high = std::max((height() - taken) / rowCount, smallestPlot);
     nameValueAxes(false);
     nameValueAxes(longestAxisName() > high + rowGap);
+    fitValueAxes(high);
     for (int row = 0; row < rowCount; ++row) {
         m_grid->setRowStretchFactor(row + 1, high + margins[row]);
     }

@@ -2,6 +2,7 @@
 // Colours, pens and the legend.
 #include "ui/views/feeds_plot.h"
 
+#include "ui/views/band_layer.h"
 #include "ui/views/feed_text.h"
 #include "ui/views/names.h"
 #include "ui/views/plot_style.h"
@@ -68,17 +69,29 @@ void FeedsPlot::restyle() {
     for (Column& column : m_columns) {
         stylePens(column);
         column.header->setTextColor(text);
+        for (const QCPAxisRect* rect : column.rects) {
+            for (QCPAxis* axis : rect->axes()) {
+                axis->setTickLabelFont(font());
+                axis->setLabelFont(font());
+            }
+        }
+        QMargins top = column.rects[0]->minimumMargins();
+        top.setTop(BandLayer::nameMargin(font()));
+        column.rects[0]->setMinimumMargins(top);
     }
     if (m_timeLabel) {
         m_timeLabel->setTextColor(text);
+        m_timeLabel->setFont(font());
         fillBands();
     }
 }
 
 void FeedsPlot::changeEvent(QEvent* event) {
     QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange && m_timeLabel) {
+    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
+    if (look && m_timeLabel) {
         restyle();
+        fitColumns();
         replot(rpQueuedReplot);
         emit contentChanged();
     }

@@ -2,6 +2,7 @@
 #include "ui/views/feeds_view.h"
 
 #include "core/process/system_compliance.h"
+#include "ui/font_size.h"
 #include "ui/views/cursor_strip.h"
 #include "ui/views/feeds_note.h"
 #include "ui/views/feeds_overview.h"
@@ -361,7 +362,7 @@ void FeedsView::changeEvent(QEvent* event) {
 void FeedsView::resizeEvent(QResizeEvent* event) {
     View::resizeEvent(event);
     const int lines = width() < wideView ? 4 : 2;
-    m_values->setFixedHeight(QFontMetrics(m_values->font()).lineSpacing() * lines);
+    setTextLines(*m_values, lines, 0);
 }
 
 } // namespace sparkout

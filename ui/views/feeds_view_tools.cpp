@@ -2,6 +2,7 @@
 // The widgets of the feeds view: building and connecting.
 #include "ui/metrics.h"
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/cursor_strip.h"
 #include "ui/views/feeds_overview.h"
 #include "ui/views/feeds_plot.h"
@@ -11,7 +12,6 @@
 #include "ui/views/plot_tools.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSpinBox>
 #include <QToolButton>
@@ -80,7 +80,7 @@ void FeedsView::buildPlotTools(Settings* settings) {
 }
 
 void FeedsView::buildToolBar(QWidget* bar) {
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::row); // many stand in it
     m_span = new QComboBox(bar);

@@ -199,6 +199,7 @@ void LongitudinalPlot::afterLayouting() {
         keepScale();
     }
     showScale();
+    style::fitValueAxes(*m_rect, font());
 }
 
 /// Both axes at the same scale, whatever the window's shape.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/plot_style.h"
 
+#include "ui/font_size.h"
 #include "ui/theme.h"
 
 #include <qcustomplot.h>
@@ -64,6 +65,30 @@ void applyPalette(QCustomPlot& plot, const QPalette& palette) {
         for (QCPAxis* axis : rect->axes()) {
             applyPalette(*axis, palette);
         }
+    }
+}
+
+int ticksWithRoom(int height, const QFont& font) {
+    constexpr int least = 2, usual = 5;
+    constexpr double lines = 1.4; // of a number and what is clear of it
+    return std::clamp(static_cast<int>(height / (lines * QFontMetrics(font).height())), least,
+                      usual);
+}
+
+void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
+    constexpr double least = 0.6; // of the usual size
+    constexpr int air = 6;        // beyond the plot, before a neighbour's label
+    for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+        int need = 1;
+        for (const QString& line : axis->label().split(u'\n')) {
+            need = std::max(need, QFontMetrics(font).horizontalAdvance(line));
+        }
+        const double times = double(rect.height() + air) / need;
+        const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
+        if (axis->labelFont() != own) {
+            axis->setLabelFont(own);
+        }
+        axis->ticker()->setTickCount(ticksWithRoom(rect.height(), font));
     }
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QColor>
+#include <QFont>
 #include <QPalette>
 
 class QCPAxis;
+class QCPAxisRect;
 class QCustomPlot;
 
 /// Colours and safe ranges that the plots share. The set of colours is Okabe and Ito's, told apart
@@ -23,6 +25,12 @@ enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
 void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers without sub-ticks
+
+/// The names of the value axes in that type, or in smaller, to a limit, as a low plot asks for; and
+/// no more numbers than have room.
+void fitValueAxes(QCPAxisRect& rect, const QFont& font);
+/// So many numbers of that type stand one above the other, at most the usual number.
+[[nodiscard]] int ticksWithRoom(int height, const QFont& font);
 
 /// Sets a range QCustomPlot can draw: finite, growing, not narrower than rounding allows. Other
 /// ranges are ignored.

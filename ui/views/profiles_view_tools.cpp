@@ -3,6 +3,7 @@
 #include "ui/views/profiles_view.h"
 
 #include "ui/theme.h"
+#include "ui/tool_row.h"
 #include "ui/views/cursor_strip.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
@@ -15,7 +16,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -28,9 +28,7 @@
 
 namespace sparkout {
 
-namespace {
-constexpr int leastBoxWidth = 92;
-}
+namespace {}
 
 ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     setObjectName(QStringLiteral("profiles"));
@@ -134,7 +132,7 @@ void ProfilesView::buildSpectrumTools(Settings* settings) {
 }
 
 void ProfilesView::buildToolBar(QWidget* bar) {
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     m_parts = new QComboBox(bar);
@@ -153,9 +151,6 @@ void ProfilesView::buildToolBar(QWidget* bar) {
     for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     }
-    for (QComboBox* box : {m_parts, m_reference}) {
-        box->setMinimumWidth(leastBoxWidth); // in a narrow window its text may be cut
-    }
     for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
         row->addWidget(w);
     }
@@ -168,7 +163,7 @@ void ProfilesView::buildToolBar(QWidget* bar) {
 }
 
 void ProfilesView::buildStrokeBar(QWidget* bar) {
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(4);
     m_strokeLabel = new QLabel(bar);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_panel.h"
 
+#include "ui/font_size.h"
 #include "ui/help/help_topic.h"
 #include "ui/metrics.h"
 #include "ui/views/copy_table.h"
@@ -88,9 +89,7 @@ void VerdictPanel::buildHead(QWidget* head) {
     line->addWidget(m_overall, 1);
     layout->addLayout(line);
     m_why = addText(layout, "why");
-    QFont big = font();
-    big.setPointSizeF(big.pointSizeF() * metrics::headline);
-    m_time->setFont(big);
+    setRelativeFont(*m_time, metrics::headline);
     QFont bold = font();
     bold.setBold(true);
     m_overall->setFont(bold);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_shop.h"
+#include "ui/font_size.h"
 #include "ui/theme.h"
 
 #include "ui/views/copy_table.h"
@@ -101,9 +102,7 @@ void ShopSection::buildTable() {
     m_table->setItemDelegate(new NarrowCells(m_table));
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.92);
-    m_table->verticalHeader()->setFont(small);
+    setRelativeFont(*m_table->verticalHeader(), 0.92);
     m_table->verticalHeader()->setSectionsClickable(false);
     m_table->verticalHeader()->setHighlightSections(false);
     m_table->verticalHeader()->setMinimumSectionSize(10);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/view.h"
+#include "ui/font_size.h"
 
 #include <QLabel>
 
@@ -58,7 +59,7 @@ void View::setUpNotice(QLabel& label) {
 void View::setUpReadout(QLabel& label, int lines) {
     setUpNotice(label);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    label.setFixedHeight(QFontMetrics(label.font()).lineSpacing() * lines + 2);
+    setTextLines(label, lines, 2);
 }
 
 void View::redraw() {
