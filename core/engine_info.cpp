@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <nlohmann/json.hpp>
+#include <nlopt.h>
 
 namespace sparkout {
 
@@ -33,6 +34,9 @@ EngineInfo engineInfo() {
     info.json = dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                        NLOHMANN_JSON_VERSION_PATCH);
     info.boost = dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100);
+    int major = 0, minor = 0, bugfix = 0;
+    nlopt_version(&major, &minor, &bugfix);
+    info.nlopt = dotted(major, minor, bugfix);
     info.vectorUnit = vectorUnitInUse();
     return info;
 }

@@ -11,6 +11,7 @@ struct EngineInfo {
     std::string eigen;      ///< version of the library
     std::string json;       ///< version of nlohmann-json
     std::string boost;      ///< version of its headers
+    std::string nlopt;      ///< version of the library in use
     std::string vectorUnit; ///< of the inner loop: "AVX2"
 };
 

@@ -6287,6 +6287,30 @@ target, µm</source>
             <source>Export resu&amp;lts…</source>
             <translation>Экспорт &amp;результатов…</translation>
         </message>
+        <message>
+            <source>&amp;Font size</source>
+            <translation>&amp;Размер шрифта</translation>
+        </message>
+        <message>
+            <source>&amp;Smaller</source>
+            <translation>&amp;Мелкий</translation>
+        </message>
+        <message>
+            <source>&amp;Usual</source>
+            <translation>&amp;Обычный</translation>
+        </message>
+        <message>
+            <source>&amp;Larger</source>
+            <translation>&amp;Крупный</translation>
+        </message>
+        <message>
+            <source>La&amp;rgest</source>
+            <translation>О&amp;чень крупный</translation>
+        </message>
+        <message>
+            <source>%1: %2 %</source>
+            <translation>%1: %2 %</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::BatchFigures</name>
@@ -6934,6 +6958,30 @@ target, µm</source>
             <comment>time</comment>
             <translation>%1: до</translation>
         </message>
+        <message>
+            <source>Programmed,
+µm</source>
+            <translation>Программ.,
+мкм</translation>
+        </message>
+        <message>
+            <source>Axial,
+mm/min</source>
+            <translation>Осевая,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Radius
+before, µm</source>
+            <translation>Радиус
+до, мкм</translation>
+        </message>
+        <message>
+            <source>Σ program-
+med, µm</source>
+            <translation>Σ прогр.,
+мкм</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::CompareView</name>
@@ -7124,6 +7172,22 @@ target, µm</source>
         <message>
             <source>Revolutions</source>
             <translation>Обороты</translation>
+        </message>
+        <message>
+            <source>Right-hand axes</source>
+            <translation>Правые оси</translation>
+        </message>
+        <message>
+            <source>Right-hand axes: the second quantity of the upper and of the lower plot</source>
+            <translation>Правые оси: вторая величина верхнего и нижнего графика</translation>
+        </message>
+        <message>
+            <source>Above: %1</source>
+            <translation>Вверху: %1</translation>
+        </message>
+        <message>
+            <source>Below: %1</source>
+            <translation>Внизу: %1</translation>
         </message>
     </context>
     <context>
@@ -7581,6 +7645,14 @@ target, µm</source>
         <message>
             <source>Place of cursor %1</source>
             <translation>Положение курсора %1</translation>
+        </message>
+        <message>
+            <source>B − A = %1</source>
+            <translation>B − A = %1</translation>
+        </message>
+        <message>
+            <source>Difference of the places</source>
+            <translation>Разность положений</translation>
         </message>
     </context>
     <context>

@@ -69,9 +69,9 @@ QString AboutDialog::versions() {
             .arg(QString::fromUtf8(qVersion()), QStringLiteral(QT_VERSION_STR)),
         tr("Libraries: %1")
             .arg(QStringLiteral("QCustomPlot " QCUSTOMPLOT_VERSION_STR ", Eigen %1, JSON %2, "
-                                "Boost %3, qpdf " QPDF_VERSION ", zlib %4")
+                                "Boost %3, NLopt %4, qpdf " QPDF_VERSION ", zlib %5")
                      .arg(text(engine.eigen), text(engine.json), text(engine.boost),
-                          QString::fromUtf8(ZipWriter::libraryVersion()))),
+                          text(engine.nlopt), QString::fromUtf8(ZipWriter::libraryVersion()))),
         tr("Compiler: %1").arg(text(engine.compiler)),
         tr("System: %1, %2").arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture()),
     }
