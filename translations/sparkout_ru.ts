@@ -7460,7 +7460,7 @@ med, µm</source>
         </message>
         <message>
             <source>%1 (above the plot: from %2 µm)</source>
-            <translation>%1 (выше поля графика: от %2 мкм)</translation>
+            <translation>%1 (выше графика: от %2 мкм)</translation>
         </message>
         <message>
             <source>Stock left after the cut, µm</source>

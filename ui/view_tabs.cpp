@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_tabs.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/form_metrics.h"
 #include "ui/theme.h"
 #include "ui/views/view.h"
@@ -49,9 +50,7 @@ private:
 
 ViewTabs::ViewTabs(QWidget* parent) : QTabWidget(parent), m_tear(new QToolButton(this)) {
     setDocumentMode(true);
-    QFont small = tabBar()->font(); // nine of them stand side by side
-    small.setPointSizeF(small.pointSizeF() * noteType);
-    tabBar()->setFont(small);
+    setRelativeFont(*tabBar(), noteType); // nine of them stand side by side
     m_tear->setObjectName(QStringLiteral("tear"));
     m_tear->setIcon(themeIcon(u"detach"));
     m_tear->setAutoRaise(true);

@@ -134,7 +134,11 @@ private slots:
         QFETCH(int, percent);
         QFETCH(QSize, size);
         const auto usual = qScopeGuard([] { applyFontSize(usualFontSize); });
-        for (const char* name : {"shaft-30h6-optimal", "internal-plunge"}) {
+        std::vector<const char*> names{"shaft-30h6-optimal"};
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+            names.push_back("internal-plunge");
+        }
+        for (const char* name : names) {
             Bench bench(language);
             bench.window->resize(size);
             QVERIFY(bench.open(QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")

@@ -50,7 +50,7 @@ const PlotPages::Page& PlotPages::page() const {
     return m_pages[m_shown];
 }
 
-void PlotPages::addButtons(QBoxLayout& row) const {
+void PlotPages::addButtons(QLayout& row) const {
     for (const Page& page : m_pages) {
         row.addWidget(page.buttons);
     }

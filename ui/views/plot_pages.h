@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-class QBoxLayout;
+class QLayout;
 class QComboBox;
 class QCustomPlot;
 class QStackedWidget;
@@ -57,8 +57,8 @@ public:
     [[nodiscard]] const std::vector<Page>& all() const { return m_pages; }
     [[nodiscard]] const Page& page() const; ///< in sight
 
-    void addButtons(QBoxLayout& row) const; ///< of all pages; show() leaves those of one
-    void show();                            ///< what the box says, with its buttons and its legend
+    void addButtons(QLayout& row) const; ///< of all pages; show() leaves those of one
+    void show();                         ///< what the box says, with its buttons and its legend
     void show(std::size_t index);
     void showLegend();
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep_axis_box.h"
 
+#include "ui/font_size.h"
 #include "ui/inputs/number_field.h"
 #include "ui/metrics.h"
 #include "ui/session/texts.h"
+#include "ui/tool_row.h"
 #include "ui/views/sweep_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -21,7 +22,6 @@ namespace sparkout {
 namespace {
 
 constexpr int sweepFieldWidth = 74; ///< [px]
-constexpr int inputLetters = 16;    ///< of the box of inputs, at least
 
 } // namespace
 
@@ -35,18 +35,17 @@ SweepAxisBox::SweepAxisBox(std::size_t place, QWidget* parent)
     , m_unit(new QLabel(this))
     , m_points(new QSpinBox(this))
     , m_ratios(new QCheckBox(this)) {
-    m_input->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_input->setMinimumContentsLength(inputLetters);
+    m_input->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_unit->setTextFormat(Qt::PlainText);
     const Field& points = *tableOf<SweepAxis>().find("points");
     m_points->setRange(static_cast<int>(points.hard.low), static_cast<int>(points.hard.high));
     m_points->setKeyboardTracking(false);
-    auto* row = new QHBoxLayout(this);
+    auto* row = new ToolRow(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     row->addWidget(m_input, 1);
     for (NumberField* field : {m_from, m_to}) {
-        field->setFixedWidth(sweepFieldWidth);
+        setTextWidth(*field, sweepFieldWidth);
         row->addWidget(field);
         connect(field, &QLineEdit::editingFinished, this, &SweepAxisBox::onRange);
         if (field == m_from) {

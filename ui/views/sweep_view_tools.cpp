@@ -2,6 +2,7 @@
 // The widgets of the view of sweeps: building and connecting.
 #include "ui/metrics.h"
 #include "ui/session/sweep_edits.h"
+#include "ui/tool_row.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/plot_pages.h"
 #include "ui/views/sweep_axis_box.h"
@@ -10,7 +11,6 @@
 #include "ui/views/sweep_view.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -86,7 +86,7 @@ void SweepView::build() {
 
 QWidget* SweepView::buildRunBar() {
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     setUpNotice(*m_state);
@@ -110,7 +110,7 @@ QWidget* SweepView::buildTools() {
         plot->setMinimumSize(240, 120);
     }
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     m_side->addItems({QString(), QString()});
