@@ -116,8 +116,10 @@ private slots:
         QTest::addColumn<QSize>("size");
         for (const char* language : {"en", "ru"}) {
             for (const int percent : fontSizes) {
-                if (percent == usualFontSize) {
-                    continue; // as above
+                const bool smaller = percent < usualFontSize;
+                if (percent == usualFontSize
+                    || (smaller && !qEnvironmentVariableIsSet("SPARKOUT_LONG"))) {
+                    continue; // as above, or with more room
                 }
                 if (percent < fontSizes.back()) {
                     QTest::addRow("%s %d small", language, percent)
