@@ -112,7 +112,7 @@ private slots:
         int number = 0; // the pruned search is as exact, which test_optimisation shows, and quicker
         for (const Project& p : plungeCases(samples::sized(300, 60, 2000))) {
             const SearchSummary exact =
-                search(p, number++ < 60 ? SearchMethod::full : SearchMethod::pruned);
+                search(p, number++ < samples::sized(60, 10, 60) ? SearchMethod::full : SearchMethod::pruned);
             for (std::size_t i = 0; i < heuristics.size(); ++i) {
                 const SearchSummary found = search(p, heuristics[i]);
                 tallies[i].add(exact, found);

@@ -68,6 +68,11 @@ unsigned caseCount() {
     return static_cast<unsigned>(samples::sized(500, 100, 3000));
 }
 
+/// Fewer under the sanitizers.
+unsigned searches(int usual) {
+    return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, usual * 4));
+}
+
 SearchSummary search(const Project& project, SearchMethod method, unsigned threads = 1) {
     SearchOptions options;
     options.method = method;
@@ -167,7 +172,7 @@ private slots:
     // the shorter cycle is not in the grid or comes later.
     void equalNeighboursAreFoundWhereOnlyMoreStagesAllowThem() {
         int equal = 0;
-        for (unsigned seed = 0; seed < 200; ++seed) {
+        for (unsigned seed = 0; seed < searches(200); ++seed) {
             Project p = smallCase(seed);
             p.optimisation->stages =
                 std::array<std::vector<double>, 3>{{{1, 2, 3}, {1, 3}, {3, 2}}}[seed % 3];
@@ -362,7 +367,7 @@ private slots:
 
     void scenariosNeverSpeedItUpAndBothMethodsAgree() {
         int found = 0;
-        for (unsigned seed = 0; seed < 150; ++seed) {
+        for (unsigned seed = 0; seed < searches(150); ++seed) {
             const Project p = smallCase(seed);
             Project dull = p, more = p;
             dull.wheel.dullness = p.wheel.dullness * 1.5;
@@ -388,7 +393,7 @@ private slots:
 
     void noCycleOfAGridIsQuickerThanTheSteplessLimit() {
         int burning = 0;
-        for (unsigned seed = 0; seed < 150; ++seed) {
+        for (unsigned seed = 0; seed < searches(150); ++seed) {
             const Project p = smallCase(seed);
             const SearchSummary best = search(p, SearchMethod::pruned);
             const double limit_s = steplessLimit_s(p);

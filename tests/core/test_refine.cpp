@@ -105,7 +105,7 @@ private slots:
         int best = 0, quicker = 0;
         RefineOptions options;
         options.mostRuns = 300;
-        for (unsigned seed = 0; seed < 120; ++seed) {
+        for (unsigned seed = 0; seed < static_cast<unsigned>(samples::sized(120, 40, 400)); ++seed) {
             const Project p = smallCase(seed);
             const SearchSummary grid = optimise(p);
             if (!grid.best) {

@@ -31,7 +31,7 @@ namespace {
 
 constexpr int beat_ms = 5;
 constexpr int frame_ms = 16; ///< 60 Hz
-constexpr int drag_ms = 10'000;
+const int drag_ms = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 10'000 : 4'000;
 constexpr double target_ms = 50;
 constexpr double limit_ms = 4 * target_ms;
 
