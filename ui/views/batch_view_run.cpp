@@ -3,6 +3,7 @@
 #include "ui/session/batch_edits.h"
 #include "ui/views/batch_text.h"
 #include "ui/views/batch_view.h"
+#include "ui/views/plot_pages.h"
 #include "ui/views/sensitivity_plot.h"
 
 #include <QProgressBar>
