@@ -3,6 +3,8 @@
 
 #include "core/quality/ierfc.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
