@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 namespace sparkout::cli {
 
@@ -128,7 +129,7 @@ std::optional<std::string> refusal(const Project& project, SearchMethod method) 
         return std::string("/operation: --method ") + methodName(method)
                + " is for plunge grinding; --method search takes traverse cycles";
     }
-    switch (Grid(project).fault()) {
+    switch (Variants(project).fault()) {
     case GridFault::none: break;
     case GridFault::notGiven: return "/optimisation: what to search is not given";
     case GridFault::noLevels:
@@ -142,8 +143,12 @@ std::optional<std::string> refusal(const Project& project, SearchMethod method) 
     case GridFault::tooManySteps:
         return "/optimisation/stock_step_mm: more than "
                + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
+    case GridFault::tooManyVariants:
+        return "/optimisation: more than " + std::to_string(std::lround(mostVariants))
+               + " combinations of work_speed_rpm, dwell_entry_s, dwell_exit_s and spark_out";
     case GridFault::noDivision:
-        return "/optimisation: the stock cannot be divided into these numbers of stages";
+        return "/optimisation: the stock and the feeds cannot be divided into these numbers of "
+               "stages within their bounds";
     }
     return std::nullopt;
 }
@@ -161,7 +166,7 @@ RefineSummary refined(const OptimiseReport& report) {
         options.scenarios = report.robust->added;
         options.source = scenariosAskedFor(report.project);
     }
-    return refine(report.project, report.search.cycle, options);
+    return refine(withBest(report.project, report.search), report.search.cycle, options);
 }
 
 OptimiseReport search(const Project& project, const OptimiseOptions& options) {
@@ -234,6 +239,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
         return nothingFeasible;
     }
     if (!options.output.empty()) {
+        *project = withBest(std::move(*project), report.search);
         project->cycle = cycleFound(report);
         return save(options.output, writeProject(*project));
     }

@@ -91,12 +91,53 @@ std::vector<const char*> bindingNames(const OptimiseReport& report) {
 }
 
 std::string stageLine(const Stage& stage, std::size_t number) {
-    const std::string feeds = stage.radial_feed_mm
-                                  ? fixed(*stage.radial_feed_mm, 4) + " mm per double stroke, "
-                                        + fixed(*stage.axial_feed_mm_min, 0) + " mm/min axial"
-                                  : fixed(*stage.radial_feed_mm_min, 3) + " mm/min";
+    std::string feeds;
+    if (stage.spark_out.mode == SparkOut::Mode::count) {
+        feeds = "spark-out, " + std::to_string(stage.spark_out.count)
+                + (stage.axial_feed_mm_min ? " double strokes" : " revolutions");
+    } else {
+        feeds = stage.radial_feed_mm ? fixed(*stage.radial_feed_mm, 4) + " mm per double stroke"
+                                     : fixed(*stage.radial_feed_mm_min, 3) + " mm/min";
+    }
+    if (stage.axial_feed_mm_min) {
+        feeds += ", " + fixed(*stage.axial_feed_mm_min, 0) + " mm/min axial";
+    }
     return "  stage " + std::to_string(number) + "            " + feeds + "; stock "
            + fixed(stage.stock_mm, 4) + " mm\n";
+}
+
+/// The settings of the machine that were free to choose: key, value, words and unit.
+struct FreeSetting {
+    const char* key;
+    double value;
+    const char* words;
+    const char* unit;
+};
+std::vector<FreeSetting> freeSettings(const OptimiseReport& report) {
+    const Optimisation& asked = *report.project.optimisation;
+    const MachineSettings& found = report.search.machine;
+    const bool traverse = report.project.operation == Operation::traverse;
+    std::vector<FreeSetting> settings;
+    const auto add = [&settings](const Levels& levels, const FreeSetting& setting) {
+        if (levelCount(levels) > 0) {
+            settings.push_back(setting);
+        }
+    };
+    add(asked.work_speed_rpm, {"work_speed_rpm", found.work_speed_rpm, "work speed ", " rev/min"});
+    if (traverse) {
+        add(asked.dwell_entry_s, {"dwell_entry_s", found.dwell_entry_s, "entry dwell ", " s"});
+        add(asked.dwell_exit_s, {"dwell_exit_s", found.dwell_exit_s, "exit dwell ", " s"});
+    }
+    return settings;
+}
+
+std::string machineText(const OptimiseReport& report) {
+    std::string text;
+    for (const FreeSetting& each : freeSettings(report)) {
+        text += (text.empty() ? "machine              " : ", ") + std::string(each.words)
+                + numberText(each.value) + each.unit;
+    }
+    return text.empty() ? text : text + '\n';
 }
 
 double timeFound_s(const OptimiseReport& report) {
@@ -201,6 +242,7 @@ std::string optimiseText(const OptimiseReport& report) {
     for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
         text += stageLine(cycle.stages[z], z + 1);
     }
+    text += machineText(report);
     if (report.refined) {
         text += refinedText(report);
     }
@@ -239,6 +281,9 @@ std::string optimiseJson(const OptimiseReport& report) {
     if (search.best) {
         const double best_s = timeFound_s(report);
         root["cycle"] = cycleJson(report);
+        for (const FreeSetting& each : freeSettings(report)) {
+            root["machine"][each.key] = each.value;
+        }
         root["cycle_time_min"] = minutes(best_s);
         root["gap"] = gapToLimit(best_s, report.limit_s);
         root["least_relative_margin"] = leastMargin(report);

@@ -5,22 +5,15 @@
 #include "core/simulation/simulate.h"
 
 #include <array>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
-bool differInOneFeed(const FeedSetting& a, const FeedSetting& b) {
-    return (a.radial != b.radial) != (a.axialFeed_mm_min != b.axialFeed_mm_min);
-}
-
-bool mayBeRun(const Grid& grid, const GridCycle& cycle) {
-    for (std::size_t z = 1; z < cycle.size(); ++z) {
-        if (!grid.mayFollow(cycle[z - 1].setting, cycle[z].setting)) {
-            return false;
-        }
-    }
-    return true;
+bool differInOneFeed(const StageSetting& a, const StageSetting& b) {
+    return a.sparkOut == b.sparkOut
+           && ((a.radial != b.radial) != (a.axialFeed_mm_min != b.axialFeed_mm_min));
 }
 
 /// Other feeds in one stage.
@@ -30,7 +23,7 @@ void addFeeds(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& f
             GridCycle other = best;
             other[z].setting = s;
             if (differInOneFeed(grid.settings()[s], grid.settings()[best[z].setting])
-                && mayBeRun(grid, other)) {
+                && grid.contains(other)) {
                 found.push_back(std::move(other));
             }
         }
@@ -42,13 +35,13 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
     int taken = 0;
     for (std::size_t z = 0; z + 1 < best.size(); ++z) {
         const bool beforeLast = z + 2 == best.size();
-        const int most =
-            beforeLast ? grid.mostSteps() - taken : best[z].steps + best[z + 1].steps - 1;
-        for (int steps = grid.leastOf(best.size() - z, taken); steps <= most; ++steps) {
+        const int most = beforeLast ? grid.mostTaken(best.size(), z, taken) - taken
+                                    : best[z].steps + best[z + 1].steps - 1;
+        for (int steps = 1; steps <= most; ++steps) {
             GridCycle other = best;
             other[z].steps = steps;
             other[z + 1].steps += beforeLast ? 0 : best[z].steps - steps;
-            if (steps != best[z].steps) {
+            if (steps != best[z].steps && grid.contains(other)) {
                 found.push_back(std::move(other));
             }
         }
@@ -56,20 +49,41 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
     }
 }
 
+/// A cycle and what it is run with.
+using Neighbour = std::pair<Cycle, MachineSettings>;
+
+std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle& best) {
+    const Grid& grid = variants.grid(best.variant);
+    std::vector<GridCycle> others;
+    addFeeds(grid, best.cycle, others);
+    addShares(grid, best.cycle, others);
+    std::vector<Neighbour> found;
+    for (const GridCycle& other : others) {
+        found.emplace_back(grid.cycle(other), machineSettings(variants.project(best.variant)));
+    }
+    for (std::size_t v = 0; v < variants.count(); ++v) {
+        const bool alike = (variants.grid(v).sparkOut() > 0) == (grid.sparkOut() > 0);
+        if (alike && variants.differInOne(v, best.variant)
+            && variants.grid(v).contains(best.cycle)) {
+            found.emplace_back(variants.grid(v).cycle(best.cycle),
+                               machineSettings(variants.project(v)));
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 std::vector<ConstraintKind> bindingRequirements(const Project& project, const FeasibleCycle& best,
                                                 const std::vector<Project>& scenarios) {
-    const Grid grid(project);
+    const Variants variants(project);
     std::vector<Project> parts = scenarios;
     parts.insert(parts.begin(), project);
     std::array<bool, constraintKinds> binds{};
-    std::vector<GridCycle> others;
-    addFeeds(grid, best.cycle, others);
-    addShares(grid, best.cycle, others);
-    for (const GridCycle& other : others) {
+    for (const auto& [cycle, machine] : neighbours(variants, best)) {
         for (Project& part : parts) {
-            part.cycle = grid.cycle(other);
+            setMachine(part, machine);
+            part.cycle = cycle;
             const SimulationResult result = simulate(part);
             if (&part == &parts.front() && comparedTime_us(result.time_s) >= best.time_us) {
                 break;

@@ -9,7 +9,8 @@ namespace sparkout {
 
 /// What keeps the best cycle of a search from being quicker: the requirements that break, on the
 /// part or in a scenario, in the quicker cycles of the grid that differ from it in one feed of one
-/// stage, or in how two stages that follow each other share their stock. In the order of the kinds;
+/// stage, in the work speed, a dwell or the count of a spark-out, or in how two stages that follow
+/// each other share their stock. In the order of the kinds;
 /// none where no such cycle is quicker.
 [[nodiscard]] std::vector<ConstraintKind>
 bindingRequirements(const Project& project, const FeasibleCycle& best,

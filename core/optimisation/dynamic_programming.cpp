@@ -34,7 +34,7 @@ public:
         , m_options(options)
         , m_rule(rule)
         , m_keepsSetting(rule == LabelRule::quickest || project.optimisation->non_increasing)
-        , m_judge(grid, options.scenarios)
+        , m_judge(grid, options)
         , m_runner(project, grid)
         , m_runs(project, grid, m_runner.cuts()) {}
 
@@ -91,7 +91,7 @@ private:
     void goOn(const CyclePrefix& from, StageStates& next) {
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
             const int least = from.isBeforeLast() ? 0 : m_runs.leastTaken(from);
-            if ((from.cycle.empty() || m_grid.mayFollow(from.cycle.back().setting, s))
+            if (m_grid.mayGoOn(from.cycle, from.stages, s)
                 && !isUseless(from, from.steps->run(), s, least)) {
                 m_runs.run(
                     from, s,

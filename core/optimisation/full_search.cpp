@@ -15,13 +15,9 @@ namespace {
 class FullSearch {
 public:
     FullSearch(const Project& project, const Grid& grid, const SearchOptions& options)
-        : m_project(project), m_grid(grid), m_options(options), m_best(grid, {}) {
-        m_size = grid.size();
+        : m_project(project), m_grid(grid), m_options(options), m_best(grid, options) {
         if (options.resume) {
             m_last = options.resume->last;
-            if (options.resume->best) {
-                m_best.offer(*options.resume->best);
-            }
         }
     }
 
@@ -41,7 +37,7 @@ public:
         summary.evaluations = m_best.counts.evaluations;
         summary.visits = m_best.counts.visits;
         summary.cuts = m_best.counts.cuts;
-        summary.checkpoint = {m_last, summary.best};
+        summary.checkpoint = {m_last, summary.best, m_options.variant};
         if (!m_exhausted) {
             summary.status = SearchStatus::stopped;
         } else if (summary.best) {
@@ -56,7 +52,7 @@ private:
 
     void work() {
         CycleRunner runner(m_project, m_grid);
-        Judge judge(m_grid, m_options.scenarios);
+        Judge judge(m_grid, m_options);
         while (true) {
             const std::vector<GridCycle> cycles = take(judge);
             if (cycles.empty()) {
@@ -81,9 +77,7 @@ private:
             judge.offer(*m_best.best());
         }
         if (m_options.onProgress) {
-            const double evaluated = static_cast<double>(m_best.counts.evaluations);
-            m_options.onProgress({m_best.best(), 0, m_best.counts.evaluations,
-                                  m_size > 0 ? evaluated / static_cast<double>(m_size) : 1.0});
+            m_options.onProgress({m_best.best(), 0, m_best.counts.evaluations, 0});
         }
         std::vector<GridCycle> cycles;
         GridCycle next = m_last;
@@ -104,7 +98,6 @@ private:
     std::mutex m_mutex; ///< of what follows
     Judge m_best;
     GridCycle m_last; ///< handed out
-    std::int64_t m_size = 0;
     bool m_exhausted = false;
 };
 

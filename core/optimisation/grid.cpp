@@ -8,40 +8,6 @@
 
 namespace sparkout {
 
-double asWritten(double value) {
-    constexpr double decimals = 1e10, lastBits = 1e-9;
-    const double written = std::round(value * decimals) / decimals;
-    return std::abs(written - value) <= lastBits * std::abs(value) ? written : value;
-}
-
-std::vector<double> levelValues(const Levels& levels) {
-    if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
-        return *list;
-    }
-    std::vector<double> values;
-    if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
-        if (stepped->step <= 0) {
-            return {stepped->from};
-        }
-        const double count = std::floor((stepped->to - stepped->from) / stepped->step + 1e-6);
-        for (int i = 0; i <= count; ++i) {
-            values.push_back(asWritten(stepped->from + i * stepped->step));
-        }
-    }
-    return values;
-}
-
-namespace {
-
-double levelCount(const Levels& levels) {
-    if (const auto* stepped = std::get_if<SteppedLevels>(&levels); stepped && stepped->step > 0) {
-        return std::floor((stepped->to - stepped->from) / stepped->step + 1e-6) + 1;
-    }
-    return static_cast<double>(levelValues(levels).size());
-}
-
-} // namespace
-
 Grid::Grid(const Project& project)
     : m_operation(project.operation), m_stock_mm(project.part.stock_mm), m_fault(read(project)) {}
 
@@ -52,9 +18,17 @@ GridFault Grid::read(const Project& project) {
     const Optimisation& asked = *project.optimisation;
     const bool traverse = m_operation == Operation::traverse;
     const Levels& radial = traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min;
-    const Levels axial = traverse ? asked.axial_feed_mm_min : Levels{std::vector<double>{0}};
-    const double settings = levelCount(radial) * levelCount(axial);
-    const double steps = std::max(0.0, std::ceil(m_stock_mm / asked.stock_step_mm - 1e-9) - 1);
+    const double axialCount = traverse ? levelCount(asked.axial_feed_mm_min) : 1;
+    const double settings = levelCount(radial) * axialCount;
+    m_step_mm = asked.stock_step_mm;
+    const std::vector<double> counts = levelCount(asked.spark_out) > mostVariants
+                                           ? std::vector<double>{}
+                                           : levelValues(asked.spark_out);
+    m_sparkOut = counts.empty() ? 0 : static_cast<int>(counts.front());
+    const double whole = m_stock_mm / asked.stock_step_mm;
+    const double steps = m_sparkOut == 0         ? std::max(0.0, std::ceil(whole - 1e-9) - 1)
+                         : asked.stage_stock_mm ? std::floor(whole + 1e-9)
+                                                 : std::ceil(whole - 1e-9);
     if (settings < 1) {
         return GridFault::noLevels;
     }
@@ -64,59 +38,199 @@ GridFault Grid::read(const Project& project) {
     if (steps > mostStockSteps) {
         return GridFault::tooManySteps;
     }
-    m_step_mm = asked.stock_step_mm;
     m_steps = static_cast<int>(steps);
-    if (asked.last_stock_mm) {
-        const auto stepsTo = [this](double left_mm) { return (m_stock_mm - left_mm) / m_step_mm; };
-        const double most = std::floor(stepsTo((*asked.last_stock_mm)[0]) + 1e-6);
-        const double least = std::ceil(stepsTo((*asked.last_stock_mm)[1]) - 1e-6);
-        m_steps = static_cast<int>(std::clamp(most, 0.0, steps));
-        m_leastSteps = static_cast<int>(std::clamp(least, 0.0, steps + 1));
-    }
     m_nonIncreasing = asked.non_increasing;
-    for (const double radialFeed : levelValues(radial)) {
-        for (const double axialFeed : levelValues(axial)) {
-            m_settings.push_back({radialFeed, axialFeed});
-        }
-    }
+    m_bounded = asked.stage_stock_mm
+                || (traverse ? asked.stage_radial_feed_mm || asked.stage_axial_feed_mm_min
+                             : asked.stage_radial_feed_mm_min.has_value());
+    readSettings(asked);
     for (const double number : asked.stages) {
-        const auto count = static_cast<std::size_t>(number);
+        const std::size_t count = static_cast<std::size_t>(number) + (m_sparkOut > 0 ? 1 : 0);
         const bool known =
             std::find(m_stageCounts.begin(), m_stageCounts.end(), count) != m_stageCounts.end();
-        const bool divides =
-            count == 1 || std::max(static_cast<int>(count) - 1, m_leastSteps) <= m_steps;
-        if (!known && count >= 1 && divides) {
+        if (!known && number >= 1 && readShape(asked, count)) {
             m_stageCounts.push_back(count);
         }
     }
     return m_stageCounts.empty() ? GridFault::noDivision : GridFault::none;
 }
 
+void Grid::readSettings(const Optimisation& asked) {
+    const bool traverse = m_operation == Operation::traverse;
+    const std::vector<double> axial =
+        traverse ? levelValues(asked.axial_feed_mm_min) : std::vector<double>{0};
+    for (const double radialFeed :
+         levelValues(traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min)) {
+        for (const double axialFeed : axial) {
+            m_settings.push_back({radialFeed, axialFeed, 0});
+        }
+    }
+    for (const double axialFeed : axial) {
+        if (m_sparkOut > 0) {
+            m_settings.push_back({0, axialFeed, m_sparkOut});
+        }
+    }
+}
+
+bool Grid::readShape(const Optimisation& asked, std::size_t stages) {
+    Shape shape;
+    shape.least.assign(stages, 1);
+    shape.most.assign(stages, m_steps);
+    shape.allowed.assign(stages, std::vector<char>(m_settings.size(), 0));
+    readStocks(asked, shape);
+    if (!readFeeds(asked, shape)) {
+        return false;
+    }
+    for (std::size_t z = 0; z + 1 < stages; ++z) {
+        if (shape.least[z] > shape.most[z]) {
+            return false;
+        }
+    }
+    const bool possible = stages == 1
+                              ? shape.leastBefore <= 0 && shape.mostBefore >= 0
+                              : shape.leastBefore <= shape.mostBefore
+                                    && shape.least[0] + shape.leastAfter[0] <= shape.mostBefore
+                                    && shape.most[0] + shape.mostAfter[0] >= shape.leastBefore;
+    m_shapes.resize(std::max(m_shapes.size(), stages + 1));
+    m_shapes[stages] = std::move(shape);
+    return possible;
+}
+
+// The bounds of the last stage are those of the steps taken before it.
+void Grid::readStocks(const Optimisation& asked, Shape& shape) const {
+    constexpr double slack = 1e-6;
+    const std::size_t stages = shape.least.size();
+    shape.mostBefore = stages == 1 ? 0 : m_steps;
+    const auto bound = [&](double least_mm, double most_mm) {
+        const double most =
+            least_mm <= 0 ? m_steps : std::max((m_stock_mm - least_mm) / m_step_mm, -1.0);
+        const double least = std::max((m_stock_mm - most_mm) / m_step_mm, 0.0);
+        shape.mostBefore = std::min(shape.mostBefore, static_cast<int>(std::floor(most + slack)));
+        shape.leastBefore = std::max(shape.leastBefore, static_cast<int>(std::ceil(least - slack)));
+    };
+    if (asked.last_stock_mm && stages > 1) {
+        bound((*asked.last_stock_mm)[0], (*asked.last_stock_mm)[1]);
+    }
+    const std::size_t rows = asked.stage_stock_mm ? asked.stage_stock_mm->size() : 0;
+    for (std::size_t z = 0; z < std::min(rows, stages); ++z) {
+        const std::vector<double>& row = (*asked.stage_stock_mm)[z];
+        if (z + 1 == stages) {
+            bound(row[0], row[1]);
+        } else {
+            const double most = std::min(row[1] / m_step_mm, static_cast<double>(m_steps));
+            const double least = std::min(row[0] / m_step_mm, m_steps + 1.0);
+            shape.least[z] = std::max(1, static_cast<int>(std::ceil(least - slack)));
+            shape.most[z] = static_cast<int>(std::floor(most + slack));
+        }
+    }
+    shape.leastAfter.assign(stages, 0);
+    shape.mostAfter.assign(stages, 0);
+    for (std::size_t z = stages - 1; z-- > 0;) {
+        const bool beforeLast = z + 2 == stages;
+        shape.leastAfter[z] = beforeLast ? 0 : shape.leastAfter[z + 1] + shape.least[z + 1];
+        shape.mostAfter[z] = beforeLast ? 0 : shape.mostAfter[z + 1] + shape.most[z + 1];
+    }
+}
+
+// Stage by stage from the last one on: a setting must have one that may follow it.
+bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
+    const auto within = [](const NumberRows& rows, std::size_t z, double value) {
+        constexpr double slack = 1e-9;
+        return !rows || z >= rows->size()
+               || (value >= (*rows)[z][0] * (1 - slack) && value <= (*rows)[z][1] * (1 + slack));
+    };
+    const bool traverse = m_operation == Operation::traverse;
+    const NumberRows& radial =
+        traverse ? asked.stage_radial_feed_mm : asked.stage_radial_feed_mm_min;
+    const std::size_t stages = shape.allowed.size();
+    for (std::size_t z = stages; z-- > 0;) {
+        bool any = false;
+        const bool sparks = z + 1 == stages && m_sparkOut > 0;
+        for (std::size_t s = 0; s < m_settings.size(); ++s) {
+            const StageSetting& setting = m_settings[s];
+            bool may = sparks == (setting.sparkOut > 0)
+                       && (sparks || within(radial, z, setting.radial))
+                       && (!traverse
+                           || within(asked.stage_axial_feed_mm_min, z, setting.axialFeed_mm_min));
+            if (may && m_nonIncreasing && z + 1 < stages && (m_bounded || m_sparkOut > 0)) {
+                may = false;
+                for (std::size_t t = 0; t < m_settings.size() && !may; ++t) {
+                    may = shape.allowed[z + 1][t] != 0 && mayFollow(s, t);
+                }
+            }
+            shape.allowed[z][s] = may ? 1 : 0;
+            any = any || may;
+        }
+        if (!any) {
+            return false;
+        }
+    }
+    return true;
+}
+
+int Grid::leastTaken(std::size_t stages, std::size_t z, int taken) const {
+    const Shape& shape = m_shapes[stages];
+    return std::max(taken + shape.least[z], shape.leastBefore - shape.mostAfter[z]);
+}
+
+int Grid::mostTaken(std::size_t stages, std::size_t z, int taken) const {
+    const Shape& shape = m_shapes[stages];
+    return std::min(taken + shape.most[z], shape.mostBefore - shape.leastAfter[z]);
+}
+
+double Grid::mostLast_mm() const {
+    double most = 0;
+    for (const std::size_t stages : m_stageCounts) {
+        int taken = 0;
+        for (std::size_t z = 0; z + 1 < stages; ++z) {
+            taken += m_shapes[stages].least[z];
+        }
+        most = std::max(most, remainder(std::max(taken, m_shapes[stages].leastBefore)));
+    }
+    return most;
+}
+
 bool Grid::mayFollow(std::size_t first, std::size_t second) const {
-    const FeedSetting& a = m_settings[first];
-    const FeedSetting& b = m_settings[second];
+    const StageSetting& a = m_settings[first];
+    const StageSetting& b = m_settings[second];
     return !m_nonIncreasing || (b.radial <= a.radial && b.axialFeed_mm_min <= a.axialFeed_mm_min);
+}
+
+/// Ways to share the steps among all stages but the last.
+double Grid::splits(const Shape& shape) const {
+    if (shape.least.size() == 1) {
+        return 1;
+    }
+    std::vector<double> ways(static_cast<std::size_t>(m_steps) + 1, 0.0); // by steps taken
+    ways[0] = 1;
+    for (std::size_t z = 0; z + 1 < shape.least.size(); ++z) {
+        std::vector<double> sums(ways.size() + 1, 0.0); // of the ways before
+        std::partial_sum(ways.begin(), ways.end(), sums.begin() + 1);
+        for (int taken = 0; taken <= m_steps; ++taken) {
+            const auto to = static_cast<std::size_t>(std::max(taken - shape.least[z] + 1, 0));
+            const auto from = static_cast<std::size_t>(std::max(taken - shape.most[z], 0));
+            ways[static_cast<std::size_t>(taken)] = to > from ? sums[to] - sums[from] : 0;
+        }
+    }
+    return std::accumulate(ways.begin() + std::max(shape.leastBefore, 0),
+                           ways.begin() + shape.mostBefore + 1, 0.0);
 }
 
 std::int64_t Grid::size() const {
     double total = 0;
     for (const std::size_t stages : m_stageCounts) {
-        std::vector<double> ways(m_settings.size(), 1.0); // of setting stages up to this one
-        double splits = 1,
-               tooFew = stages > 1 ? 1 : 0; // ways to share m_steps, and fewer than least
-        for (std::size_t z = 1; z < stages; ++z) {
+        const Shape& shape = m_shapes[stages];
+        std::vector<double> ways(shape.allowed[0].begin(), shape.allowed[0].end());
+        for (std::size_t z = 1; z < stages; ++z) { // of setting stages up to this one
             std::vector<double> longer(m_settings.size(), 0.0);
             for (std::size_t a = 0; a < m_settings.size(); ++a) {
-                for (std::size_t b = 0; b < m_settings.size(); ++b) {
-                    longer[b] += mayFollow(a, b) ? ways[a] : 0;
+                for (std::size_t b = 0; b < m_settings.size() && ways[a] > 0; ++b) {
+                    longer[b] += mayHave(stages, z, b) && mayFollow(a, b) ? ways[a] : 0;
                 }
             }
             ways = longer;
-            const auto parts = static_cast<double>(z);
-            splits = splits * (m_steps - parts + 1) / parts;
-            tooFew = tooFew * std::max(0.0, m_leastSteps - parts) / parts;
         }
-        total += (splits - tooFew) * std::accumulate(ways.begin(), ways.end(), 0.0);
+        total += splits(shape) * std::accumulate(ways.begin(), ways.end(), 0.0);
     }
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
     return total < 9e18 ? std::llround(total) : most;
@@ -134,42 +248,40 @@ int stepsTaken(const GridCycle& cycle) {
 
 } // namespace
 
-// Any setting may follow itself and each stage but the last leaves a step for those to come, so
-// what is begun can always be completed.
-bool Grid::complete(GridCycle& cycle, std::size_t stages) const {
+// A setting that a stage may have leaves one for the next, and what leastTaken() and mostTaken()
+// leave can be shared, so what is begun can always be completed.
+void Grid::complete(GridCycle& cycle, std::size_t stages) const {
     while (cycle.size() < stages) {
         std::size_t setting = 0;
-        while (!cycle.empty() && !mayFollow(cycle.back().setting, setting)) {
+        while (!mayGoOn(cycle, stages, setting)) {
             ++setting;
         }
-        cycle.push_back({setting, 0});
-        if (cycle.size() < stages) {
-            cycle.back().steps = leastOf(stages - cycle.size() + 1, stepsTaken(cycle));
-        }
+        const int taken = stepsTaken(cycle);
+        const bool last = cycle.size() + 1 == stages;
+        cycle.push_back({setting, last ? 0 : leastTaken(stages, cycle.size(), taken) - taken});
     }
-    return true;
 }
 
 bool Grid::advance(GridCycle& cycle) const {
     const std::size_t stages = cycle.size();
     while (!cycle.empty()) {
-        const std::size_t z = cycle.size() - 1;
-        GridStage& stage = cycle.back();
-        if (z + 1 < stages) {
-            const int between = static_cast<int>(stages - z) - 2; // stages up to the last
-            if (stepsTaken(cycle) + between < m_steps) {
-                ++stage.steps;
-                return complete(cycle, stages);
-            }
+        GridStage stage = cycle.back();
+        cycle.pop_back();
+        const std::size_t z = cycle.size();
+        const int taken = stepsTaken(cycle);
+        const bool last = z + 1 == stages;
+        if (!last && taken + stage.steps < mostTaken(stages, z, taken)) {
+            cycle.push_back({stage.setting, stage.steps + 1});
+            complete(cycle, stages);
+            return true;
         }
         for (++stage.setting; stage.setting < m_settings.size(); ++stage.setting) {
-            if (z == 0 || mayFollow(cycle[z - 1].setting, stage.setting)) {
-                stage.steps = 0;
-                stage.steps = z + 1 < stages ? leastOf(stages - z, stepsTaken(cycle)) : 0;
-                return complete(cycle, stages);
+            if (mayGoOn(cycle, stages, stage.setting)) {
+                cycle.push_back({stage.setting, last ? 0 : leastTaken(stages, z, taken) - taken});
+                complete(cycle, stages);
+                return true;
             }
         }
-        cycle.pop_back();
     }
     return false;
 }
@@ -183,7 +295,48 @@ bool Grid::next(GridCycle& cycle) const {
         }
         ++count;
     }
-    return count != m_stageCounts.end() && complete(cycle, *count);
+    if (count == m_stageCounts.end()) {
+        return false;
+    }
+    complete(cycle, *count);
+    return true;
+}
+
+GridCycle Grid::uniform(std::size_t stages, std::size_t setting) const {
+    GridCycle cycle;
+    while (cycle.size() < stages) {
+        const bool last = cycle.size() + 1 == stages;
+        std::size_t own = setting;
+        while (last && m_sparkOut > 0 && own < m_settings.size() && !mayGoOn(cycle, stages, own)) {
+            ++own; // the spark-outs stand behind the feeds
+        }
+        if (own == m_settings.size() || !mayGoOn(cycle, stages, own)) {
+            return {};
+        }
+        const int taken = stepsTaken(cycle);
+        cycle.push_back({own, last ? 0 : leastTaken(stages, cycle.size(), taken) - taken});
+    }
+    return cycle;
+}
+
+bool Grid::contains(const GridCycle& cycle) const {
+    if (std::find(m_stageCounts.begin(), m_stageCounts.end(), cycle.size())
+        == m_stageCounts.end()) {
+        return false;
+    }
+    GridCycle begun;
+    for (const GridStage& stage : cycle) {
+        const int taken = stepsTaken(begun), behind = taken + stage.steps;
+        const std::size_t z = begun.size();
+        if (stage.setting >= m_settings.size() || !mayGoOn(begun, cycle.size(), stage.setting)
+            || (z + 1 < cycle.size()
+                && (behind < leastTaken(cycle.size(), z, taken)
+                    || behind > mostTaken(cycle.size(), z, taken)))) {
+            return false;
+        }
+        begun.push_back(stage);
+    }
+    return true;
 }
 
 bool Grid::before(const GridCycle& a, const GridCycle& b) const {
@@ -201,16 +354,21 @@ Cycle Grid::cycle(const GridCycle& cycle) const {
     Cycle stated;
     int taken = 0;
     for (const GridStage& each : cycle) {
-        const FeedSetting& setting = m_settings[each.setting];
+        const StageSetting& setting = m_settings[each.setting];
         Stage stage;
-        if (m_operation == Operation::traverse) {
-            stage.radial_feed_mm = setting.radial;
-            stage.axial_feed_mm_min = setting.axialFeed_mm_min;
-        } else {
-            stage.radial_feed_mm_min = setting.radial;
+        if (setting.sparkOut > 0) {
+            stage.spark_out = {SparkOut::Mode::count, setting.sparkOut};
         }
-        const bool last = stated.stages.size() + 1 == cycle.size();
-        stage.stock_mm = last ? remainder(taken) : asWritten(each.steps * m_step_mm);
+        if (m_operation == Operation::traverse) {
+            stage.axial_feed_mm_min = setting.axialFeed_mm_min;
+        }
+        if (setting.sparkOut == 0) {
+            (m_operation == Operation::traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min) =
+                setting.radial;
+        }
+        const bool takesAll =
+            stated.stages.size() + 1 == cycle.size() || remainder(taken + each.steps) <= 0;
+        stage.stock_mm = takesAll ? remainder(taken) : asWritten(each.steps * m_step_mm);
         taken += each.steps;
         stated.stages.push_back(stage);
     }

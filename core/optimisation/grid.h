@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/optimisation/levels.h"
 #include "core/project/project.h"
 
 #include <algorithm>
@@ -9,19 +10,17 @@
 
 namespace sparkout {
 
-/// The number as one would write it, with ten decimals at most: 0.15 − 6·0.01 is 0.09.
-[[nodiscard]] double asWritten(double value);
-
-/// A setting of a stage's feeds in the grid.
-struct FeedSetting {
+/// A setting of a stage in the grid: its feeds, or that it sparks out.
+struct StageSetting {
     double radial = 0;           ///< traverse: per double stroke [mm]; plunge: [mm/min]
     double axialFeed_mm_min = 0; ///< traverse
+    int sparkOut = 0;            ///< > 0: so many steps without feed, as a last stage
 };
 
 /// A stage of a cycle of the grid.
 struct GridStage {
-    std::size_t setting = 0; ///< index of its feeds
-    int steps = 0;           ///< stock in steps of the grid; of the last stage: what remains
+    std::size_t setting = 0;
+    int steps = 0; ///< stock in steps of the grid; of the last stage: what remains
     friend bool operator==(const GridStage&, const GridStage&) = default;
 };
 using GridCycle = std::vector<GridStage>;
@@ -29,18 +28,22 @@ using GridCycle = std::vector<GridStage>;
 /// Why a grid has no cycles.
 enum class GridFault {
     none,
-    notGiven,      ///< the project has no optimisation
-    noLevels,      ///< a feed of its kind of grinding has no levels
-    tooManyLevels, ///< more than mostSettings
-    tooManySteps,  ///< of stock, more than mostStockSteps
-    noDivision,    ///< of the stock into these numbers of stages, the last within its bounds
+    notGiven,        ///< the project has no optimisation
+    noLevels,        ///< a feed of its kind of grinding has no levels
+    tooManyLevels,   ///< more than mostSettings
+    tooManySteps,    ///< of stock, more than mostStockSteps
+    tooManyVariants, ///< of the machine and the spark-out, more than mostVariants
+    noDivision,      ///< of stock and feeds into these numbers of stages, within their bounds
 };
-inline constexpr double mostSettings = 5000, mostStockSteps = 10'000;
+inline constexpr double mostSettings = 5000, mostStockSteps = 10'000, mostVariants = 500;
 
-/// The cycles that a project's optimisation asks for: every stage takes any listed feeds; stage
-/// stocks are positive multiples of the stock step that sum to the part's, the last stage takes
-/// the remainder, however small, in cycles of several stages within last_stock_mm; with
-/// non_increasing neither feed rises from stage to stage.
+/// The cycles that a project's optimisation asks for with the machine as it is set and the first
+/// of its counts of spark-outs (see Variants): every stage takes any listed feeds within the
+/// stage's bounds; stage stocks are positive multiples of the stock step that sum to the part's,
+/// the last stage takes the remainder, however small, in cycles of several stages within
+/// last_stock_mm; with non_increasing neither feed rises from stage to stage. A spark-out is one
+/// stage more, the last: any listed axial feed, and a remainder that may be nothing; then the stage
+/// before it takes what is left of a step.
 ///
 /// Grid order: the numbers of stages as listed, then stage by stage from the first on the radial
 /// feed, the axial feed and the stock, each as listed, stocks rising.
@@ -50,19 +53,33 @@ public:
     explicit Grid(const Project& project);
 
     [[nodiscard]] GridFault fault() const { return m_fault; }
-    [[nodiscard]] const std::vector<FeedSetting>& settings() const { return m_settings; }
+    [[nodiscard]] const std::vector<StageSetting>& settings() const { return m_settings; }
+    /// Numbers of stages, with the one that sparks out.
     [[nodiscard]] const std::vector<std::size_t>& stageCounts() const { return m_stageCounts; }
-    /// Steps of stock that all stages but the last share at most; each takes at least one.
-    [[nodiscard]] int mostSteps() const { return m_steps; }
-    /// Steps that the first of so many stages up to the last takes at least, behind `taken`.
-    [[nodiscard]] int leastOf(std::size_t stagesLeft, int taken) const {
-        return stagesLeft == 2 ? std::max(1, m_leastSteps - taken) : 1;
+    [[nodiscard]] int sparkOut() const { return m_sparkOut; }
+    /// Are stages bounded one by one?
+    [[nodiscard]] bool hasStageBounds() const { return m_bounded; }
+    /// Steps of stock behind stage z of so many, but the last, when `taken` are behind the one
+    /// before: at least and at most, so that the stages to come can share the rest.
+    [[nodiscard]] int leastTaken(std::size_t stages, std::size_t z, int taken) const;
+    [[nodiscard]] int mostTaken(std::size_t stages, std::size_t z, int taken) const;
+    /// The most stock that a last stage may have [mm].
+    [[nodiscard]] double mostLast_mm() const;
+    /// May stage z of so many have the setting, for all that the stages before it leave open?
+    [[nodiscard]] bool mayHave(std::size_t stages, std::size_t z, std::size_t setting) const {
+        return m_shapes[stages].allowed[z][setting] != 0;
     }
     /// May a stage with the second setting follow one with the first?
     [[nodiscard]] bool mayFollow(std::size_t first, std::size_t second) const;
+    /// May the setting be the next of these stages?
+    [[nodiscard]] bool mayGoOn(const GridCycle& begun, std::size_t stages,
+                               std::size_t setting) const {
+        return mayHave(stages, begun.size(), setting)
+               && (begun.empty() || mayFollow(begun.back().setting, setting));
+    }
     /// Stock left [mm] when so many steps of it have been taken.
     [[nodiscard]] double remainder(int stepsTaken) const {
-        return asWritten(m_stock_mm - stepsTaken * m_step_mm);
+        return std::max(asWritten(m_stock_mm - stepsTaken * m_step_mm), 0.0);
     }
 
     /// The number of cycles, 2^63 − 1 when there are more.
@@ -70,26 +87,41 @@ public:
     /// The cycles one after the other, in grid order; false after the last. Starts from an empty
     /// cycle.
     [[nodiscard]] bool next(GridCycle& cycle) const;
+    /// The first cycle of so many stages with one setting in all that feed; empty: none.
+    [[nodiscard]] GridCycle uniform(std::size_t stages, std::size_t setting) const;
     /// Whether a comes before b.
     [[nodiscard]] bool before(const GridCycle& a, const GridCycle& b) const;
+    [[nodiscard]] bool contains(const GridCycle& cycle) const;
     /// The cycle as the project states cycles.
     [[nodiscard]] Cycle cycle(const GridCycle& cycle) const;
 
 private:
+    /// What the cycles of one number of stages may be.
+    struct Shape {
+        std::vector<std::vector<char>> allowed; ///< by stage and setting
+        std::vector<int> least, most;           ///< steps of each stage but the last
+        std::vector<int> leastAfter, mostAfter; ///< of all behind it, but the last
+        int leastBefore = 0, mostBefore = 0;    ///< of all but the last
+    };
+
     [[nodiscard]] GridFault read(const Project& project);
-    [[nodiscard]] bool complete(GridCycle& cycle, std::size_t stages) const;
+    void readSettings(const Optimisation& asked);
+    [[nodiscard]] bool readShape(const Optimisation& asked, std::size_t stages);
+    void readStocks(const Optimisation& asked, Shape& shape) const;
+    [[nodiscard]] bool readFeeds(const Optimisation& asked, Shape& shape) const;
+    void complete(GridCycle& cycle, std::size_t stages) const;
     [[nodiscard]] bool advance(GridCycle& cycle) const;
+    [[nodiscard]] double splits(const Shape& shape) const;
 
     Operation m_operation;
     double m_stock_mm, m_step_mm = 0;
-    int m_steps = 0, m_leastSteps = 0;
-    bool m_nonIncreasing = false;
-    std::vector<FeedSetting> m_settings;
+    int m_steps = 0; ///< that the stages before the last may take together
+    int m_sparkOut = 0;
+    bool m_nonIncreasing = false, m_bounded = false;
+    std::vector<StageSetting> m_settings;
     std::vector<std::size_t> m_stageCounts;
+    std::vector<Shape> m_shapes; ///< by number of stages
     GridFault m_fault;
 };
-
-/// The levels one by one; a step that ends within a millionth of it at `to` reaches it.
-[[nodiscard]] std::vector<double> levelValues(const Levels& levels);
 
 } // namespace sparkout

@@ -13,10 +13,12 @@ bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) 
     if (a.leastRelativeMargin != b.leastRelativeMargin) {
         return a.leastRelativeMargin > b.leastRelativeMargin;
     }
-    return grid.before(a.cycle, b.cycle);
+    return a.variant != b.variant ? a.variant < b.variant : grid.before(a.cycle, b.cycle);
 }
 
-Judge::Judge(const Grid& grid, const std::vector<Project>& scenarios) : m_grid(grid) {
+Judge::Judge(const Grid& grid, const SearchOptions& options)
+    : m_grid(grid), m_variant(options.variant), m_best(options.incumbent) {
+    const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
         m_scenarios.emplace_back(scenario, grid);
@@ -54,7 +56,7 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
-    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0};
+    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_variant};
     if (found.time_us > bestTime_us()) {
         return false;
     }

@@ -5,13 +5,14 @@
 
 namespace sparkout {
 
-/// Whether a is the better of two feasible cycles.
+/// Whether a is the better of two feasible cycles of a project, the grid that of their variant
+/// where they have one.
 [[nodiscard]] bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid);
 
 /// Decides on cycles by their simulation, and keeps the best.
 class Judge {
 public:
-    Judge(const Grid& grid, const std::vector<Project>& scenarios);
+    Judge(const Grid& grid, const SearchOptions& options);
 
     /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is.
     /// On the part itself so many further cycles, with one step of stock more in the stage before
@@ -33,6 +34,7 @@ private:
     std::optional<double> leastMargin(const GridCycle& cycle, double margin);
 
     const Grid& m_grid;
+    std::size_t m_variant;
     std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
 };

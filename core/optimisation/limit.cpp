@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/limit.h"
 
-#include "core/optimisation/grid.h"
+#include "core/optimisation/variants.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
+#include "core/quality/constraints.h"
 #include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
@@ -11,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -110,28 +113,57 @@ private:
     double m_fastest = 0; ///< S_ax [mm/min]
 };
 
-} // namespace
+/// What may be left to target where the drawing is held [mm per side].
+double leftByField_mm(const Part& part) {
+    const double shaft = part.surface == Surface::external ? 1 : -1;
+    const double edge_um = shaft > 0 ? part.upper_deviation_um : part.lower_deviation_um;
+    const double edge_mm = (part.diameter_mm + edge_um / units::umPerMm) / 2;
+    return std::max(shaft * (edge_mm - targetRadius(part)), 0.0) + diameterSlack_mm;
+}
 
-double steplessLimit_s(const Project& project) {
+/// Of one variant.
+double limitOf(const Project& project, bool sparksOut) {
     const Blank blank = makeBlank(project.part);
     const StepTimes times(project);
     if (times.infeed_mm <= 0) {
         return 0;
     }
-    const double all = blank.totalInfeed_mm - 2 * stageSlack_mm;
+    const double left = sparksOut ? leftByField_mm(project.part) : 0;
+    const double all = blank.totalInfeed_mm - left - 2 * stageSlack_mm;
     const double steps = std::max(std::ceil(all / times.infeed_mm - 1e-9), 1.0);
     // a last step cut short still takes its dwells and strokes
-    double limit_s = steps * times.least_s();
+    double limit_s = (steps + (sparksOut ? 1 : 0)) * times.least_s();
     if (project.gauge.control == Control::gauge && !project.gauge.position_mm) {
         const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;
         for (int i = 1; i <= stockCells && cell > 0; ++i) {
-            sum_s += cell / times.rate(2 * stageSlack_mm + i * cell);
+            sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell);
         }
         limit_s = std::max(limit_s, sum_s);
     }
     return limit_s * (1 - 1e-9);
+}
+
+} // namespace
+
+double steplessLimit_s(const Project& project) {
+    const Variants variants(project);
+    if (variants.count() == 0) {
+        return limitOf(project, false);
+    }
+    std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
+    double least_s = std::numeric_limits<double>::infinity();
+    for (std::size_t v = 0; v < variants.count(); ++v) {
+        const Project& variant = variants.project(v);
+        const std::pair each(machineSettings(variant), variants.grid(v).sparkOut() > 0);
+        if (variants.grid(v).fault() == GridFault::none
+            && std::find(met.begin(), met.end(), each) == met.end()) {
+            met.push_back(each);
+            least_s = std::min(least_s, limitOf(variant, each.second));
+        }
+    }
+    return least_s;
 }
 
 } // namespace sparkout

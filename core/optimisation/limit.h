@@ -32,8 +32,16 @@ namespace sparkout {
 /// no depth exceeds t_П; the greater of the two bounds holds. Under position control, where the
 /// size is not gauged, only the second does.
 ///
-/// Cycles that end by a count of spark-outs end without size, and are not meant. With sections
-/// coupled the drive has the power of all sections, of which one has at least its slice's.
+/// Work speeds and dwells are those the grid lists: the least over its variants is returned, whose
+/// n and dwells are in τ and in L_b.
+///
+/// A cycle that sparks out in the end by a count of the grid is not ended by the gauge. But where
+/// it holds, every diameter of the gauged section is within the drawing's field, so the two radii
+/// of one stand, in the mean, no more than δ before target, the distance from R_t to the field's
+/// edge on the side of the stock: the integral is taken from δ, and the infeed is at least |R_first
+/// − R_t| − δ, in steps beside which at least one sparks out. Other cycles that end by a count are
+/// not meant. With sections coupled the drive has the power of all sections, of which one has at
+/// least its slice's.
 ///
 /// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
 /// that the requirements are held against: for a free position the second bound alone is taken.

@@ -4,6 +4,12 @@
 #include "core/optimisation/dynamic_programming.h"
 #include "core/optimisation/full_search.h"
 #include "core/optimisation/pruned_search.h"
+#include "core/optimisation/time_bound.h"
+#include "core/process/profile.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace sparkout {
 
@@ -19,16 +25,122 @@ SearchSummary search(const Project& project, const Grid& grid, const SearchOptio
     return prunedSearch(project, grid, options);
 }
 
+double seconds(std::int64_t time_us) {
+    return static_cast<double>(time_us) * 1e-6;
+}
+
+/// Searches variant by variant and adds up what comes of them.
+class VariantSearch {
+public:
+    VariantSearch(const Project& project, const SearchOptions& options)
+        : m_variants(project), m_options(options), m_own(options) {
+        for (std::size_t v = 0; v < m_variants.count(); ++v) {
+            if (m_variants.grid(v).fault() == GridFault::none) {
+                m_order.push_back({leastTime_s(m_variants.project(v), m_variants.grid(v)), v});
+            }
+        }
+        if (options.method != SearchMethod::full) { // which goes on where it was stopped
+            std::sort(m_order.begin(), m_order.end());
+        }
+        if (options.resume) {
+            std::erase_if(m_order,
+                          [&](const auto& each) { return each.second < options.resume->variant; });
+            m_own.incumbent = options.resume->best;
+        }
+        if (options.onProgress) {
+            m_own.onProgress = [this](const SearchProgress& progress) { note(progress); };
+        }
+    }
+
+    SearchSummary run() {
+        m_sum.bound_s = std::numeric_limits<double>::infinity();
+        m_size = static_cast<double>(m_variants.size());
+        for (m_at = 0; m_at < m_order.size(); ++m_at) {
+            searchVariant(m_order[m_at].second);
+            if (m_sum.status == SearchStatus::stopped) {
+                break;
+            }
+        }
+        finish();
+        return m_sum;
+    }
+
+private:
+    /// Least time of a cycle of the variants behind the one that is searched.
+    [[nodiscard]] double restBound_s() const {
+        double least_s = std::numeric_limits<double>::infinity();
+        for (std::size_t i = m_at + 1; i < m_order.size(); ++i) {
+            least_s = std::min(least_s, m_order[i].first);
+        }
+        return least_s;
+    }
+
+    void note(const SearchProgress& progress) const {
+        SearchProgress all = progress;
+        all.bound_s = std::min({progress.bound_s, m_sum.bound_s, restBound_s()});
+        all.evaluations += m_sum.evaluations;
+        if (m_options.method == SearchMethod::full) {
+            all.share = static_cast<double>(all.evaluations) / m_size;
+        }
+        m_options.onProgress(all);
+    }
+
+    void searchVariant(std::size_t variant) {
+        m_own.variant = variant;
+        const bool resumed = m_options.resume && m_options.resume->variant == variant;
+        m_own.resume = resumed ? m_options.resume : std::nullopt;
+        const MachineSettings machine = machineSettings(m_variants.project(variant));
+        for (Project& scenario : m_own.scenarios) {
+            setMachine(scenario, machine);
+        }
+        const SearchSummary found =
+            search(m_variants.project(variant), m_variants.grid(variant), m_own);
+        m_own.incumbent = found.best;
+        m_sum.best = found.best;
+        m_sum.evaluations += found.evaluations;
+        m_sum.visits += found.visits;
+        for (std::size_t kind = 0; kind < found.cuts.size(); ++kind) {
+            m_sum.cuts[kind] += found.cuts[kind];
+        }
+        m_sum.checkpoint = found.checkpoint;
+        m_sum.status = found.status;
+        const bool none = found.status == SearchStatus::infeasible && !found.best;
+        m_sum.bound_s = none ? m_sum.bound_s : std::min(m_sum.bound_s, found.bound_s);
+    }
+
+    void finish() {
+        if (m_sum.status == SearchStatus::stopped) {
+            m_sum.bound_s = std::min(m_sum.bound_s, restBound_s());
+        } else if (m_sum.best && !isHeuristic(m_options.method)) {
+            m_sum.bound_s = seconds(m_sum.best->time_us);
+        }
+        m_sum.bound_s = m_sum.bound_s < 1e300 ? m_sum.bound_s : 0;
+        if (m_sum.best) {
+            m_sum.cycle = m_variants.grid(m_sum.best->variant).cycle(m_sum.best->cycle);
+            m_sum.machine = machineSettings(m_variants.project(m_sum.best->variant));
+        }
+        m_sum.gridSize = m_variants.size();
+    }
+
+    Variants m_variants;
+    const SearchOptions& m_options;
+    SearchOptions m_own;                                 ///< for the variants
+    std::vector<std::pair<double, std::size_t>> m_order; ///< least time [s] and variant
+    std::size_t m_at = 0;
+    double m_size = 0;
+    SearchSummary m_sum;
+};
+
 } // namespace
 
 SearchSummary optimise(const Project& project, const SearchOptions& options) {
-    const Grid grid(project);
-    SearchSummary summary = search(project, grid, options);
-    summary.gridSize = grid.size();
-    if (summary.best) {
-        summary.cycle = grid.cycle(summary.best->cycle);
-    }
-    return summary;
+    return VariantSearch(project, options).run();
+}
+
+Project withBest(Project project, const SearchSummary& summary) {
+    setMachine(project, summary.machine);
+    project.cycle = summary.cycle;
+    return project;
 }
 
 } // namespace sparkout

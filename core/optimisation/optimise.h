@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/grid.h"
+#include "core/optimisation/variants.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 
@@ -18,8 +18,13 @@
 /// listed requirement holds, as simulate() and evaluateConstraints() find it: no surrogate takes
 /// part in the answer. Times are compared in whole microseconds, so that equal times are equal
 /// however their seconds were added up; among equal times the larger least relative margin wins,
-/// then the first in grid order. The best of a grid is thus one cycle, whatever the method, the
-/// number of threads and the order of the search.
+/// then the first of the variants of machine and spark-out, then the first in grid order. The best
+/// of a grid is thus one cycle, whatever the method, the number of threads and the order of the
+/// search.
+///
+/// Variants are searched one by one, those first whose least time, by TimeBound, is the least, each
+/// with the best of those before to beat: as exact as the method is, since none that could beat it
+/// is left out.
 namespace sparkout {
 
 enum class SearchMethod {
@@ -39,12 +44,14 @@ struct FeasibleCycle {
     GridCycle cycle;
     std::int64_t time_us = 0;
     double leastRelativeMargin = 0;
+    std::size_t variant = 0; ///< of Variants
 };
 
 /// Where a full search was stopped, to go on from.
 struct SearchCheckpoint {
     GridCycle last; ///< the last cycle that was judged, all before it too; empty: none
     std::optional<FeasibleCycle> best;
+    std::size_t variant = 0; ///< that was searched
 };
 
 struct SearchProgress {
@@ -65,6 +72,8 @@ struct SearchOptions {
     std::optional<SearchCheckpoint> resume;                ///< full search
     std::function<void(const SearchProgress&)> onProgress; ///< by one thread at a time
     std::stop_token stop;
+    std::optional<FeasibleCycle> incumbent; ///< a cycle that holds, to be beaten
+    std::size_t variant = 0;                ///< by optimise(): the one that is searched
 };
 
 enum class SearchStatus {
@@ -79,6 +88,7 @@ struct SearchSummary {
     SearchStatus status = SearchStatus::infeasible;
     std::optional<FeasibleCycle> best;
     Cycle cycle;               ///< the best one, as a project states it
+    MachineSettings machine;   ///< that it is run with
     double bound_s = 0;        ///< no cycle of the grid that holds is quicker; heuristics: 0
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles decided on one by one
@@ -91,5 +101,8 @@ struct SearchSummary {
 
 /// Searches the grid of a valid project. An empty grid is infeasible.
 [[nodiscard]] SearchSummary optimise(const Project& project, const SearchOptions& options = {});
+
+/// The project with the best cycle and its machine in place; a summary with a best.
+[[nodiscard]] Project withBest(Project project, const SearchSummary& summary);
 
 } // namespace sparkout

@@ -47,10 +47,12 @@ public:
     PrunedSearch(const Project& project, const Grid& grid, const SearchOptions& options)
         : m_grid(grid)
         , m_options(options)
-        , m_judge(grid, options.scenarios)
+        , m_judge(grid, options)
         , m_runner(project, grid)
         , m_runs(project, grid, m_runner.cuts())
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
+        , m_mayMerge(options.scenarios.empty()
+                     && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_most(options.memory_bytes / prefixBytes(project, grid)) {}
 
     SearchSummary run() {
@@ -100,19 +102,18 @@ private:
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            order.emplace_back(m_runs.bound().rest_s(s, 0, 0, true), s);
+            if (m_grid.settings()[s].sparkOut == 0) {
+                order.emplace_back(
+                    m_runs.bound().rest_s(s, 0, m_grid.mostLast_mm(), m_grid.sparkOut() == 0), s);
+            }
         }
         std::sort(order.begin(), order.end());
         for (const auto& [bound_s, setting] : order) {
             if (isSlower(bound_s) || m_options.stop.stop_requested()) {
                 return;
             }
-            GridCycle cycle(stages, {setting, 1});
-            cycle.back().steps = 0;
-            if (stages > 1) {
-                cycle[stages - 2].steps = m_grid.leastOf(2, static_cast<int>(stages) - 2);
-            }
-            if (m_judge.decide(cycle, m_runner)) {
+            const GridCycle cycle = m_grid.uniform(stages, setting);
+            if (!cycle.empty() && m_judge.decide(cycle, m_runner)) {
                 return;
             }
         }
@@ -123,8 +124,8 @@ private:
     [[nodiscard]] bool isToldShorter(const CyclePrefix& prefix, std::size_t setting) const {
         const std::vector<std::size_t>& counts = m_grid.stageCounts();
         const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
-        return m_runs.isGauged() && !prefix.cycle.empty() && prefix.cycle.back().setting == setting
-               && (m_freeLast || !prefix.isBeforeLast())
+        return m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
+               && prefix.cycle.back().setting == setting && (m_freeLast || !prefix.isBeforeLast())
                && std::find(counts.begin(), own, prefix.stages - 1) != own;
     }
 
@@ -132,8 +133,7 @@ private:
     void add(Prefix prefix, double least_s, const CycleSteps& steps) {
         const CyclePrefix& done = prefix.done;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (isToldShorter(done, s)
-                || (!done.cycle.empty() && !m_grid.mayFollow(done.cycle.back().setting, s))) {
+            if (isToldShorter(done, s) || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
                 continue;
             }
             const double bound_s =
@@ -184,7 +184,7 @@ private:
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
         const CyclePrefix& done = from.done;
-        const bool single = !m_options.scenarios.empty() && done.cycle.size() + 2 != done.stages;
+        const bool single = !m_mayMerge && done.cycle.size() + 2 != done.stages;
         m_runs.run(
             done, setting,
             [&](const Run& run, int taken) {
@@ -225,6 +225,7 @@ private:
     CycleRunner m_runner;
     StageRuns m_runs;
     bool m_freeLast; ///< no bounds of the last stage's stock
+    bool m_mayMerge; ///< ends of stages before the one before the last
     std::priority_queue<Branch> m_branches;
     std::vector<Branch> m_newest; ///< beyond the most branches in order
     std::size_t m_most;

@@ -15,7 +15,8 @@
 ///    left every continuation of the others is possible, with the same passes, hence the same time
 ///    and margins, and it comes first in grid order. So this one alone is gone on from. Other parts
 ///    end their stages elsewhere: with scenarios only ends of the stage before the last are merged,
-///    and where the part itself holds, each of their cycles is run on the scenarios.
+///    and where the part itself holds, each of their cycles is run on the scenarios. So it is too
+///    where stages have bounds of their own stocks, which may forbid the first end a continuation.
 /// 3. Bounds. A branch is dropped when TimeBound proves that its cycles take longer than the best
 ///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
 ///    the bound of the next one holds for all that is left; those beyond the memory given newest
@@ -25,7 +26,7 @@
 ///    one stage with the stock of both, on every part: the first's end changes nothing but the name
 ///    of the stage. The cycle with one stage less takes the same time, its margins are the same but
 ///    that of the gauge's commands, which is larger. So where that number of stages is listed
-///    before, and no bound of the last stock forbids the sum, it is the better one, and the longer
+///    before, and no bound of a stage forbids the sum, it is the better one, and the longer
 ///    is not run.
 ///
 /// Whatever remains is judged as the full search does, from the same result of the same passes.

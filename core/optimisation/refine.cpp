@@ -37,6 +37,7 @@ public:
         m_parts.insert(m_parts.begin(), project);
         for (Project& part : m_parts) {
             part.runs.clear();
+            setMachine(part, machineSettings(project));
         }
         m_best.runs = runs;
         const Tried given = tryCycle(cycle);

@@ -37,7 +37,8 @@ struct RefineSummary {
     bool isQuicker = false; ///< than the one given
 };
 
-/// From a cycle that holds, of a project with a grid.
+/// From a cycle that holds, of a project with a grid. The machine stays as the project has it set,
+/// in the scenarios too, and a spark-out keeps its count.
 [[nodiscard]] RefineSummary refine(const Project& project, const Cycle& cycle,
                                    const RefineOptions& options = {});
 

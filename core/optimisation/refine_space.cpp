@@ -38,23 +38,47 @@ RefineSpace::RefineSpace(const Project& project, const Cycle& cycle)
     const Optimisation& asked = *project.optimisation;
     const MachineLimits& limits = project.machine.limits;
     if (project.operation == Operation::traverse) {
-        addFeeds(&Stage::radial_feed_mm, asked.radial_feed_mm, limits.radial_feed_mm);
-        addFeeds(&Stage::axial_feed_mm_min, asked.axial_feed_mm_min, limits.axial_feed_mm_min);
+        addFeeds(&Stage::radial_feed_mm, asked.radial_feed_mm, limits.radial_feed_mm,
+                 asked.stage_radial_feed_mm);
+        addFeeds(&Stage::axial_feed_mm_min, asked.axial_feed_mm_min, limits.axial_feed_mm_min,
+                 asked.stage_axial_feed_mm_min);
     } else {
-        addFeeds(&Stage::radial_feed_mm_min, asked.radial_feed_mm_min, limits.plunge_feed_mm_min);
+        addFeeds(&Stage::radial_feed_mm_min, asked.radial_feed_mm_min, limits.plunge_feed_mm_min,
+                 asked.stage_radial_feed_mm_min);
     }
-    for (std::size_t z = 0; z + 1 < cycle.stages.size(); ++z) {
-        m_settings.push_back({z, nullptr, refinedStock_mm, m_stock_mm, 0, refinedStock_mm});
+    addStocks(asked);
+}
+
+void RefineSpace::addStocks(const Optimisation& asked) {
+    const std::size_t stages = m_cycle.stages.size();
+    const NumberRows& rows = asked.stage_stock_mm;
+    for (std::size_t z = 0; z + 1 < stages; ++z) {
+        Setting stock{z, nullptr, refinedStock_mm, m_stock_mm, 0, refinedStock_mm};
+        if (rows && z < rows->size()) {
+            stock.low = std::max(stock.low, (*rows)[z][0]);
+            stock.high = std::min(stock.high, (*rows)[z][1]);
+        }
+        if (stock.low < stock.high) {
+            m_settings.push_back(stock);
+        }
     }
-    if (asked.last_stock_mm && cycle.stages.size() > 1) {
+    if (m_cycle.stages.back().spark_out.mode != SparkOut::Mode::none) {
+        m_leastLast_mm = 0;
+    }
+    if (asked.last_stock_mm && stages > 1) {
         m_leastLast_mm = std::max(m_leastLast_mm, asked.last_stock_mm->front());
         m_mostLast_mm = asked.last_stock_mm->back();
+    }
+    if (rows && rows->size() >= stages) {
+        m_leastLast_mm = std::max(m_leastLast_mm, (*rows)[stages - 1][0]);
+        m_mostLast_mm = std::min(m_mostLast_mm, (*rows)[stages - 1][1]);
     }
 }
 
 /// Between the levels of the grid, within the machine's range. What cannot be set otherwise stays.
 void RefineSpace::addFeeds(std::optional<double> Stage::*feed, const Levels& levels,
-                           const std::optional<std::vector<double>>& range) {
+                           const std::optional<std::vector<double>>& range,
+                           const NumberRows& byStage) {
     const std::vector<double> values = levelValues(levels);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     Setting setting;
@@ -67,14 +91,19 @@ void RefineSpace::addFeeds(std::optional<double> Stage::*feed, const Levels& lev
         setting.base = (*range)[2] > 0 ? (*range)[0] : 0;
         setting.step = (*range)[2];
     }
-    const double middle = setting.rounded((setting.low + setting.high) / 2);
-    const double slack = refineSlack * setting.high;
-    if (setting.low >= setting.high || middle < setting.low - slack
-        || middle > setting.high + slack) {
-        return;
-    }
-    for (setting.stage = 0; setting.stage < m_cycle.stages.size(); ++setting.stage) {
-        m_settings.push_back(setting);
+    for (std::size_t z = 0; z < m_cycle.stages.size(); ++z) {
+        Setting own = setting;
+        own.stage = z;
+        if (byStage && z < byStage->size()) {
+            own.low = std::max(own.low, (*byStage)[z][0]);
+            own.high = std::min(own.high, (*byStage)[z][1]);
+        }
+        const double middle = own.rounded((own.low + own.high) / 2);
+        const double slack = refineSlack * own.high;
+        if ((m_cycle.stages[z].*feed).has_value() && own.low < own.high && middle >= own.low - slack
+            && middle <= own.high + slack) {
+            m_settings.push_back(own);
+        }
     }
 }
 
@@ -95,10 +124,12 @@ std::optional<Cycle> RefineSpace::cycleOf(const std::vector<double>& values) con
         Stage& stage = cycle.stages[m_settings[i].stage];
         if (m_settings[i].isStock()) {
             stage.stock_mm = values[i];
-            taken_mm += values[i];
         } else {
             stage.*m_settings[i].feed = values[i];
         }
+    }
+    for (std::size_t z = 0; z + 1 < cycle.stages.size(); ++z) {
+        taken_mm += cycle.stages[z].stock_mm;
     }
     Stage& last = cycle.stages.back();
     last.stock_mm = asWritten(m_stock_mm - taken_mm);
@@ -109,7 +140,8 @@ std::optional<Cycle> RefineSpace::cycleOf(const std::vector<double>& values) con
     for (std::size_t z = 1; m_nonIncreasing && z < cycle.stages.size(); ++z) {
         for (const auto feed :
              {&Stage::radial_feed_mm, &Stage::axial_feed_mm_min, &Stage::radial_feed_mm_min}) {
-            if (cycle.stages[z].*feed > cycle.stages[z - 1].*feed) {
+            const std::optional<double>& own = cycle.stages[z].*feed;
+            if (own && *own > (cycle.stages[z - 1].*feed).value_or(*own)) {
                 return std::nullopt;
             }
         }

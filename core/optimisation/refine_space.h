@@ -35,7 +35,8 @@ public:
 
 private:
     void addFeeds(std::optional<double> Stage::*feed, const Levels& levels,
-                  const std::optional<std::vector<double>>& range);
+                  const std::optional<std::vector<double>>& range, const NumberRows& byStage);
+    void addStocks(const Optimisation& asked);
 
     Cycle m_cycle;
     std::vector<Setting> m_settings;

@@ -44,8 +44,7 @@ RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& sou
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             return summary;
         }
-        Project best = project;
-        best.cycle = summary.search.cycle;
+        const Project best = withBest(project, summary.search);
         double worst = 0;
         std::optional<Project> failing;
         for (Project& scenario : source(best, summary.rounds - 1)) {

@@ -15,17 +15,24 @@ StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& c
     , m_gauge(project.gauge.control == Control::gauge) {}
 
 int StageRuns::leastTaken(const CyclePrefix& prefix) const {
-    return prefix.taken + m_grid.leastOf(prefix.stages - prefix.cycle.size(), prefix.taken);
+    return prefix.isBeforeLast()
+               ? prefix.taken
+               : m_grid.leastTaken(prefix.stages, prefix.cycle.size(), prefix.taken);
 }
 
 int StageRuns::mostTaken(const CyclePrefix& prefix) const {
-    return m_grid.mostSteps() - static_cast<int>(prefix.stages - prefix.cycle.size()) + 2;
+    return m_grid.mostTaken(prefix.stages, prefix.cycle.size(), prefix.taken);
 }
 
 double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
                           int taken) const {
-    return run.time_s() * (1 - 1e-12)
-           + m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+    double rest_s =
+        m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+    if (const double sparkOut_s = m_bound.sparkOut_s(setting); sparkOut_s > 0) {
+        const double since_s = prefix.steps ? run.time_s() - prefix.steps->run().time_s() : 0;
+        rest_s = std::max(sparkOut_s - since_s, 0.0) * (1 - 1e-9);
+    }
+    return run.time_s() * (1 - 1e-12) + rest_s;
 }
 
 void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
@@ -50,10 +57,11 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
     const bool last = from.isBeforeLast();
     const bool begun =
         std::any_of(from.counts.begin(), from.counts.end(), [](int each) { return each > 0; });
+    const int sparkOut = m_grid.settings()[setting].sparkOut;
     for (int count = 0;; ++count) {
         const int first = ends.taken;
         while ((begun || count > 0) && ends.taken <= ends.last
-               && ended(*steps, later(last, ends.taken))) {
+               && (sparkOut > 0 ? count >= sparkOut : ended(*steps, later(last, ends.taken)))) {
             ++ends.taken;
         }
         if (ends.taken > first) {

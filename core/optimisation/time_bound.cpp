@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/time_bound.h"
 
+#include "core/process/profile.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
 #include "core/units.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sparkout {
 
@@ -22,7 +24,7 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
     , m_shortLastStep(project.gauge.control == Control::position) {
     const Machine& machine = project.machine;
     const double revolution_s = units::secondsPerMinute / machine.work_speed_rpm;
-    for (const FeedSetting& setting : grid.settings()) {
+    for (const StageSetting& setting : grid.settings()) {
         Rate rate;
         if (project.operation == Operation::traverse) {
             const double travel = project.part.length_mm - project.wheel.width_mm
@@ -43,8 +45,10 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
             rate.fixed_s = rate.step_s = revolution_s;
             rate.s_per_mm = revolution_s / rate.infeed_mm;
         }
+        rate.sparkOut_s = setting.sparkOut * rate.fixed_s;
         m_rates.push_back(rate);
     }
+    readSparkOuts(grid);
     for (std::size_t s = 0; s < m_rates.size(); ++s) {
         m_rates[s].next_s_per_mm = m_rates[s].s_per_mm;
         for (std::size_t t = 0; t < m_rates.size(); ++t) {
@@ -55,11 +59,26 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
     }
 }
 
+void TimeBound::readSparkOuts(const Grid& grid) {
+    if (grid.sparkOut() == 0) {
+        return;
+    }
+    m_mostLast_mm = grid.mostLast_mm() + boundRounding_mm;
+    m_sparkOut_s = std::numeric_limits<double>::infinity();
+    for (const Rate& rate : m_rates) {
+        m_sparkOut_s = rate.sparkOut_s > 0 ? std::min(m_sparkOut_s, rate.sparkOut_s) : m_sparkOut_s;
+    }
+}
+
 double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bool last) const {
     const Rate& rate = m_rates[setting];
-    const double all = m_total - fed_mm;
-    if (all <= 0) {
+    const double left = last ? 0 : std::min(later_mm, m_mostLast_mm); // to the spark-out
+    const double all = m_total - left - fed_mm;
+    if (rate.sparkOut_s > 0) {
         return 0;
+    }
+    if (all <= 0) {
+        return last ? 0 : m_sparkOut_s * (1 - boundRounding);
     }
     if (last) {
         const double steps = std::ceil(all / rate.infeed_mm - boundRounding);
@@ -67,7 +86,25 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
         return (whole * rate.step_s + (steps - whole) * rate.fixed_s) * (1 - boundRounding);
     }
     const double here = std::max(all - later_mm, 0.0);
-    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm) * (1 - boundRounding);
+    return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm + m_sparkOut_s)
+           * (1 - boundRounding);
+}
+
+double leastTime_s(const Project& project, const Grid& grid) {
+    const double total_mm = makeBlank(project.part).totalInfeed_mm;
+    const TimeBound bound(project, grid, total_mm);
+    const double fed_mm = firstFeed(project, total_mm);
+    double least_s = std::numeric_limits<double>::infinity();
+    for (const std::size_t stages : grid.stageCounts()) {
+        const bool single = stages == 1;
+        const double later_mm = single ? 0 : grid.remainder(grid.leastTaken(stages, 0, 0));
+        for (std::size_t s = 0; s < grid.settings().size(); ++s) {
+            if (grid.mayHave(stages, 0, s)) {
+                least_s = std::min(least_s, bound.rest_s(s, fed_mm, later_mm, single));
+            }
+        }
+    }
+    return least_s;
 }
 
 } // namespace sparkout

@@ -23,6 +23,10 @@ namespace sparkout {
 /// at least the least r of those settings that may come. A running stage must feed at least up to
 /// its nearest end at its own r. The last stage, whose feed is known, must make all of the steps
 /// ⌈infeed/f⌉ (under position control the last one may be short).
+///
+/// A cycle that sparks out in the end feeds only up to the stock L' of that stage, which is no more
+/// than the most the grid leaves a last stage nor than what is left: t_П ≥ |R_first − R_t| − L' −
+/// slack at the end of the last feed. Then come its N steps of at least c(v) (plunge: 1/n).
 class TimeBound {
 public:
     TimeBound(const Project& project, const Grid& grid, double totalInfeed_mm);
@@ -30,21 +34,34 @@ public:
     /// Infeed of a step of the setting [mm].
     [[nodiscard]] double infeed_mm(std::size_t setting) const { return m_rates[setting].infeed_mm; }
     /// Least time [s] from t_П = `fed_mm` on to the end of the cycle, in a stage of the setting
-    /// that does not end before the stock left is `later_mm` and that is the last or not.
+    /// that does not end before the stock left is `later_mm` and that is the last or not. Of a
+    /// spark-out, whose begin is not known here, 0.
     [[nodiscard]] double rest_s(std::size_t setting, double fed_mm, double later_mm,
                                 bool last) const;
+    /// Time [s] of a spark-out with the setting.
+    [[nodiscard]] double sparkOut_s(std::size_t setting) const {
+        return m_rates[setting].sparkOut_s;
+    }
 
 private:
+    void readSparkOuts(const Grid& grid);
+
     struct Rate {
         double infeed_mm = 0;     ///< f
         double fixed_s = 0;       ///< of a step, whatever it feeds
         double step_s = 0;        ///< of a full step
         double s_per_mm = 0;      ///< r
         double next_s_per_mm = 0; ///< least r of the settings that may follow, itself among them
+        double sparkOut_s = 0;    ///< of a setting that sparks out
     };
     std::vector<Rate> m_rates;
     double m_total;
+    double m_mostLast_mm = 0; ///< L' at most
+    double m_sparkOut_s = 0;  ///< the least of the grid's spark-outs
     bool m_shortLastStep;
 };
+
+/// How long every cycle of a grid takes at least [s].
+[[nodiscard]] double leastTime_s(const Project& project, const Grid& grid);
 
 } // namespace sparkout

@@ -60,6 +60,71 @@ const StructInfo& tableOf<Optimisation>() {
             .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
             .relevant = conditions::plunge, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, work_speed_rpm,
+            .label = SPARKOUT_NOOP("Input", "Levels of the work speed"), .unit = "rev/min",
+            .hard = {0.1, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
+            .page = Page::search,
+            .hint =
+                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, dwell_entry_s,
+            .label = SPARKOUT_NOOP("Input", "Levels of the entry dwell"), .unit = "s",
+            .hard = {0, 3600}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
+            .relevant = conditions::traverse, .page = Page::search,
+            .hint =
+                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Levels of the exit dwell"),
+            .unit = "s", .hard = {0, 3600},
+            .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
+            .relevant = conditions::traverse, .page = Page::search,
+            .hint =
+                SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
+            .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Optimisation, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-outs at the end"),
+            .hard = {0, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "none"), .page = Page::search,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Double strokes or revolutions of one more stage that feeds "
+                                  "nothing and takes the last stock: a list, or from, to and step; "
+                                  "0 is no such stage."),
+            .source = "MODEL-7"),
+        SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm,
+                       .label = SPARKOUT_NOOP("Input", "Radial feed by stage"),
+                       .unit = "mm/dbl stroke", .hard = {0, 1},
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .relevant = conditions::traverse, .count = 2, .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Least and most of the first stage, of the second and so on; "
+                                    "twice the same fixes it."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, stage_axial_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Axial feed by stage"), .unit = "mm/min",
+                       .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .relevant = conditions::traverse, .count = 2, .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Least and most of the first stage, of the second and so on; "
+                                    "twice the same fixes it."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm_min,
+                       .label = SPARKOUT_NOOP("Input", "Plunge feed by stage"), .unit = "mm/min",
+                       .hard = {0, 100}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .relevant = conditions::plunge, .count = 2, .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Least and most of the first stage, of the second and so on; "
+                                    "twice the same fixes it."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, stage_stock_mm,
+                       .label = SPARKOUT_NOOP("Input", "Stock by stage"), .unit = "mm",
+                       .hard = {0, 5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
+                       .count = 2, .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Least and most of the first stage, of the second and so on; "
+                                    "twice the same fixes it."),
+                       .source = "MODEL-8"),
     };
     static const StructInfo info =
         makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);

@@ -364,6 +364,24 @@ private:
                     numberText(stages[i]), SPARKOUT_NOOP("Limit", "whole number"));
             }
         }
+        checkSparkOuts(project().optimisation->spark_out);
+    }
+
+    void checkSparkOuts(const Levels& levels) {
+        const auto whole = [this](double count, const std::string& key) {
+            if (count != std::floor(count)) {
+                add(IssueCode::wrongType, "/optimisation/spark_out/" + key, numberText(count),
+                    SPARKOUT_NOOP("Limit", "whole number"));
+            }
+        };
+        if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
+            whole(stepped->from, "from");
+            whole(stepped->step, "step");
+        } else if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
+            for (std::size_t i = 0; i < list->size(); ++i) {
+                whole((*list)[i], std::to_string(i));
+            }
+        }
     }
 
     const Project& m_project;

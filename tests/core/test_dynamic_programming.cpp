@@ -3,9 +3,7 @@
 // quicker than the proven best, and how often it is wrong, as it says of itself.
 #include "core/optimisation/optimise.h"
 
-#include "tests/core/project_fixtures.h"
-#include "tests/core/project_samples.h"
-#include "tests/core/search_cases.h"
+#include "tests/core/search_checks.h"
 #include "tests/registry.h"
 
 #include <QTest>
@@ -18,20 +16,11 @@
 
 namespace test_dynamic_programming {
 
-using namespace sparkout;
-using search_cases::holds;
-using search_cases::smallCase;
+using namespace search_checks;
 
 namespace {
 
 constexpr std::array heuristics{SearchMethod::published, SearchMethod::labels};
-
-SearchSummary search(const Project& project, SearchMethod method) {
-    SearchOptions options;
-    options.method = method;
-    options.threads = 1;
-    return optimise(project, options);
-}
 
 /// Plunge parts with the grid of the thesis: as many stages as levels of stock, any feed at each.
 std::vector<Project> plungeCases(int count) {

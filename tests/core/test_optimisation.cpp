@@ -1,92 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the quickest cycle: the pruned search against the full one, and the laws that
-// hold for the best cycle of any grid.
-#include "core/optimisation/binding.h"
-#include "core/optimisation/limit.h"
+// The search for the quickest cycle: the pruned search and the full one against plain runs.
 #include "core/optimisation/optimise.h"
-#include "core/optimisation/robust.h"
 #include "core/project/validate.h"
-#include "core/quality/constraints.h"
-#include "core/simulation/simulate.h"
 
-#include "tests/core/project_fixtures.h"
-#include "tests/core/project_samples.h"
-#include "tests/core/search_cases.h"
+#include "tests/core/search_checks.h"
 #include "tests/registry.h"
 
 #include <QTest>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <string>
 
 namespace test_optimisation {
 
-using namespace sparkout;
-using search_cases::holds;
-using search_cases::smallCase;
+using namespace search_checks;
 
 namespace {
-
-/// The best cycle of a grid by its definition: every cycle is simulated to its end.
-struct PlainSearch {
-    std::optional<FeasibleCycle> best;
-    long long visits = 0;
-
-    explicit PlainSearch(Project project) {
-        const Grid grid(project);
-        for (GridCycle cycle; grid.next(cycle);) {
-            project.cycle = grid.cycle(cycle);
-            const SimulationResult result = simulate(project);
-            visits += result.visits;
-            const auto time_us = static_cast<std::int64_t>(std::llround(result.time_s * 1e6));
-            bool feasible = result.status == RunStatus::completed;
-            double margin = std::numeric_limits<double>::infinity();
-            for (const ConstraintResult& each : evaluateConstraints(result)) {
-                feasible = feasible && each.holds;
-                margin = std::min(margin, each.relativeMargin);
-            }
-            if (feasible
-                && (!best || time_us < best->time_us
-                    || (time_us == best->time_us && margin > best->leastRelativeMargin))) {
-                best = {cycle, time_us, margin};
-            }
-        }
-    }
-};
-
-bool same(const std::optional<FeasibleCycle>& a, const std::optional<FeasibleCycle>& b) {
-    return a.has_value() == b.has_value()
-           && (!a
-               || (a->cycle == b->cycle && a->time_us == b->time_us
-                   && a->leastRelativeMargin == b->leastRelativeMargin));
-}
 
 unsigned caseCount() {
     return static_cast<unsigned>(samples::sized(500, 100, 3000));
 }
 
-/// Fewer under the sanitizers.
-unsigned searches(int usual) {
-    return static_cast<unsigned>(samples::sized(usual, usual * 2 / 5, usual * 4));
-}
-
-SearchSummary search(const Project& project, SearchMethod method, unsigned threads = 1) {
-    SearchOptions options;
-    options.method = method;
-    options.threads = threads;
-    return optimise(project, options);
-}
-
 std::int64_t timeOf(const SearchSummary& summary) {
     return summary.best ? summary.best->time_us : -1;
-}
-
-/// No worse: as quick or quicker, where the other found one.
-bool noSlower(const SearchSummary& a, const SearchSummary& b) {
-    return !b.best || (a.best && a.best->time_us <= b.best->time_us);
 }
 
 } // namespace
@@ -152,8 +89,8 @@ private slots:
             const SearchSummary full = search(p, SearchMethod::full);
             const SearchSummary pruned = search(p, SearchMethod::pruned);
             const QByteArray where = "case " + QByteArray::number(seed);
-            QVERIFY2(same(full.best, plain.best), where);
-            QVERIFY2(same(pruned.best, plain.best), where);
+            QVERIFY2(same(full, plain), where);
+            QVERIFY2(same(pruned, plain), where);
             const auto proof = plain.best ? SearchStatus::proved : SearchStatus::infeasible;
             QVERIFY2(full.status == proof && pruned.status == proof, where);
             QVERIFY2(full.visits <= plain.visits, where); // it only stops earlier
@@ -182,9 +119,9 @@ private slots:
             }
             const PlainSearch plain(p);
             const SearchSummary pruned = search(p, SearchMethod::pruned);
-            QVERIFY2(same(pruned.best, plain.best), QByteArray::number(seed));
-            if (plain.best && plain.best->cycle.size() == 3) {
-                const GridCycle& cycle = plain.best->cycle;
+            QVERIFY2(same(pruned, plain), QByteArray::number(seed));
+            if (plain.best && pruned.best->cycle.size() == 3) {
+                const GridCycle& cycle = pruned.best->cycle;
                 equal +=
                     cycle[0].setting == cycle[1].setting || cycle[1].setting == cycle[2].setting
                         ? 1
@@ -284,84 +221,8 @@ private slots:
                 };
                 const SearchSummary little = optimise(p, options);
                 QVERIFY(little.status == whole.status);
-                QVERIFY(same(little.best, whole.best));
+                QVERIFY(same(little, whole));
             }
-        }
-    }
-
-    // Each requirement that binds, dropped or loosened, lets a quicker cycle of the grid in.
-    void whatBindsBreaksInAQuickerCycle() {
-        int bound = 0;
-        for (unsigned seed = 0; seed < 60; ++seed) {
-            Project p = smallCase(seed);
-            const SearchSummary best = search(p, SearchMethod::pruned);
-            if (!best.best) {
-                continue;
-            }
-            std::vector<ConstraintKind> broken; // by all quicker cycles of the grid
-            const Grid grid(p);
-            for (GridCycle cycle; grid.next(cycle);) {
-                p.cycle = grid.cycle(cycle);
-                const SimulationResult result = simulate(p);
-                for (const ConstraintResult& each : evaluateConstraints(result)) {
-                    if (!each.holds && std::llround(result.time_s * 1e6) < best.best->time_us) {
-                        broken.push_back(each.kind);
-                    }
-                }
-            }
-            for (const ConstraintKind kind : bindingRequirements(p, *best.best)) {
-                QVERIFY(std::find(broken.begin(), broken.end(), kind) != broken.end());
-                ++bound;
-            }
-        }
-        QVERIFY(bound > 10);
-    }
-
-    // One stage, one feed too many: what the next feed breaks binds, and nothing else.
-    void theRequirementThatTheNextFeedBreaksBinds() {
-        Project p = fixtures::plunge();
-        p.material.burn_rise_k.reset();
-        p.part.lower_deviation_um = -200;
-        p.part.upper_deviation_um = 200;
-        p.part.tolerance = {};
-        p.optimisation = Optimisation{};
-        p.optimisation->stages = {1};
-        p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.6, 1.2};
-        p.cycle.stages = {fixtures::plungeStage(0.6, p.part.stock_mm)};
-        p.machine.wheel_drive_kw = simulate(p).peakPower_w / 1000 * 1.001;
-        const SearchSummary best = search(p, SearchMethod::pruned);
-        QVERIFY(best.best && best.best->cycle[0].setting == 1);
-        QVERIFY(bindingRequirements(p, *best.best)
-                == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
-        p.machine.wheel_drive_kw.reset();
-        const SearchSummary free = search(p, SearchMethod::pruned);
-        QVERIFY(free.best && free.best->cycle[0].setting == 2);
-        QVERIFY(bindingRequirements(p, *free.best).empty());
-    }
-
-    void relaxingALimitNeverSlows() {
-        for (unsigned seed = 0; seed < 60; ++seed) {
-            const Project tight = smallCase(seed);
-            Project loose = tight;
-            loose.part.tolerance.radial_runout_um = *tight.part.tolerance.radial_runout_um * 2;
-            if (tight.material.burn_rise_k) {
-                loose.material.burn_rise_k = *tight.material.burn_rise_k * 1.3;
-            }
-            if (tight.machine.wheel_drive_kw) {
-                loose.machine.wheel_drive_kw = *tight.machine.wheel_drive_kw * 1.5;
-            }
-            QVERIFY(
-                noSlower(search(loose, SearchMethod::pruned), search(tight, SearchMethod::pruned)));
-        }
-    }
-
-    void moreStagesNeverSlow() {
-        for (unsigned seed = 0; seed < 60; ++seed) {
-            Project few = smallCase(seed), more = few;
-            few.optimisation->stages = {1};
-            more.optimisation->stages = {1, 2};
-            QVERIFY(
-                noSlower(search(more, SearchMethod::pruned), search(few, SearchMethod::pruned)));
         }
     }
 
@@ -378,7 +239,7 @@ private slots:
             const SearchSummary full = optimise(p, options);
             options.method = SearchMethod::pruned;
             const SearchSummary pruned = optimise(p, options);
-            QVERIFY(same(full.best, pruned.best));
+            QVERIFY(same(full, pruned));
             found += full.best ? 1 : 0;
             if (full.best) {
                 for (Project part : {p, dull, more}) {
@@ -389,58 +250,6 @@ private slots:
             QVERIFY(noSlower(search(p, SearchMethod::pruned), pruned));
         }
         QVERIFY(found > 20);
-    }
-
-    void noCycleOfAGridIsQuickerThanTheSteplessLimit() {
-        int burning = 0;
-        for (unsigned seed = 0; seed < searches(150); ++seed) {
-            const Project p = smallCase(seed);
-            const SearchSummary best = search(p, SearchMethod::pruned);
-            const double limit_s = steplessLimit_s(p);
-            QVERIFY(limit_s > 0);
-            QVERIFY(!best.best || limit_s <= best.best->time_us * 1e-6);
-            Project free = p;
-            free.material.burn_rise_k.reset();
-            free.machine.wheel_drive_kw.reset();
-            burning += steplessLimit_s(free) < limit_s * 0.99 ? 1 : 0;
-            QVERIFY(steplessLimit_s(free) <= limit_s * (1 + 1e-9));
-        }
-        QVERIFY2(burning > 5, QByteArray::number(burning)); // else no requirement was tried
-    }
-
-    // One radius, no elastic yield, η = 0, one power limit: each revolution takes what the drive
-    // allows, N/(b·k_t·V_k), so T = Π·b·k_t·V_k/(N·n).
-    void theLimitOfADriveIsItsClosedForm() {
-        Project p = fixtures::plunge();
-        p.wheel.dullness = 0;
-        p.material.burn_rise_k.reset();
-        p.machine.wheel_drive_kw = 2;
-        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.01, 100, 0.01};
-        const double Vk = 35, Vd = std::numbers::pi * 30 * 180 / 60 / 1000; // m/s
-        const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
-        const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
-        QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
-    }
-
-    void theRobustCycleHoldsInEveryPhaseOfTheStock() {
-        int added = 0;
-        for (unsigned seed = 0; seed < 30; ++seed) {
-            const Project p = smallCase(seed);
-            const auto phases = [](const Project& best, int) { return stockPhases(best); };
-            const RobustSummary robust = optimiseRobustly(p, phases);
-            added += static_cast<int>(robust.added.size());
-            if (!robust.search.best) {
-                continue;
-            }
-            QVERIFY(robust.holdsInSample);
-            QVERIFY(robust.search.best->time_us >= robust.nominalTime_us);
-            Project best = p;
-            best.cycle = robust.search.cycle;
-            for (const Project& scenario : stockPhases(best)) {
-                QVERIFY(holds(simulate(scenario)));
-            }
-        }
-        QVERIFY(added > 0); // else the nominal part would have done
     }
 
     void anEmptyGridIsInfeasible() {

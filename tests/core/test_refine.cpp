@@ -4,9 +4,7 @@
 #include "core/optimisation/refine.h"
 
 #include "core/quality/ranges.h"
-#include "tests/core/project_fixtures.h"
-#include "tests/core/project_samples.h"
-#include "tests/core/search_cases.h"
+#include "tests/core/search_checks.h"
 #include "tests/registry.h"
 
 #include <QTest>
@@ -18,9 +16,7 @@
 
 namespace test_refine {
 
-using namespace sparkout;
-using search_cases::holds;
-using search_cases::smallCase;
+using namespace search_checks;
 
 namespace {
 
@@ -79,22 +75,6 @@ bool isOfTheGridsKind(const Project& p, const Cycle& cycle) {
     return within && last > 0 && std::abs(sum - p.part.stock_mm) < 1e-9;
 }
 
-/// One stage whose drive allows a feed between two levels.
-Project driven() {
-    Project p = fixtures::plunge();
-    p.material.burn_rise_k.reset();
-    p.part.lower_deviation_um = -200;
-    p.part.upper_deviation_um = 200;
-    p.part.tolerance = {};
-    p.machine.limits = {};
-    p.optimisation = Optimisation{};
-    p.optimisation->stages = {1};
-    p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.6, 1.2};
-    p.cycle.stages = {fixtures::plungeStage(0.87, p.part.stock_mm)};
-    p.machine.wheel_drive_kw = simulate(p).peakPower_w / 1000 * 1.001;
-    return p;
-}
-
 } // namespace
 
 class TestRefine : public QObject {
@@ -133,7 +113,7 @@ private slots:
 
     // One feed alone: all of three digits can be tried.
     void oneFeedIsTheBestOfAllThatCanBeSet() {
-        Project p = driven();
+        Project p = driven(0.87);
         const SearchSummary grid = optimise(p);
         QVERIFY(grid.best && grid.best->cycle[0].setting == 1); // 0.6
         const RefineSummary refined = refine(p, grid.cycle);
@@ -170,7 +150,7 @@ private slots:
     }
 
     void theMachinesStepsAndRangesAreKept() {
-        Project p = driven();
+        Project p = driven(0.87);
         p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.35, 0.83, 0.05};
         const RefineSummary refined = refine(p, optimise(p).cycle);
         QVERIFY(refined.isQuicker);
@@ -182,7 +162,7 @@ private slots:
     }
 
     void withOneLevelThereIsNothingToRefine() {
-        Project p = driven();
+        Project p = driven(0.87);
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.6};
         const SearchSummary grid = optimise(p);
         const RefineSummary refined = refine(p, grid.cycle);
@@ -224,7 +204,7 @@ private slots:
     }
 
     void aStopKeepsWhatIsGiven() {
-        const Project p = driven();
+        const Project p = driven(0.87);
         const SearchSummary grid = optimise(p);
         std::stop_source stop;
         stop.request_stop();

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
+// scenario does to its time, and that none is quicker than the stepless one.
+#include "core/optimisation/binding.h"
+#include "core/optimisation/limit.h"
+#include "core/optimisation/robust.h"
+
+#include "tests/core/search_checks.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <numbers>
+
+namespace test_search_laws {
+
+using namespace search_checks;
+
+class TestSearchLaws : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Each requirement that binds, dropped or loosened, lets a quicker cycle of the grid in.
+    void whatBindsBreaksInAQuickerCycle() {
+        int bound = 0;
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            Project p = smallCase(seed);
+            const SearchSummary best = search(p, SearchMethod::pruned);
+            if (!best.best) {
+                continue;
+            }
+            std::vector<ConstraintKind> broken; // by all quicker cycles of the grid
+            const Grid grid(p);
+            for (GridCycle cycle; grid.next(cycle);) {
+                p.cycle = grid.cycle(cycle);
+                const SimulationResult result = simulate(p);
+                for (const ConstraintResult& each : evaluateConstraints(result)) {
+                    if (!each.holds && std::llround(result.time_s * 1e6) < best.best->time_us) {
+                        broken.push_back(each.kind);
+                    }
+                }
+            }
+            for (const ConstraintKind kind : bindingRequirements(p, *best.best)) {
+                QVERIFY(std::find(broken.begin(), broken.end(), kind) != broken.end());
+                ++bound;
+            }
+        }
+        QVERIFY(bound > 10);
+    }
+
+    // One stage, one feed too many: what the next feed breaks binds, and nothing else.
+    void theRequirementThatTheNextFeedBreaksBinds() {
+        Project p = driven(0.6);
+        const SearchSummary best = search(p, SearchMethod::pruned);
+        QVERIFY(best.best && best.best->cycle[0].setting == 1);
+        QVERIFY(bindingRequirements(p, *best.best)
+                == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
+        p.machine.wheel_drive_kw.reset();
+        const SearchSummary free = search(p, SearchMethod::pruned);
+        QVERIFY(free.best && free.best->cycle[0].setting == 2);
+        QVERIFY(bindingRequirements(p, *free.best).empty());
+    }
+
+    void relaxingALimitNeverSlows() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            const Project tight = smallCase(seed);
+            Project loose = tight;
+            loose.part.tolerance.radial_runout_um = *tight.part.tolerance.radial_runout_um * 2;
+            if (tight.material.burn_rise_k) {
+                loose.material.burn_rise_k = *tight.material.burn_rise_k * 1.3;
+            }
+            if (tight.machine.wheel_drive_kw) {
+                loose.machine.wheel_drive_kw = *tight.machine.wheel_drive_kw * 1.5;
+            }
+            QVERIFY(
+                noSlower(search(loose, SearchMethod::pruned), search(tight, SearchMethod::pruned)));
+        }
+    }
+
+    void moreStagesNeverSlow() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            Project few = smallCase(seed), more = few;
+            few.optimisation->stages = {1};
+            more.optimisation->stages = {1, 2};
+            QVERIFY(
+                noSlower(search(more, SearchMethod::pruned), search(few, SearchMethod::pruned)));
+        }
+    }
+
+    void noCycleOfAGridIsQuickerThanTheSteplessLimit() {
+        int burning = 0;
+        for (unsigned seed = 0; seed < searches(150); ++seed) {
+            const Project p = smallCase(seed);
+            const SearchSummary best = search(p, SearchMethod::pruned);
+            const double limit_s = steplessLimit_s(p);
+            QVERIFY(limit_s > 0);
+            QVERIFY(!best.best || limit_s <= best.best->time_us * 1e-6);
+            Project free = p;
+            free.material.burn_rise_k.reset();
+            free.machine.wheel_drive_kw.reset();
+            burning += steplessLimit_s(free) < limit_s * 0.99 ? 1 : 0;
+            QVERIFY(steplessLimit_s(free) <= limit_s * (1 + 1e-9));
+        }
+        QVERIFY2(burning > 5, QByteArray::number(burning)); // else no requirement was tried
+    }
+
+    // One radius, no elastic yield, η = 0, one power limit: each revolution takes what the drive
+    // allows, N/(b·k_t·V_k), so T = Π·b·k_t·V_k/(N·n).
+    void theLimitOfADriveIsItsClosedForm() {
+        Project p = fixtures::plunge();
+        p.wheel.dullness = 0;
+        p.material.burn_rise_k.reset();
+        p.machine.wheel_drive_kw = 2;
+        p.machine.limits.plunge_feed_mm_min = std::vector<double>{0.01, 100, 0.01};
+        const double Vk = 35, Vd = std::numbers::pi * 30 * 180 / 60 / 1000; // m/s
+        const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
+        const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
+        QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
+    }
+
+    void theRobustCycleHoldsInEveryPhaseOfTheStock() {
+        int added = 0;
+        for (unsigned seed = 0; seed < 30; ++seed) {
+            const Project p = smallCase(seed);
+            const auto phases = [](const Project& best, int) { return stockPhases(best); };
+            const RobustSummary robust = optimiseRobustly(p, phases);
+            added += static_cast<int>(robust.added.size());
+            if (!robust.search.best) {
+                continue;
+            }
+            QVERIFY(robust.holdsInSample);
+            QVERIFY(robust.search.best->time_us >= robust.nominalTime_us);
+            Project best = p;
+            best.cycle = robust.search.cycle;
+            for (const Project& scenario : stockPhases(best)) {
+                QVERIFY(holds(simulate(scenario)));
+            }
+        }
+        QVERIFY(added > 0); // else the nominal part would have done
+    }
+};
+
+} // namespace test_search_laws
+
+SPARKOUT_TEST(test_search_laws, TestSearchLaws)
+#include "test_search_laws.moc"
