@@ -57,6 +57,10 @@ Project freeCase(unsigned seed) {
         const int least = dice.integer(1, 2);
         asked.stage_stock_mm = {{0.01 * least, 0.01 * (least + dice.integer(0, 1))}};
     }
+    if (Variants(p).count() < 3 && dice.chance(0.3)) {
+        asked.stages = {3, 2};
+        asked.stage_stock_mm = {{0.005, 0.05}, {0.01, 0.01}};
+    }
     if (dice.chance(0.3)) {
         (traverse ? asked.stage_radial_feed_mm : asked.stage_radial_feed_mm_min) =
             rowsAbout(dice, traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min);
@@ -68,7 +72,7 @@ Project freeCase(unsigned seed) {
 }
 
 unsigned cases() {
-    return searches(200);
+    return searches(120);
 }
 
 } // namespace
@@ -295,6 +299,23 @@ private slots:
         QVERIFY2(robust > 5 && refined > 2 && labels > 3, QByteArray::number(robust) + " "
                                                               + QByteArray::number(refined) + " "
                                                               + QByteArray::number(labels));
+    }
+
+    // A step of the first stage passes four ends; from the first of them the second stage, of three
+    // steps of stock, does not come as far as from the fourth.
+    void endsOnOneStepAreNotOneWhereTheNextStageIsBounded() {
+        Project p = driven(1.2);
+        p.machine.wheel_drive_kw.reset();
+        p.gauge.commands = 5;
+        p.optimisation->stages = {3};
+        p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.9, 7.2};
+        p.optimisation->stage_radial_feed_mm_min = {{7.2, 7.2}, {0.9, 0.9}, {0.3, 0.3}};
+        for (const double most_mm : {0.09, 0.1, 0.11, 0.12}) {
+            p.optimisation->stage_stock_mm = {{0.01, most_mm}, {0.03, 0.03}};
+            const SearchSummary pruned = search(p);
+            QVERIFY(pruned.best.has_value());
+            QVERIFY(same(pruned, PlainSearch(p)));
+        }
     }
 
     // A drive that allows 0.6 mm/min at 180 rev/min and nothing faster: only the work speed can
