@@ -197,6 +197,11 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     }
     if (options.refine && hasAnswer(report)) {
         report.refined = refined(report);
+        if (report.refined->isQuicker) {
+            report.binding = bindingRequirements(
+                withBest(project, report.search), report.refined->cycle, report.refined->time_us,
+                report.robust ? report.robust->added : std::vector<Project>{});
+        }
     }
     return report;
 }

@@ -2,8 +2,10 @@
 #include "app/cli_optimise_report.h"
 
 #include "app/cli_report.h"
+#include "core/optimisation/cost.h"
 #include "core/optimisation/limit.h"
 #include "core/project/project_file.h"
+#include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 
@@ -131,6 +133,17 @@ std::vector<FreeSetting> freeSettings(const OptimiseReport& report) {
     return settings;
 }
 
+std::string costText(const OptimiseReport& report, double best_s) {
+    const auto cost = costPerPart(report.project, best_s);
+    return cost ? "cost per part        " + fixed(*cost, 4) + " (it grows with the time alone)\n"
+                : "";
+}
+
+ordered_json costJson(const OptimiseReport& report, double time_s) {
+    const auto cost = costPerPart(report.project, time_s);
+    return cost ? ordered_json(*cost) : ordered_json(nullptr);
+}
+
 std::string machineText(const OptimiseReport& report) {
     std::string text;
     for (const FreeSetting& each : freeSettings(report)) {
@@ -242,7 +255,7 @@ std::string optimiseText(const OptimiseReport& report) {
     for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
         text += stageLine(cycle.stages[z], z + 1);
     }
-    text += machineText(report);
+    text += machineText(report) + costText(report, best_s);
     if (report.refined) {
         text += refinedText(report);
     }
@@ -254,7 +267,7 @@ std::string optimiseText(const OptimiseReport& report) {
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              "
             + (!binding.empty() ? binding + " in quicker cycles that differ in one setting"
-               : search.status == SearchStatus::proved
+               : search.status == SearchStatus::proved && !offTheGrid
                    ? "nothing: no cycle that differs in one setting is quicker"
                    : "nothing known: a cycle that differs in one setting may be quicker and hold")
             + '\n';
@@ -268,11 +281,13 @@ std::string optimiseText(const OptimiseReport& report) {
 std::string optimiseJson(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
-    root["status"] = statusName(search.status);
+    const bool offTheGrid = report.refined && report.refined->isQuicker;
+    root["status"] = statusName(offTheGrid ? SearchStatus::found : search.status);
     root["method"] = methodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
     root["cycle"] = nullptr;
     root["cycle_time_min"] = nullptr;
+    root["cost_per_part"] = nullptr;
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
     root["limit_time_min"] = minutes(report.limit_s);
     root["gap"] = nullptr;
@@ -285,6 +300,7 @@ std::string optimiseJson(const OptimiseReport& report) {
             root["machine"][each.key] = each.value;
         }
         root["cycle_time_min"] = minutes(best_s);
+        root["cost_per_part"] = costJson(report, best_s);
         root["gap"] = gapToLimit(best_s, report.limit_s);
         root["least_relative_margin"] = leastMargin(report);
     }
@@ -292,6 +308,7 @@ std::string optimiseJson(const OptimiseReport& report) {
     if (report.refined) { // off the grid only the limit is proved
         root["bound_time_min"] = minutes(report.limit_s);
         root["refined"] = {{"is_quicker", report.refined->isQuicker},
+                           {"grid_status", statusName(search.status)},
                            {"grid_time_min", minutes(search.best->time_us)},
                            {"grid_bound_time_min", minutes(search.bound_s)},
                            {"cycles_run", report.refined->runs}};
@@ -304,9 +321,11 @@ std::string optimiseJson(const OptimiseReport& report) {
     }
     root["cut_by"] = std::move(cuts);
     const Given given(report.project);
-    root["given"] = {{"cycle_time_min",
-                      given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
-                     {"fails", given.fails}};
+    root["given"] = {
+        {"cycle_time_min",
+         given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
+        {"cost_per_part", given.time_s ? costJson(report, *given.time_s) : ordered_json(nullptr)},
+        {"fails", given.fails}};
     if (report.robust) {
         root["rounds"] = report.robust->rounds;
         root["holds_in_sample"] = report.robust->holdsInSample;

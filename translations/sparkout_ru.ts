@@ -3091,6 +3091,106 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>One for curves, two for a map.</source>
             <translation>Одна даёт кривые, две — карту.</translation>
         </message>
+        <message>
+            <source>Machine and operator</source>
+            <translation>Станок и рабочий</translation>
+        </message>
+        <message>
+            <source>What an hour costs, in any currency.</source>
+            <translation>Сколько стоит час, в любой валюте.</translation>
+        </message>
+        <message>
+            <source>Handling</source>
+            <translation>Вспомогательное время</translation>
+        </message>
+        <message>
+            <source>Loading and measuring, beside the cycle.</source>
+            <translation>Установка и измерение детали сверх цикла.</translation>
+        </message>
+        <message>
+            <source>Dressing time</source>
+            <translation>Время правки</translation>
+        </message>
+        <message>
+            <source>Shared by the parts between dressings.</source>
+            <translation>Делится на детали между правками.</translation>
+        </message>
+        <message>
+            <source>Wheel worn by a dressing</source>
+            <translation>Расход круга на правку</translation>
+        </message>
+        <message>
+            <source>Wheel and diamond, in the same currency.</source>
+            <translation>Круг и алмаз, в той же валюте.</translation>
+        </message>
+        <message>
+            <source>as the batch's dullness grows, else no dressing</source>
+            <translation>как растёт затупление в партии, иначе без правки</translation>
+        </message>
+        <message>
+            <source>The model does not tell it from the cycle, so the quickest cycle is the cheapest.</source>
+            <translation>Модель не выводит его из цикла, поэтому самый быстрый цикл и самый дешёвый.</translation>
+        </message>
+        <message>
+            <source>Levels of the work speed</source>
+            <translation>Уровни частоты вращения детали</translation>
+        </message>
+        <message>
+            <source>as the machine is set</source>
+            <translation>как настроен станок</translation>
+        </message>
+        <message>
+            <source>One for the whole cycle: a list, or from, to and step.</source>
+            <translation>Одно значение на весь цикл: список либо «от», «до» и шаг.</translation>
+        </message>
+        <message>
+            <source>Levels of the entry dwell</source>
+            <translation>Уровни задержки на входе</translation>
+        </message>
+        <message>
+            <source>Levels of the exit dwell</source>
+            <translation>Уровни задержки на выходе</translation>
+        </message>
+        <message>
+            <source>Spark-outs at the end</source>
+            <translation>Выхаживание в конце</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions of one more stage that feeds nothing and takes the last stock: a list, or from, to and step; 0 is no such stage.</source>
+            <translation>Двойные ходы или обороты ещё одной ступени без подачи, снимающей последний припуск: список либо «от», «до» и шаг; 0 — без неё.</translation>
+        </message>
+        <message>
+            <source>Radial feed by stage</source>
+            <translation>Радиальная подача по ступеням</translation>
+        </message>
+        <message>
+            <source>Least and most of the first stage, of the second and so on; twice the same fixes it.</source>
+            <translation>Наименьшее и наибольшее для первой ступени, для второй и так далее; два одинаковых числа закрепляют значение.</translation>
+        </message>
+        <message>
+            <source>Axial feed by stage</source>
+            <translation>Осевая подача по ступеням</translation>
+        </message>
+        <message>
+            <source>Plunge feed by stage</source>
+            <translation>Врезная подача по ступеням</translation>
+        </message>
+        <message>
+            <source>Stock by stage</source>
+            <translation>Припуск по ступеням</translation>
+        </message>
+        <message>
+            <source>Cost of a part</source>
+            <translation>Стоимость детали</translation>
+        </message>
+        <message>
+            <source>not told</source>
+            <translation>не считается</translation>
+        </message>
+        <message>
+            <source>Told beside the time; the choice is the quickest cycle.</source>
+            <translation>Указывается рядом со временем; выбирается самый быстрый цикл.</translation>
+        </message>
     </context>
     <context>
         <name>Issue</name>
@@ -3785,10 +3885,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>У припуска было бы более %1 шагов: увеличьте шаг.</translation>
         </message>
         <message>
-            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the last stage's stock.</source>
-            <translation>Припуск нельзя разделить на такое число ступеней: уменьшите шаг или измените пределы припуска последней ступени.</translation>
-        </message>
-        <message>
             <source>The batch that the cycle is to hold for cannot be run:</source>
             <translation>Партию, для которой цикл должен быть годен, рассчитать нельзя:</translation>
         </message>
@@ -3843,6 +3939,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>
             <translation>Не найдено цикла, годного во всех сценариях, и ни один не короче %1 мин; каждый испытанный не выдержал ещё одного сценария.</translation>
+        </message>
+        <message>
+            <source>spark-out %1</source>
+            <translation>выхаживание %1</translation>
+        </message>
+        <message>
+            <source>%1 rev/min</source>
+            <translation>%1 об/мин</translation>
+        </message>
+        <message>
+            <source>dwells %1 and %2 s</source>
+            <translation>задержки %1 и %2 с</translation>
+        </message>
+        <message>
+            <source>Work speed, dwells and spark-outs make more than %1 combinations: take fewer levels.</source>
+            <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
+        </message>
+        <message>
+            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages' feeds and stocks.</source>
+            <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
     </context>
     <context>
@@ -5127,6 +5243,10 @@ target, µm</source>
             <source>Jarque and Bera, 1987, test for normality</source>
             <translation>Jarque, Bera, 1987, проверка нормальности</translation>
         </message>
+        <message>
+            <source>Gilbert, 1950, economics of machining</source>
+            <translation>Гилберт, 1950, экономика обработки резанием</translation>
+        </message>
     </context>
     <context>
         <name>Struct</name>
@@ -5253,6 +5373,10 @@ target, µm</source>
         <message>
             <source>Sweep</source>
             <translation>Варьирование</translation>
+        </message>
+        <message>
+            <source>Cost of a part</source>
+            <translation>Стоимость детали</translation>
         </message>
     </context>
     <context>
@@ -10252,6 +10376,10 @@ target, µm</source>
         <message>
             <source>the forces must rise from row to row, the stiffnesses lie above 0</source>
             <translation>силы должны расти от строки к строке, жёсткости быть больше 0</translation>
+        </message>
+        <message>
+            <source>a number is outside of what is allowed</source>
+            <translation>число вне допустимых пределов</translation>
         </message>
     </context>
     <context>

@@ -2,8 +2,10 @@
 #include "core/optimisation/binding.h"
 
 #include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/refine_space.h"
 #include "core/simulation/simulate.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -72,20 +74,19 @@ std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle&
     return found;
 }
 
-} // namespace
-
-std::vector<ConstraintKind> bindingRequirements(const Project& project, const FeasibleCycle& best,
-                                                const std::vector<Project>& scenarios) {
-    const Variants variants(project);
+/// What breaks in those that are quicker than so long.
+std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::int64_t time_us,
+                                     const Project& project,
+                                     const std::vector<Project>& scenarios) {
     std::vector<Project> parts = scenarios;
     parts.insert(parts.begin(), project);
     std::array<bool, constraintKinds> binds{};
-    for (const auto& [cycle, machine] : neighbours(variants, best)) {
+    for (const auto& [cycle, machine] : others) {
         for (Project& part : parts) {
             setMachine(part, machine);
             part.cycle = cycle;
             const SimulationResult result = simulate(part);
-            if (&part == &parts.front() && comparedTime_us(result.time_s) >= best.time_us) {
+            if (&part == &parts.front() && comparedTime_us(result.time_s) >= time_us) {
                 break;
             }
             for (const ConstraintResult& each : evaluateConstraints(result)) {
@@ -100,6 +101,36 @@ std::vector<ConstraintKind> bindingRequirements(const Project& project, const Fe
         }
     }
     return kinds;
+}
+
+} // namespace
+
+std::vector<ConstraintKind> bindingRequirements(const Project& project, const FeasibleCycle& best,
+                                                const std::vector<Project>& scenarios) {
+    return brokenIn(neighbours(Variants(project), best), best.time_us, project, scenarios);
+}
+
+std::vector<ConstraintKind> bindingRequirements(const Project& project, const Cycle& cycle,
+                                                std::int64_t time_us,
+                                                const std::vector<Project>& scenarios) {
+    constexpr int mostStride = 16;
+    const RefineSpace space(project, cycle);
+    const std::vector<double> own = space.valuesOf(cycle);
+    std::vector<Neighbour> others;
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const RefineSpace::Setting& setting = space.settings()[i];
+        for (int stride = 1; stride <= mostStride; stride *= 2) {
+            for (const double steps : {stride, -stride}) {
+                std::vector<double> values = own;
+                const double to = own[i] + steps * setting.stepAt(own[i]);
+                values[i] = setting.rounded(std::clamp(to, setting.low, setting.high));
+                if (const auto other = space.cycleOf(values); other && values[i] != own[i]) {
+                    others.emplace_back(*other, machineSettings(project));
+                }
+            }
+        }
+    }
+    return brokenIn(others, time_us, project, scenarios);
 }
 
 } // namespace sparkout

@@ -15,6 +15,42 @@ std::span<const Choice> choicesOf<OptimisationScenarios>() {
 }
 
 template <>
+const StructInfo& tableOf<Cost>() {
+    static const std::array rows{
+        SPARKOUT_FIELD(Cost, machine_per_h, .label = SPARKOUT_NOOP("Input", "Machine and operator"),
+                       .symbol = "C_m", .unit = "1/h", .hard = {0, 1e9},
+                       .required = conditions::always, .page = Page::search,
+                       .hint = SPARKOUT_NOOP("Input", "What an hour costs, in any currency."),
+                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(Cost, handling_s, .label = SPARKOUT_NOOP("Input", "Handling"),
+                       .symbol = "t_h", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
+                       .hint = SPARKOUT_NOOP("Input", "Loading and measuring, beside the cycle."),
+                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(Cost, dressing_s, .label = SPARKOUT_NOOP("Input", "Dressing time"),
+                       .symbol = "t_d", .unit = "s", .hard = {0, 1e6}, .page = Page::search,
+                       .hint = SPARKOUT_NOOP("Input", "Shared by the parts between dressings."),
+                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(Cost, dressing_cost,
+                       .label = SPARKOUT_NOOP("Input", "Wheel worn by a dressing"), .symbol = "C_d",
+                       .hard = {0, 1e9}, .page = Page::search,
+                       .hint = SPARKOUT_NOOP("Input", "Wheel and diamond, in the same currency."),
+                       .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+        SPARKOUT_FIELD(
+            Cost, parts_between_dressings,
+            .label = SPARKOUT_NOOP("Input", "Parts between dressings"), .symbol = "N",
+            .hard = {1, 1000000},
+            .nullMeaning =
+                SPARKOUT_NOOP("Input", "as the batch's dullness grows, else no dressing"),
+            .page = Page::search,
+            .hint = SPARKOUT_NOOP("Input", "The model does not tell it from the cycle, so the "
+                                           "quickest cycle is the cheapest."),
+            .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),
+    };
+    static const StructInfo info = makeTable<Cost>(SPARKOUT_NOOP("Struct", "Cost of a part"), rows);
+    return info;
+}
+
+template <>
 const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
         SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"),
@@ -125,6 +161,11 @@ const StructInfo& tableOf<Optimisation>() {
                            "Input", "Least and most of the first stage, of the second and so on; "
                                     "twice the same fixes it."),
                        .source = "MODEL-8"),
+        SPARKOUT_FIELD(Optimisation, cost, .label = SPARKOUT_NOOP("Input", "Cost of a part"),
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not told"), .page = Page::search,
+                       .hint = SPARKOUT_NOOP(
+                           "Input", "Told beside the time; the choice is the quickest cycle."),
+                       .source = "GILBERT1950"),
     };
     static const StructInfo info =
         makeTable<Optimisation>(SPARKOUT_NOOP("Struct", "Optimisation"), rows);

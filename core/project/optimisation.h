@@ -10,6 +10,16 @@ namespace sparkout {
 
 enum class OptimisationScenarios { nominal, corners, batch };
 
+/// What a part costs, in any currency. Only told: it grows with the time, so the quickest cycle is
+/// the cheapest.
+struct Cost {
+    double machine_per_h = 0;                   ///< of machine and operator [1/h]
+    double handling_s = 0;                      ///< loading and measuring, a part [s]
+    double dressing_s = 0;                      ///< a dressing [s]
+    double dressing_cost = 0;                   ///< wheel and diamond worn by a dressing
+    std::optional<int> parts_between_dressings; ///< not given: the batch's, of its dullness
+};
+
 /// The grid the optimiser searches.
 struct Optimisation {
     std::vector<double> stages = {1, 2}; ///< numbers of stages tried
@@ -30,6 +40,7 @@ struct Optimisation {
     NumberRows stage_axial_feed_mm_min;  ///< [mm/min]
     NumberRows stage_radial_feed_mm_min; ///< plunge [mm/min]
     NumberRows stage_stock_mm;           ///< [mm]
+    std::optional<Cost> cost;            ///< not given: not told
 };
 
 } // namespace sparkout

@@ -123,6 +123,11 @@ private slots:
         row("nothing to share",
             R"({"optimisation": {"stages": [2], "last_stock_mm": [0.05, 0.04]}})",
             "/optimisation: ");
+        row("too many speeds",
+            R"({"optimisation": {"work_speed_rpm": {"from": 100, "to": 300, "step": 0.1}}})",
+            "/optimisation: more than 500 combinations");
+        row("a stage that no level fits",
+            R"({"optimisation": {"stage_radial_feed_mm": [[0.003, 0.0035]]}})", "/optimisation: ");
         row("corners of no batch", R"({"optimisation": {"scenarios": "corners"}, "batch": null})",
             "/batch: ");
         row("a fault", R"({"part": {"length_mm": -1}})", "/part/length_mm: ");
@@ -243,7 +248,9 @@ private slots:
         const Outcome outcome = optimize({saved, "--refine", "--json", "-o", written});
         QCOMPARE(outcome.status, 0);
         const json answer = json::parse(outcome.out);
-        QVERIFY(answer.at("status") == "proved"); // of the grid
+        QVERIFY(answer.at("status") == "found"); // not proved; the grid's is
+        QVERIFY(answer.at("refined").at("grid_status") == "proved");
+        QVERIFY(grid.at("status") == "proved");
         QVERIFY(answer.at("refined").at("is_quicker") == true);
         QVERIFY(answer.at("refined").at("grid_time_min") == grid.at("cycle_time_min"));
         QVERIFY(answer.at("refined").at("grid_bound_time_min") == grid.at("bound_time_min"));
@@ -253,8 +260,65 @@ private slots:
         QCOMPARE(alone.status, 0);
         const double time_min = json::parse(alone.out).at("cycle_time_min").get<double>();
         QVERIFY(std::abs(time_min - answer.at("cycle_time_min").get<double>()) <= 1e-8);
+        json cycleFile = file; // what binds is asked of the refined cycle
+        cycleFile["cycle"] = answer.at("cycle");
+        const Project found = projectOf(cycleFile);
+        json binding = json::array();
+        for (const ConstraintKind kind :
+             bindingRequirements(found, found.cycle, std::llround(simulate(found).time_s * 1e6))) {
+            binding.push_back(constraintName(kind));
+        }
+        QVERIFY(!binding.empty() && answer.at("binding") == binding);
         const std::string text = optimize({saved, "--refine"}).out;
         QVERIFY(text.find("min; not proved") != std::string::npos);
+    }
+
+    void theMachineFoundIsToldAndWritten() {
+        json file = shaft();
+        file["optimisation"]["work_speed_rpm"] = {120, 180, 240};
+        file["optimisation"]["dwell_entry_s"] = {0.333, 0.666};
+        file["optimisation"]["spark_out"] = {0, 1};
+        const QString saved = save("free.sparkout", file);
+        const QString written = m_folder.filePath("found.sparkout");
+        const json usual = json::parse(optimize({m_shaft, "--json"}).out);
+        const Outcome outcome = optimize({saved, "--json", "-o", written});
+        QCOMPARE(outcome.status, 0);
+        const json answer = json::parse(outcome.out);
+        QVERIFY(!usual.contains("machine"));
+        QVERIFY(answer.at("grid_size")
+                == 6 * (usual.at("grid_size").get<long long>() + 3 * (9 * 15 + 81 * 105)));
+        QVERIFY(answer.at("cycle_time_min") <= usual.at("cycle_time_min"));
+        QVERIFY(answer.at("machine").at("work_speed_rpm") != 180); // else nothing was free
+        QVERIFY(!answer.at("machine").contains("dwell_exit_s"));
+        const json best = json::parse(samples::readText(written.toStdString()));
+        for (const char* key : {"work_speed_rpm", "dwell_entry_s"}) {
+            QVERIFY(best.at("machine").at(key) == answer.at("machine").at(key));
+        }
+        const Outcome alone = run({"simulate", written, "--check", "--json"});
+        QCOMPARE(alone.status, 0);
+        const double time_min = json::parse(alone.out).at("cycle_time_min").get<double>();
+        QVERIFY(std::abs(time_min - answer.at("cycle_time_min").get<double>()) <= 1e-8);
+        const std::string text = optimize({saved}).out;
+        QVERIFY(text.find("machine              work speed ") != std::string::npos);
+    }
+
+    // Machine rate times cycle, handling and share of dressing, and the wheel's share.
+    void theCostIsToldBesideTheTime() {
+        json file = shaft();
+        QVERIFY(json::parse(optimize({m_shaft, "--json"}).out).at("cost_per_part").is_null());
+        file["optimisation"]["cost"] = {
+            {"machine_per_h", 60}, {"handling_s", 30}, {"dressing_s", 100}, {"dressing_cost", 8}};
+        const auto cost = [&file, this] {
+            const json answer = json::parse(optimize({save("cost.sparkout", file), "--json"}).out);
+            return answer.at("cost_per_part").get<double>()
+                   - answer.at("cycle_time_min").get<double>();
+        };
+        QVERIFY(std::abs(cost() - (0.5 + 4.0 / 60 + 8.0 / 25)) < 1e-9); // the batch's 25 parts
+        file["optimisation"]["cost"]["parts_between_dressings"] = 10;
+        QVERIFY(std::abs(cost() - (0.5 + 10.0 / 60 + 0.8)) < 1e-9);
+        file["optimisation"]["cost"].erase("parts_between_dressings");
+        file["batch"] = nullptr;
+        QVERIFY(std::abs(cost() - 0.5) < 1e-9);
     }
 
     void stagesReplaceTheFiles() {

@@ -827,6 +827,12 @@ private:
             {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
         row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,
             {{"/optimisation", {{"stages", {1.5}}}}});
+        row("half a spark-out", IssueCode::wrongType, "/optimisation/spark_out/1", plunge,
+            {{"/optimisation", {{"spark_out", {0, 0.5}}}}});
+        row("spark-outs by halves", IssueCode::wrongType, "/optimisation/spark_out/step", plunge,
+            {{"/optimisation", {{"spark_out", {{"from", 0}, {"to", 2}, {"step", 0.5}}}}}});
+        row("a stage without its most", IssueCode::wrongCount, "/optimisation/stage_stock_mm/0",
+            plunge, {{"/optimisation", {{"stage_stock_mm", json::array({json{0.1}})}}}});
         const json dull = {{"input", "/wheel/dullness"}, {"from", 0.01}, {"to", 0.02}};
         json gone = dull;
         gone["input"] = "/cycle/stages/7/stock_mm";

@@ -59,7 +59,9 @@ QString RowsEditor::accept(const QString& text) {
                   static_cast<int>(field().count));
     }
     if (!fits(set)) {
-        return tr("the forces must rise from row to row, the stiffnesses lie above 0");
+        return path().starts_with("/machine/wheel_contact/")
+                   ? tr("the forces must rise from row to row, the stiffnesses lie above 0")
+                   : tr("a number is outside of what is allowed");
     }
     change(set);
     return {};

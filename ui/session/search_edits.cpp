@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/search_edits.h"
 
+#include "core/optimisation/variants.h"
 #include "core/project/project_file.h"
 
 #include <algorithm>
@@ -93,6 +94,15 @@ bool sameSearch(const Project& a, const Project& b) {
         project.notes.clear();
         project.runs.clear();
         project.sweep.reset();
+        if (project.optimisation) { // what is searched need not be as it was
+            const Optimisation& asked = *project.optimisation;
+            const auto free = [](const Levels& levels, double own) {
+                return levels == Levels() ? own : 0;
+            };
+            setMachine(project, {free(asked.work_speed_rpm, project.machine.work_speed_rpm),
+                                 free(asked.dwell_entry_s, project.machine.dwell_entry_s),
+                                 free(asked.dwell_exit_s, project.machine.dwell_exit_s)});
+        }
         if (!project.optimisation
             || project.optimisation->scenarios == OptimisationScenarios::nominal) {
             project.batch.reset();

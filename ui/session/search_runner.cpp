@@ -25,11 +25,11 @@ public:
 
     Search(const Project& project, bool phases, std::stop_token stop, Note note)
         : m_outcome(std::make_shared<SearchOutcome>())
-        , m_grid(project)
+        , m_variants(project)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
         m_outcome->project = project;
-        m_outcome->fault = m_grid.fault();
+        m_outcome->fault = m_variants.fault();
         if (m_outcome->fault == GridFault::none) {
             const bool asked = project.optimisation->scenarios != OptimisationScenarios::nominal;
             m_outcome->robust = phases || asked;
@@ -57,7 +57,7 @@ private:
     void searchNumber(int stages) {
         Project project = m_outcome->project;
         project.optimisation->stages = {static_cast<double>(stages)};
-        if (Grid(project).fault() != GridFault::none) {
+        if (Variants(project).fault() != GridFault::none) {
             return; // the stock cannot be divided so often
         }
         SearchOptions options;
@@ -90,8 +90,10 @@ private:
 
     /// A cycle is noted once.
     void addFound(const FeasibleCycle& cycle) {
-        const auto at = std::ranges::find(m_found, cycle.cycle, &FeasibleCycle::cycle);
-        if (at == m_found.end()) {
+        const bool known = std::ranges::any_of(m_found, [&cycle](const FeasibleCycle& each) {
+            return each.variant == cycle.variant && each.cycle == cycle.cycle;
+        });
+        if (!known) {
             m_found.push_back(cycle);
         }
     }
@@ -107,16 +109,18 @@ private:
 
     void finish() {
         std::ranges::sort(m_found, [this](const FeasibleCycle& a, const FeasibleCycle& b) {
-            return isBetter(a, b, m_grid);
+            return isBetter(a, b, m_variants.grid(a.variant));
         });
         std::vector<std::size_t> numbers; // of stages, met already
         for (const FeasibleCycle& each : m_found) {
             const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
-            m_outcome->found.push_back({.cycle = m_grid.cycle(each.cycle),
-                                        .time_s = seconds(each.time_us),
-                                        .leastRelativeMargin = each.leastRelativeMargin,
-                                        .isBest = numbers.empty(),
-                                        .isBestOfItsNumber = first});
+            m_outcome->found.push_back(
+                {.cycle = m_variants.grid(each.variant).cycle(each.cycle),
+                 .machine = machineSettings(m_variants.project(each.variant)),
+                 .time_s = seconds(each.time_us),
+                 .leastRelativeMargin = each.leastRelativeMargin,
+                 .isBest = numbers.empty(),
+                 .isBestOfItsNumber = first});
             if (first) {
                 numbers.push_back(each.cycle.size());
             }
@@ -144,7 +148,7 @@ private:
     }
 
     std::shared_ptr<SearchOutcome> m_outcome;
-    Grid m_grid;
+    Variants m_variants;
     std::stop_token m_stop;
     Note m_note;
     std::vector<FeasibleCycle> m_found;

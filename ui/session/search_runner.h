@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/issue.h"
-#include "core/optimisation/grid.h"
 #include "core/optimisation/robust.h"
+#include "core/optimisation/variants.h"
 #include "ui/session/newest_job.h"
 #include "ui/session/outcome.h"
 
@@ -22,6 +22,7 @@ namespace sparkout {
 /// A feasible cycle that a search came upon: each was the best so far when it was found.
 struct FoundCycle {
     Cycle cycle;
+    MachineSettings machine; ///< that it is run with
     double time_s = 0;
     double leastRelativeMargin = 0;
     bool isBest = false;            ///< of all that were searched

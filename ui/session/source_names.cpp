@@ -50,6 +50,7 @@ constexpr std::array names{
     SourceName{"ABRASIVES",
                QT_TRANSLATE_NOOP("Source", "Zaporozhabrasive, marking of abrasive tools")},
     SourceName{"MARKING", QT_TRANSLATE_NOOP("Source", "the marking on the wheel itself")},
+    SourceName{"GILBERT1950", QT_TRANSLATE_NOOP("Source", "Gilbert, 1950, economics of machining")},
     SourceName{"HASHIMOTO2020", QT_TRANSLATE_NOOP("Source", "Hashimoto, 2020, contact stiffness "
                                                             "of the wheel")},
     SourceName{

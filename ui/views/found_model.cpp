@@ -57,7 +57,7 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
                    ? OptimiseText::percent(gapToLimit(found.time_s, m_outcome->limit_s))
                    : QStringLiteral("–");
     case margin: return OptimiseText::percent(found.leastRelativeMargin);
-    default: return OptimiseText::cycle(found.cycle);
+    default: return OptimiseText::found(found, m_outcome->project);
     }
 }
 
@@ -128,10 +128,10 @@ CsvTable FoundModel::table() const {
         if (m_present_s && *m_present_s > 0) {
             toNow = 100 * (found.time_s / *m_present_s - 1);
         }
-        table.rows.push_back({double(found.cycle.stages.size()),
-                              found.time_s / units::secondsPerMinute, toNow,
-                              100 * gapToLimit(found.time_s, m_outcome->limit_s),
-                              100 * found.leastRelativeMargin, OptimiseText::cycle(found.cycle)});
+        table.rows.push_back(
+            {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toNow,
+             100 * gapToLimit(found.time_s, m_outcome->limit_s), 100 * found.leastRelativeMargin,
+             OptimiseText::found(found, m_outcome->project)});
     }
     return table;
 }

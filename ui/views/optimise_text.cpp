@@ -54,10 +54,28 @@ QString OptimiseText::cycle(const Cycle& cycle) {
                 numbers << showNumber(*feed, QLocale());
             }
         }
+        if (stage.spark_out.mode == SparkOut::Mode::count) {
+            numbers << tr("spark-out %1").arg(QLocale().toString(stage.spark_out.count));
+        }
         numbers << showNumber(stage.stock_mm, QLocale());
         stages << numbers.join(QStringLiteral(" · "));
     }
     return stages.join(QStringLiteral(" → "));
+}
+
+QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
+    QStringList parts{cycle(found.cycle)};
+    const MachineSettings own = machineSettings(searched);
+    if (found.machine.work_speed_rpm != own.work_speed_rpm) {
+        parts << tr("%1 rev/min").arg(showNumber(found.machine.work_speed_rpm, QLocale()));
+    }
+    if (found.machine.dwell_entry_s != own.dwell_entry_s
+        || found.machine.dwell_exit_s != own.dwell_exit_s) {
+        parts << tr("dwells %1 and %2 s")
+                     .arg(showNumber(found.machine.dwell_entry_s, QLocale()),
+                          showNumber(found.machine.dwell_exit_s, QLocale()));
+    }
+    return parts.join(QStringLiteral("; "));
 }
 
 QString OptimiseText::cycleHint(Operation operation) {
@@ -105,9 +123,13 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     case GridFault::tooManySteps:
         return tr("The stock would have more than %1 steps: take a larger step.")
             .arg(QLocale().toString(mostStockSteps, 'f', 0));
+    case GridFault::tooManyVariants:
+        return tr("Work speed, dwells and spark-outs make more than %1 combinations: take fewer "
+                  "levels.")
+            .arg(QLocale().toString(mostVariants, 'f', 0));
     case GridFault::noDivision:
         return tr("The stock cannot be divided into these numbers of stages: take a smaller step, "
-                  "or other limits of the last stage's stock.");
+                  "or other limits of the stages' feeds and stocks.");
     }
     return tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
            + Names::refusal(outcome.batchIssues, 2);
@@ -151,7 +173,7 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
     }
     lines << (outcome.proved()
                   ? tr("%1 min: the quickest of %2, proved.")
-                        .arg(minutes(best->time_s), gridSize(Grid(outcome.project).size()))
+                        .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.project)))
                   : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
                         .arg(minutes(best->time_s), minutes(outcome.bound_s)));
     if (present_s && *present_s > 0) {

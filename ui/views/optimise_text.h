@@ -18,6 +18,8 @@ public:
     static QString gridSize(std::int64_t size);
     /// Radial feed, axial feed and stock of every stage: "0.004 · 1800 · 0.11 → …".
     static QString cycle(const Cycle& cycle);
+    /// The cycle, and what of the machine is not as it was when it was searched.
+    static QString found(const FoundCycle& found, const Project& searched);
     static QString cycleHint(Operation operation); ///< what the numbers of cycle() are
 
     static QString state(const SearchState& state);

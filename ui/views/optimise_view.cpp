@@ -120,6 +120,7 @@ void OptimiseView::showSearch() {
 void OptimiseView::tryCycle() {
     if (const FoundCycle* cycle = chosen()) {
         Project project = m_search->project;
+        setMachine(project, cycle->machine);
         project.cycle = cycle->cycle;
         m_trials->request(std::move(project));
     }
@@ -137,9 +138,10 @@ void OptimiseView::takeCycle() {
     if (!cycle || m_stale) {
         return;
     }
-    const auto take = [searched = m_search->project, found = cycle->cycle](Project project) {
+    const auto take = [searched = m_search->project, found = *cycle](Project project) {
         if (sameSearch(searched, project)) { // else edited meanwhile
-            project.cycle = found;
+            setMachine(project, found.machine);
+            project.cycle = found.cycle;
         }
         return project;
     };
@@ -201,8 +203,9 @@ void OptimiseView::showState() {
     m_run->setVisible(!busy());
     m_run->setEnabled(given);
     m_phases->setEnabled(given && !busy());
-    m_state->setText(given && !busy() ? OptimiseText::gridSize(Grid(m_good->result.project).size())
-                                      : QString());
+    m_state->setText(given && !busy()
+                         ? OptimiseText::gridSize(sparkout::gridSize(m_good->result.project))
+                         : QString());
     m_state->setVisible(!busy());
     const bool found = m_search && m_search->best();
     m_table->setVisible(found);
