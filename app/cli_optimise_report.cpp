@@ -267,7 +267,8 @@ std::string optimiseText(const OptimiseReport& report) {
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
     text += "binding              "
             + (!binding.empty() ? binding + " in quicker cycles that differ in one setting"
-               : search.status == SearchStatus::proved && !offTheGrid
+               : offTheGrid     ? "nothing: no cycle some steps off it is quicker"
+               : search.status == SearchStatus::proved
                    ? "nothing: no cycle that differs in one setting is quicker"
                    : "nothing known: a cycle that differs in one setting may be quicker and hold")
             + '\n';

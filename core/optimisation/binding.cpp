@@ -74,6 +74,55 @@ std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle&
     return found;
 }
 
+/// Cycles about one off the grid.
+class OffGrid {
+public:
+    OffGrid(const Project& project, const Cycle& cycle)
+        : m_machine(machineSettings(project))
+        , m_space(project, cycle)
+        , m_own(m_space.valuesOf(cycle)) {}
+
+    std::vector<Neighbour> neighbours() {
+        for (int stride = 1; stride <= mostStride; stride *= 2) {
+            for (std::size_t i = 0; i < m_own.size(); ++i) {
+                for (const int steps : {stride, -stride}) {
+                    const std::vector<double> one = moved(m_own, i, steps);
+                    add(one);
+                    for (std::size_t j = 0; j < m_own.size(); ++j) {
+                        if (j != i && m_space.settings()[j].isStock()) {
+                            add(moved(one, j, stride));
+                            add(moved(one, j, -stride));
+                        }
+                    }
+                }
+            }
+        }
+        return m_found;
+    }
+
+private:
+    static constexpr int mostStride = 16;
+
+    [[nodiscard]] std::vector<double> moved(std::vector<double> values, std::size_t i,
+                                            int steps) const {
+        const RefineSpace::Setting& setting = m_space.settings()[i];
+        const double to = values[i] + steps * setting.stepAt(values[i]);
+        values[i] = setting.rounded(std::clamp(to, setting.low, setting.high));
+        return values;
+    }
+
+    void add(const std::vector<double>& values) {
+        if (const auto other = m_space.cycleOf(values); other && values != m_own) {
+            m_found.emplace_back(*other, m_machine);
+        }
+    }
+
+    MachineSettings m_machine;
+    RefineSpace m_space;
+    std::vector<double> m_own;
+    std::vector<Neighbour> m_found;
+};
+
 /// What breaks in those that are quicker than so long.
 std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::int64_t time_us,
                                      const Project& project,
@@ -113,24 +162,7 @@ std::vector<ConstraintKind> bindingRequirements(const Project& project, const Fe
 std::vector<ConstraintKind> bindingRequirements(const Project& project, const Cycle& cycle,
                                                 std::int64_t time_us,
                                                 const std::vector<Project>& scenarios) {
-    constexpr int mostStride = 16;
-    const RefineSpace space(project, cycle);
-    const std::vector<double> own = space.valuesOf(cycle);
-    std::vector<Neighbour> others;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        const RefineSpace::Setting& setting = space.settings()[i];
-        for (int stride = 1; stride <= mostStride; stride *= 2) {
-            for (const double steps : {stride, -stride}) {
-                std::vector<double> values = own;
-                const double to = own[i] + steps * setting.stepAt(own[i]);
-                values[i] = setting.rounded(std::clamp(to, setting.low, setting.high));
-                if (const auto other = space.cycleOf(values); other && values[i] != own[i]) {
-                    others.emplace_back(*other, machineSettings(project));
-                }
-            }
-        }
-    }
-    return brokenIn(others, time_us, project, scenarios);
+    return brokenIn(OffGrid(project, cycle).neighbours(), time_us, project, scenarios);
 }
 
 } // namespace sparkout

@@ -233,6 +233,9 @@ private slots:
                     QVERIFY2(hasErrors(issues), (path + " " + wrong.dump() + fault).c_str());
                 }
                 for (const Issue& issue : issues) {
+                    if (issue.path.starts_with("/optimisation/spark_out/")) {
+                        continue; // whole numbers among levels are a rule beyond the tables
+                    }
                     const bool ofTheValue = issue.code == IssueCode::wrongType
                                             || issue.code == IssueCode::notOneOf
                                             || issue.code == IssueCode::unknownKey;

@@ -3,6 +3,7 @@
 // scenario does to its time, and that none is quicker than the stepless one.
 #include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
+#include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
 
 #include "tests/core/search_checks.h"
@@ -59,6 +60,17 @@ private slots:
         const SearchSummary free = search(p, SearchMethod::pruned);
         QVERIFY(free.best && free.best->cycle[0].setting == 2);
         QVERIFY(bindingRequirements(p, *free.best).empty());
+    }
+
+    void theRequirementThatTheNextStepBreaksBinds() {
+        Project p = driven(0.87);
+        const SearchSummary grid = search(p);
+        const RefineSummary refined = refine(p, grid.cycle);
+        QVERIFY(refined.isQuicker);
+        QVERIFY(bindingRequirements(p, refined.cycle, refined.time_us)
+                == std::vector<ConstraintKind>{ConstraintKind::wheelPower});
+        p.machine.wheel_drive_kw.reset();
+        QVERIFY(bindingRequirements(p, refined.cycle, refined.time_us).empty());
     }
 
     void relaxingALimitNeverSlows() {
