@@ -17,7 +17,7 @@ bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) 
 }
 
 Judge::Judge(const Grid& grid, const SearchOptions& options)
-    : m_grid(grid), m_variant(options.variant), m_best(options.incumbent) {
+    : m_grid(grid), m_variant(options.variant), m_beyond(options.beyondMargin), m_best(options.incumbent) {
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
@@ -66,7 +66,7 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     for (int more = 0; margin && more <= all; ++more) {
         if (const auto least = leastMargin(found.cycle, *margin)) {
             found.leastRelativeMargin = *least;
-            best |= offer(found);
+            best |= (!m_beyond || *least > *m_beyond) && offer(found);
         }
         if (more < all) {
             ++found.cycle[cycle.size() - 2].steps;

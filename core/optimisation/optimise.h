@@ -72,6 +72,8 @@ struct SearchOptions {
     std::optional<SearchCheckpoint> resume;                ///< full search
     std::function<void(const SearchProgress&)> onProgress; ///< by one thread at a time
     std::stop_token stop;
+    /// Only cycles whose least relative margin is greater are looked for; not given: all that hold.
+    std::optional<double> beyondMargin;
     std::optional<FeasibleCycle> incumbent; ///< a cycle that holds, to be beaten
     std::size_t variant = 0;                ///< by optimise(): the one that is searched
 };

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/trade_off.h"
+
+#include <utility>
+
+namespace sparkout {
+
+TradeOff tradeOff(const Project& project, const SearchSummary& quickest, SearchOptions options,
+                  std::size_t most) {
+    TradeOff found{{quickest}};
+    while (found.cycles.size() < most) {
+        options.beyondMargin = found.cycles.back().best->leastRelativeMargin;
+        SearchSummary next = optimise(project, options);
+        if (next.status != SearchStatus::proved) {
+            found.isWhole = next.status == SearchStatus::infeasible;
+            break;
+        }
+        found.cycles.push_back(std::move(next));
+    }
+    return found;
+}
+
+} // namespace sparkout
