@@ -3960,6 +3960,18 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages' feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
+        <message>
+            <source>Farther from the limits</source>
+            <translation>Дальше от пределов</translation>
+        </message>
+        <message>
+            <source>Between the levels</source>
+            <translation>Между уровнями</translation>
+        </message>
+        <message>
+            <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
+            <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>
@@ -8545,10 +8557,6 @@ mm/min</source>
     <context>
         <name>sparkout::FoundModel</name>
         <message>
-            <source>The quickest of all</source>
-            <translation>Самый быстрый из всех</translation>
-        </message>
-        <message>
             <source>The quickest of its number of stages</source>
             <translation>Самый быстрый для своего числа ступеней</translation>
         </message>
@@ -8603,6 +8611,18 @@ mm/min</source>
         <message>
             <source>Feeds and stocks of the stages</source>
             <translation>Подачи и припуски ступеней</translation>
+        </message>
+        <message>
+            <source>The quickest of the grid</source>
+            <translation>Самый быстрый в сетке</translation>
+        </message>
+        <message>
+            <source>None is both quicker and farther from its limits</source>
+            <translation>Нет цикла и быстрее, и дальше от пределов</translation>
+        </message>
+        <message>
+            <source>Between the levels of the grid, not proved</source>
+            <translation>Между уровнями сетки, не доказано</translation>
         </message>
     </context>
     <context>
@@ -9612,6 +9632,14 @@ target, µm</source>
             <source>Optimise</source>
             <comment>the view's tab</comment>
             <translation>Оптимум</translation>
+        </message>
+        <message>
+            <source>Between levels</source>
+            <translation>Между уровнями</translation>
+        </message>
+        <message>
+            <source>Go on from the quickest cycle between the levels of the grid, in the machine's steps: every cycle is run in full, but that none is quicker is not proved</source>
+            <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
         </message>
     </context>
     <context>

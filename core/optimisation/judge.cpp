@@ -17,7 +17,10 @@ bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) 
 }
 
 Judge::Judge(const Grid& grid, const SearchOptions& options)
-    : m_grid(grid), m_variant(options.variant), m_beyond(options.beyondMargin), m_best(options.incumbent) {
+    : m_grid(grid)
+    , m_variant(options.variant)
+    , m_beyond(options.beyondMargin)
+    , m_best(options.incumbent) {
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {

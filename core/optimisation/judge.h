@@ -35,7 +35,7 @@ private:
 
     const Grid& m_grid;
     std::size_t m_variant;
-    std::optional<double> m_beyond; ///< the margin that does not suffice
+    std::optional<double> m_beyond;       ///< the margin that does not suffice
     std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
 };

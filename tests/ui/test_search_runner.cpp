@@ -37,10 +37,10 @@ struct Listener {
     std::vector<SearchState> states;
 };
 
-SearchOutcomePtr searched(const Project& project, bool phases = false) {
+SearchOutcomePtr searched(const Project& project, SearchWish wish = {}) {
     SearchRunner runner;
     Listener heard(runner);
-    runner.start(project, phases);
+    runner.start(project, wish);
     const bool done = QTest::qWaitFor([&] { return !heard.outcomes.empty(); }, patience_ms);
     return done ? heard.outcomes.front() : nullptr;
 }
@@ -110,10 +110,42 @@ private slots:
         QCOMPARE(std::ranges::count_if(outcome->found, &FoundCycle::isBest), 1);
     }
 
+    void slowerCyclesFartherFromTheirLimitsAreListed() {
+        const SearchOutcomePtr outcome = searched(fixtures::searchedShaft());
+        QVERIFY(outcome && outcome->proved());
+        QVERIFY(outcome->best()->by == FoundBy::margin); // the first of them
+        int offered = 0;
+        for (const FoundCycle& one : outcome->found) {
+            const auto beats = [&one](const FoundCycle& other) {
+                return other.time_s <= one.time_s
+                       && other.leastRelativeMargin > one.leastRelativeMargin;
+            };
+            if (one.by == FoundBy::margin) {
+                QVERIFY(std::ranges::none_of(outcome->found, beats));
+                ++offered;
+            }
+        }
+        QVERIFY(offered > 1);
+    }
+
+    void aRefinedCycleStandsBeforeTheBestOfTheGrid() {
+        const Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr plain = searched(project);
+        const SearchOutcomePtr outcome = searched(project, {.refine = true});
+        QVERIFY(plain && outcome && !plain->refined() && outcome->proved());
+        QCOMPARE(outcome->best()->time_s, plain->best()->time_s);
+        const FoundCycle* refined = outcome->refined();
+        QVERIFY(refined && refined->time_s < outcome->best()->time_s);
+        Project part = project;
+        part.cycle = refined->cycle;
+        QVERIFY(holdsAll(part));
+        QVERIFY(std::abs(simulate(part).time_s - refined->time_s) <= 1e-6);
+    }
+
     void aStopKeepsTheBestAndAProvenBound() {
         SearchRunner runner;
         Listener heard(runner);
-        runner.start(fixtures::endlessSearch(), false);
+        runner.start(fixtures::endlessSearch(), {});
         QTRY_VERIFY_WITH_TIMEOUT(!heard.states.empty() && heard.states.back().best_s, patience_ms);
         runner.stop();
         QElapsedTimer took;
@@ -131,13 +163,13 @@ private slots:
     void theNewestSearchWinsAndADroppedOneSaysNothing() {
         SearchRunner runner;
         Listener heard(runner);
-        runner.start(fixtures::endlessSearch(), false);
+        runner.start(fixtures::endlessSearch(), {});
         QTest::qWait(50);
         const Project newest = fixtures::searchedShaft();
-        runner.start(newest, false);
+        runner.start(newest, {});
         QTRY_VERIFY_WITH_TIMEOUT(!heard.outcomes.empty(), patience_ms);
         QVERIFY(sameSearch(heard.outcomes.front()->project, newest));
-        runner.start(fixtures::endlessSearch(), false);
+        runner.start(fixtures::endlessSearch(), {});
         QTest::qWait(50);
         runner.drop();
         QTest::qWait(300);

@@ -5,6 +5,8 @@
 #include "core/optimisation/binding.h"
 #include "core/optimisation/judge.h"
 #include "core/optimisation/limit.h"
+#include "core/optimisation/refine.h"
+#include "core/optimisation/trade_off.h"
 
 #include <algorithm>
 #include <functional>
@@ -23,16 +25,17 @@ class Search {
 public:
     using Note = std::function<void(const SearchState&)>;
 
-    Search(const Project& project, bool phases, std::stop_token stop, Note note)
+    Search(const Project& project, SearchWish wish, std::stop_token stop, Note note)
         : m_outcome(std::make_shared<SearchOutcome>())
         , m_variants(project)
+        , m_refine(wish.refine)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
         m_outcome->project = project;
         m_outcome->fault = m_variants.fault();
         if (m_outcome->fault == GridFault::none) {
             const bool asked = project.optimisation->scenarios != OptimisationScenarios::nominal;
-            m_outcome->robust = phases || asked;
+            m_outcome->robust = wish.phases || asked;
             if (asked) {
                 m_outcome->batchIssues = checkBatch(project);
             }
@@ -40,6 +43,7 @@ public:
     }
 
     SearchOutcomePtr run() {
+        m_took.start();
         if (m_outcome->ran()) {
             for (const double stages : m_outcome->project.optimisation->stages) {
                 if (m_stop.stop_requested()) {
@@ -48,7 +52,13 @@ public:
                 }
                 searchNumber(static_cast<int>(stages));
             }
+            if (!m_outcome->stopped && !m_outcome->robust && !m_found.empty()) {
+                lookForMargins();
+            }
             finish();
+            if (m_refine && m_outcome->best()) {
+                refineBest();
+            }
         }
         return m_outcome;
     }
@@ -88,34 +98,99 @@ private:
         m_outcome->numbers.push_back(std::move(number));
     }
 
+    struct Noted {
+        FeasibleCycle cycle;
+        FoundBy by = FoundBy::search;
+    };
+
     /// A cycle is noted once.
-    void addFound(const FeasibleCycle& cycle) {
-        const bool known = std::ranges::any_of(m_found, [&cycle](const FeasibleCycle& each) {
-            return each.variant == cycle.variant && each.cycle == cycle.cycle;
+    void addFound(const FeasibleCycle& cycle, FoundBy by = FoundBy::search) {
+        const auto known = std::ranges::find_if(m_found, [&cycle](const Noted& each) {
+            return each.cycle.variant == cycle.variant && each.cycle.cycle == cycle.cycle;
         });
-        if (!known) {
-            m_found.push_back(cycle);
+        if (known == m_found.end()) {
+            m_found.push_back({cycle, by});
+        } else if (by == FoundBy::margin) {
+            known->by = by;
         }
     }
 
-    void tell(int stages, double bound_s, long long evaluations) const {
-        SearchState state{.stages = stages, .bound_s = bound_s, .evaluations = evaluations};
-        for (const FeasibleCycle& each : m_found) {
-            state.best_s =
-                std::min(state.best_s.value_or(seconds(each.time_us)), seconds(each.time_us));
+    void tell(int stages, double bound_s, long long evaluations,
+              FoundBy looksFor = FoundBy::search) const {
+        SearchState state{
+            .looksFor = looksFor, .stages = stages, .bound_s = bound_s, .evaluations = evaluations};
+        for (const Noted& each : m_found) {
+            const double time_s = seconds(each.cycle.time_us);
+            state.best_s = std::min(state.best_s.value_or(time_s), time_s);
         }
         m_note(state);
     }
 
+    /// Time against margin, about as long as the search took.
+    void lookForMargins() {
+        constexpr std::size_t most = 12;
+        constexpr qint64 grace_ms = 2000;
+        const qint64 budget_ms = m_took.elapsed() + grace_ms;
+        const SearchSummary* quickest = nullptr;
+        for (const SearchedNumber& number : m_outcome->numbers) {
+            if (number.search.best
+                && (!quickest
+                    || isBetter(*number.search.best, *quickest->best,
+                                m_variants.grid(number.search.best->variant)))) {
+                quickest = &number.search;
+            }
+        }
+        std::stop_source ends;
+        const std::stop_callback stopped(m_stop, [&ends] { ends.request_stop(); });
+        QElapsedTimer spent;
+        spent.start();
+        SearchOptions options;
+        options.stop = ends.get_token();
+        options.onProgress = [&](const SearchProgress& progress) {
+            if (spent.elapsed() > budget_ms) {
+                ends.request_stop();
+            }
+            tell(0, 0, progress.evaluations, FoundBy::margin);
+        };
+        for (const SearchSummary& each :
+             tradeOff(m_outcome->project, *quickest, options, most).cycles) {
+            addFound(*each.best, FoundBy::margin);
+        }
+    }
+
+    /// From the best of the grid, as it stands in the outcome.
+    void refineBest() {
+        tell(0, 0, 0, FoundBy::refinement);
+        const FoundCycle best = *m_outcome->best();
+        Project project = m_outcome->project;
+        setMachine(project, best.machine);
+        RefineOptions options;
+        options.stop = m_stop;
+        if (m_outcome->robust) {
+            options.scenarios = m_scenarios;
+            options.source = scenariosAskedFor(project);
+        }
+        const RefineSummary refined = refine(project, best.cycle, options);
+        if (refined.isQuicker) {
+            m_outcome->found.insert(m_outcome->found.begin(),
+                                    {.by = FoundBy::refinement,
+                                     .cycle = refined.cycle,
+                                     .machine = best.machine,
+                                     .time_s = seconds(refined.time_us),
+                                     .leastRelativeMargin = refined.leastRelativeMargin});
+        }
+    }
+
     void finish() {
-        std::ranges::sort(m_found, [this](const FeasibleCycle& a, const FeasibleCycle& b) {
-            return isBetter(a, b, m_variants.grid(a.variant));
+        std::ranges::sort(m_found, [this](const Noted& a, const Noted& b) {
+            return isBetter(a.cycle, b.cycle, m_variants.grid(a.cycle.variant));
         });
         std::vector<std::size_t> numbers; // of stages, met already
-        for (const FeasibleCycle& each : m_found) {
+        for (const auto& [each, by] : m_found) {
             const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
-                {.cycle = m_variants.grid(each.variant).cycle(each.cycle),
+                {.by = by,
+                 .cycle = m_variants.grid(each.variant).cycle(each.cycle),
                  .machine = machineSettings(m_variants.project(each.variant)),
                  .time_s = seconds(each.time_us),
                  .leastRelativeMargin = each.leastRelativeMargin,
@@ -129,7 +204,7 @@ private:
         m_outcome->bound_s = bound();
         if (!m_found.empty() && !m_outcome->stopped) { // it takes cycles run to their ends
             m_outcome->binding =
-                bindingRequirements(m_outcome->project, m_found.front(), m_scenarios);
+                bindingRequirements(m_outcome->project, m_found.front().cycle, m_scenarios);
         }
     }
 
@@ -149,13 +224,26 @@ private:
 
     std::shared_ptr<SearchOutcome> m_outcome;
     Variants m_variants;
+    bool m_refine;
+    QElapsedTimer m_took;
     std::stop_token m_stop;
     Note m_note;
-    std::vector<FeasibleCycle> m_found;
+    std::vector<Noted> m_found;
     std::vector<Project> m_scenarios;
 };
 
 } // namespace
+
+const FoundCycle* SearchOutcome::best() const {
+    const auto ofTheGrid = [](const FoundCycle& each) { return each.by != FoundBy::refinement; };
+    const auto at = std::ranges::find_if(found, ofTheGrid);
+    return at == found.end() ? nullptr : &*at;
+}
+
+const FoundCycle* SearchOutcome::refined() const {
+    const bool given = !found.empty() && found.front().by == FoundBy::refinement;
+    return given ? &found.front() : nullptr;
+}
 
 std::array<long long, constraintKinds> SearchOutcome::cuts() const {
     std::array<long long, constraintKinds> sum{};
@@ -180,17 +268,17 @@ SearchRunner::SearchRunner(QObject* parent) : QObject(parent) {
     connect(&m_progress, &QTimer::timeout, this, &SearchRunner::tell);
 }
 
-void SearchRunner::start(const Project& project, bool phases) {
+void SearchRunner::start(const Project& project, SearchWish wish) {
     drop();
     m_stop = std::stop_source();
     m_shared = std::make_shared<Shared>();
     m_took.start();
     m_progress.start();
-    m_job.start([this, project, phases, shared = m_shared,
+    m_job.start([this, project, wish, shared = m_shared,
                  wanted = m_stop](const std::stop_token& newer, const NewestJob::Post& post) {
         std::stop_source either = wanted; // the two share one state
         const std::stop_callback dropped(newer, [&either] { either.request_stop(); });
-        Search search(project, phases, either.get_token(), [&shared](const SearchState& state) {
+        Search search(project, wish, either.get_token(), [&shared](const SearchState& state) {
             const std::lock_guard lock(shared->mutex);
             shared->state = state;
         });

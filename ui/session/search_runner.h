@@ -19,13 +19,21 @@
 
 namespace sparkout {
 
-/// A feasible cycle that a search came upon: each was the best so far when it was found.
+/// How a search came upon a cycle.
+enum class FoundBy {
+    search,    ///< it was the best so far
+    margin,    ///< none of the grid is both quicker and farther from its nearest limit
+    refinement ///< between the levels of the grid; not proved
+};
+
+/// A feasible cycle that a search came upon.
 struct FoundCycle {
+    FoundBy by = FoundBy::search;
     Cycle cycle;
     MachineSettings machine; ///< that it is run with
     double time_s = 0;
     double leastRelativeMargin = 0;
-    bool isBest = false;            ///< of all that were searched
+    bool isBest = false;            ///< of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< of stages
 };
 
@@ -51,9 +59,8 @@ struct SearchOutcome {
     bool stopped = false;
 
     [[nodiscard]] bool ran() const { return fault == GridFault::none && batchIssues.empty(); }
-    [[nodiscard]] const FoundCycle* best() const {
-        return found.empty() ? nullptr : &found.front();
-    }
+    [[nodiscard]] const FoundCycle* best() const;    ///< of the grid
+    [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
     /// The rounds ran out for a number of stages that might have had a quicker cycle.
     [[nodiscard]] bool unresolved() const;
     [[nodiscard]] bool proved() const { return best() && !stopped && !unresolved(); }
@@ -63,8 +70,15 @@ struct SearchOutcome {
 
 using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
 
+/// What a search is to do beyond finding the quickest cycle of the grid.
+struct SearchWish {
+    bool phases = false; ///< hold in every phase of the stock too
+    bool refine = false; ///< go on between the levels
+};
+
 /// How far a search is.
 struct SearchState {
+    FoundBy looksFor = FoundBy::search;
     int stages = 0;                    ///< the number that is searched now
     std::optional<double> best_s = {}; ///< quickest so far
     double bound_s = 0;                ///< no cycle with so many stages is quicker
@@ -80,9 +94,9 @@ class SearchRunner : public QObject {
 public:
     explicit SearchRunner(QObject* parent = nullptr);
 
-    /// With `phases` the cycle must hold in every phase of the stock too; scenarios that the
-    /// project asks for are searched whatever it says.
-    void start(const Project& project, bool phases);
+    /// Scenarios that the project asks for are searched whatever the wish. A proved answer for the
+    /// part alone is followed by slower cycles farther from their limits, for about as long again.
+    void start(const Project& project, SearchWish wish);
     void stop(); ///< ends it; the best so far is the outcome
     void drop(); ///< ends it without an outcome
     [[nodiscard]] bool running() const { return m_progress.isActive(); }

@@ -61,6 +61,21 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
     }
 }
 
+QString FoundModel::kindOf(const FoundCycle& found) {
+    if (found.isBest) {
+        return tr("The quickest of the grid");
+    }
+    if (found.isBestOfItsNumber) {
+        return tr("The quickest of its number of stages");
+    }
+    switch (found.by) {
+    case FoundBy::search: break;
+    case FoundBy::margin: return tr("None is both quicker and farther from its limits");
+    case FoundBy::refinement: return tr("Between the levels of the grid, not proved");
+    }
+    return tr("The best so far when it was found");
+}
+
 QVariant FoundModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || index.row() >= rowCount()) {
         return {};
@@ -76,9 +91,7 @@ QVariant FoundModel::data(const QModelIndex& index, int role) const {
         return font;
     }
     case Qt::ToolTipRole: {
-        const QString what = found.isBest              ? tr("The quickest of all")
-                             : found.isBestOfItsNumber ? tr("The quickest of its number of stages")
-                                                       : tr("The best so far when it was found");
+        const QString what = kindOf(found);
         return what + u'\n' + text(found, cycle) + u'\n'
                + OptimiseText::cycleHint(m_outcome->project.operation);
     }

@@ -33,6 +33,7 @@ public:
 private:
     void tellAll(); ///< that every cell may have changed
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
+    [[nodiscard]] static QString kindOf(const FoundCycle& found);
 
     SearchOutcomePtr m_outcome;
     std::optional<double> m_present_s;

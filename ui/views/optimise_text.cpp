@@ -94,18 +94,23 @@ QString OptimiseText::names(const std::vector<ConstraintKind>& kinds) {
 }
 
 QString OptimiseText::state(const SearchState& state) {
-    if (state.stages == 0) {
+    if (state.stages == 0 && state.looksFor == FoundBy::search) {
         return tr("Begins");
     }
-    QStringList parts{tr("%n stage(s)", nullptr, state.stages)};
+    QStringList parts{state.looksFor == FoundBy::margin ? tr("Farther from the limits")
+                      : state.looksFor == FoundBy::refinement
+                          ? tr("Between the levels")
+                          : tr("%n stage(s)", nullptr, state.stages)};
     if (state.best_s) {
         parts << tr("best %1 min").arg(minutes(*state.best_s));
     }
     if (state.bound_s > 0) {
         parts << tr("none below %1 min").arg(minutes(state.bound_s));
     }
-    parts << tr("%1 judged").arg(QLocale().toString(qlonglong(state.evaluations)))
-          << tr("%1 s").arg(QLocale().toString(state.took_s, 'f', 0));
+    if (state.evaluations > 0) {
+        parts << tr("%1 judged").arg(QLocale().toString(qlonglong(state.evaluations)));
+    }
+    parts << tr("%1 s").arg(QLocale().toString(state.took_s, 'f', 0));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -176,6 +181,9 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                         .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.project)))
                   : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
                         .arg(minutes(best->time_s), minutes(outcome.bound_s)));
+    if (const FoundCycle* refined = outcome.refined()) {
+        lines << tr("Between the levels a cycle of %1 min holds; that none is quicker is not proved.").arg(minutes(refined->time_s));
+    }
     if (present_s && *present_s > 0) {
         constexpr double noticed = 5e-4;
         const double change = best->time_s / *present_s - 1;

@@ -84,7 +84,7 @@ void OptimiseView::runSearch() {
     m_searching = m_good->result.project;
     m_progress->setValue(0);
     m_progress->setFormat(OptimiseText::state({}));
-    m_runner->start(*m_searching, m_phases->isChecked());
+    m_runner->start(*m_searching, {m_phases->isChecked(), m_refine->isChecked()});
     showState();
 }
 
@@ -203,6 +203,7 @@ void OptimiseView::showState() {
     m_run->setVisible(!busy());
     m_run->setEnabled(given);
     m_phases->setEnabled(given && !busy());
+    m_refine->setEnabled(given && !busy());
     m_state->setText(given && !busy()
                          ? OptimiseText::gridSize(sparkout::gridSize(m_good->result.project))
                          : QString());

@@ -101,6 +101,7 @@ private:
     QPushButton* m_take;
     QPushButton* m_add;
     QCheckBox* m_phases;
+    QCheckBox* m_refine;
     QProgressBar* m_progress;
     QLabel* m_state;
     QLabel* m_notice;

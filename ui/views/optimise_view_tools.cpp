@@ -46,6 +46,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     , m_take(new QPushButton(this))
     , m_add(new QPushButton(this))
     , m_phases(new QCheckBox(this))
+    , m_refine(new QCheckBox(this))
     , m_progress(new QProgressBar(this))
     , m_state(new QLabel(this))
     , m_notice(new QLabel(this))
@@ -86,14 +87,14 @@ void OptimiseView::build(Settings* settings) {
     layout->addWidget(m_values);
     layout->addStretch(0);
     const std::pair<QWidget*, const char*> names[] = {
-        {m_curves, "optimiseCurves"},     {m_times, "optimiseTimes"},
-        {m_legend, "optimiseLegend"},     {m_pages->content(), "optimiseContent"},
-        {m_zone, "optimiseZone"},         {m_run, "optimiseRun"},
-        {m_stop, "optimiseStop"},         {m_take, "optimiseTake"},
-        {m_add, "optimiseAdd"},           {m_phases, "optimisePhases"},
-        {m_progress, "optimiseProgress"}, {m_state, "optimiseState"},
-        {m_notice, "optimiseNotice"},     {m_values, "optimiseValues"},
-        {m_table, "optimiseFound"},
+        {m_curves, "optimiseCurves"}, {m_times, "optimiseTimes"},
+        {m_legend, "optimiseLegend"}, {m_pages->content(), "optimiseContent"},
+        {m_zone, "optimiseZone"},     {m_run, "optimiseRun"},
+        {m_stop, "optimiseStop"},     {m_take, "optimiseTake"},
+        {m_add, "optimiseAdd"},       {m_phases, "optimisePhases"},
+        {m_refine, "optimiseRefine"}, {m_progress, "optimiseProgress"},
+        {m_state, "optimiseState"},   {m_notice, "optimiseNotice"},
+        {m_values, "optimiseValues"}, {m_table, "optimiseFound"},
     };
     for (const auto& [widget, name] : names) {
         widget->setObjectName(QLatin1String(name));
@@ -114,6 +115,7 @@ QWidget* OptimiseView::buildRunBar() {
     row->addWidget(m_run);
     row->addWidget(m_stop);
     row->addWidget(m_phases);
+    row->addWidget(m_refine);
     row->addWidget(m_state, 1);
     row->addWidget(m_progress, 1);
     row->addWidget(m_take);
@@ -217,6 +219,9 @@ void OptimiseView::nameParts() {
     name(*m_phases, tr("In every phase of the stock"),
          tr("The cycle must hold for stocks spread over one feed step of every stage too: where "
             "the last step falls decides on the size"));
+    name(*m_refine, tr("Between levels"),
+         tr("Go on from the quickest cycle between the levels of the grid, in the machine's steps: "
+            "every cycle is run in full, but that none is quicker is not proved"));
     name(*m_add, tr("Add a usual search"),
          tr("A dozen levels of each feed about the present cycle, and steps of stock; can be "
             "undone and changed on the page Search"));
