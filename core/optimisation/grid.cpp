@@ -26,9 +26,9 @@ GridFault Grid::read(const Project& project) {
                                            : levelValues(asked.spark_out);
     m_sparkOut = counts.empty() ? 0 : static_cast<int>(counts.front());
     const double whole = m_stock_mm / asked.stock_step_mm;
-    const double steps = m_sparkOut == 0         ? std::max(0.0, std::ceil(whole - 1e-9) - 1)
+    const double steps = m_sparkOut == 0        ? std::max(0.0, std::ceil(whole - 1e-9) - 1)
                          : asked.stage_stock_mm ? std::floor(whole + 1e-9)
-                                                 : std::ceil(whole - 1e-9);
+                                                : std::ceil(whole - 1e-9);
     if (settings < 1) {
         return GridFault::noLevels;
     }
