@@ -101,7 +101,7 @@ public:
     }
 
 private:
-    static constexpr int mostStride = 16;
+    static constexpr int mostStride = 64;
 
     [[nodiscard]] std::vector<double> moved(std::vector<double> values, std::size_t i,
                                             int steps) const {

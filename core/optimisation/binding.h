@@ -17,7 +17,7 @@ bindingRequirements(const Project& project, const FeasibleCycle& best,
                     const std::vector<Project>& scenarios = {});
 
 /// The same of a cycle off the grid that takes so long, run with the project's machine: in quicker
-/// cycles that differ from it in one setting of RefineSpace, or in one and a stock, by up to 16 of
+/// cycles that differ from it in one setting of RefineSpace, or in one and a stock, by up to 64 of
 /// their steps.
 [[nodiscard]] std::vector<ConstraintKind>
 bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t time_us,

@@ -21,7 +21,7 @@ void SearchCounts::add(const SearchCounts& other) {
 }
 
 CycleRunner::CycleRunner(const Project& project, const Grid& grid)
-    : m_grid(&grid), m_cuts(project) {
+    : m_grid(&grid), m_cuts(project), m_gauged(project.gauge.control == Control::gauge) {
     for (const std::size_t stages : grid.stageCounts()) {
         m_starts.resize(std::max(m_starts.size(), stages + 1));
         Start& start = m_starts[stages];
@@ -69,6 +69,10 @@ std::optional<SimulationResult> CycleRunner::run(const GridCycle& cycle, std::in
         }
     }
     counts.visits += run.visits();
+    if (const auto broken = m_cuts.brokenAtEnd(run); broken && control.finished()) {
+        ++counts.cuts[static_cast<std::size_t>(*broken)];
+        return std::nullopt;
+    }
     return steps->finish(control.stepsByStage());
 }
 

@@ -32,7 +32,7 @@ public:
     CycleRunner(const Project& project, const Grid& grid);
 
     /// A cycle at the end of which all is as simulate() has it; nothing when it was stopped: slower
-    /// than `slowest_us`, or its passes break a requirement, which then counts as cut.
+    /// than `slowest_us`, or its passes or diameters break a requirement, which then counts as cut.
     [[nodiscard]] std::optional<SimulationResult>
     run(const GridCycle& cycle, std::int64_t slowest_us, SearchCounts& counts);
     /// The steps of a cycle with so many stages before the first, to copy.
@@ -41,6 +41,7 @@ public:
     [[nodiscard]] SimulationResult finish(const GridCycle& cycle, const CycleSteps& steps,
                                           const std::vector<int>& stepsByStage);
     [[nodiscard]] const PassCuts& cuts() const { return m_cuts; }
+    [[nodiscard]] bool isGauged() const { return m_gauged; }
 
 private:
     /// The steps refer to the project, whose cycle is put in place when they finish.
@@ -51,6 +52,7 @@ private:
 
     const Grid* m_grid;
     PassCuts m_cuts;
+    bool m_gauged;
     std::vector<Start> m_starts; ///< by number of stages
 };
 

@@ -119,7 +119,7 @@ private:
     void reach(const CyclePrefix& from, std::size_t setting, const StageRuns::End& end,
                StageStates& next) {
         if (from.isBeforeLast()) {
-            complete(m_runs.after(from, setting, end, 0), end.steps);
+            m_judge.decideDone(m_runs.after(from, setting, end, 0), end.steps, m_runner);
             return;
         }
         const Run& run = end.steps.run();
@@ -151,17 +151,6 @@ private:
     [[nodiscard]] bool isBeaten(const Label& a, const Label& b) const {
         return b.time_s <= a.time_s
                && (m_rule == LabelRule::quickest || b.deflection_mm <= a.deflection_mm);
-    }
-
-    void complete(const CyclePrefix& whole, const CycleSteps& steps) {
-        if (comparedTime_us(steps.run().time_s()) > m_judge.bestTime_us()) {
-            return;
-        }
-        if (m_runs.isGauged()) {
-            m_judge.judge(whole.cycle, m_runner.finish(whole.cycle, steps, whole.counts));
-        } else {
-            m_judge.decide(whole.cycle, m_runner);
-        }
     }
 
     const Grid& m_grid;

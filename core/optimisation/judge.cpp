@@ -17,10 +17,7 @@ bool isBetter(const FeasibleCycle& a, const FeasibleCycle& b, const Grid& grid) 
 }
 
 Judge::Judge(const Grid& grid, const SearchOptions& options)
-    : m_grid(grid)
-    , m_variant(options.variant)
-    , m_beyond(options.beyondMargin)
-    , m_best(options.incumbent) {
+    : m_grid(grid), m_options(options), m_best(options.incumbent) {
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
@@ -59,17 +56,21 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
-    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_variant};
+    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant};
     if (found.time_us > bestTime_us()) {
         return false;
     }
     const std::optional<double> margin = leastMargin(result);
-    const int all = m_scenarios.empty() ? 0 : merged; // the first comes first in grid order
+    const int all = m_scenarios.empty() && !m_options.challenge
+                        ? 0
+                        : merged; // the first comes first in grid order
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
         if (const auto least = leastMargin(found.cycle, *margin)) {
             found.leastRelativeMargin = *least;
-            best |= (!m_beyond || *least > *m_beyond) && offer(found);
+            const bool far = !m_options.beyondMargin || *least > *m_options.beyondMargin;
+            best |= far && (!m_best || isBetter(found, *m_best, m_grid)) && !isChallenged(found)
+                    && offer(found);
         }
         if (more < all) {
             ++found.cycle[cycle.size() - 2].steps;
@@ -84,6 +85,43 @@ bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
     }
     ++counts.evaluations;
     return false;
+}
+
+void Judge::decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleRunner& runner,
+                       int merged) {
+    const std::int64_t time_us = comparedTime_us(steps.run().time_s());
+    if (time_us > bestTime_us()) {
+        return;
+    }
+    if (m_options.method == SearchMethod::pruned && time_us < m_options.quickest_us) {
+        ++counts.evaluations; // was judged before
+    } else if (!runner.isGauged()) {
+        decide(whole.cycle, runner);
+    } else if (const auto broken = runner.cuts().brokenAtEnd(steps.run())) {
+        ++counts.evaluations;
+        ++counts.cuts[static_cast<std::size_t>(*broken)];
+    } else {
+        judge(whole.cycle, runner.finish(whole.cycle, steps, whole.counts), merged);
+    }
+}
+
+/// Whether it fails on a part that the challenge has; the best so far must hold there, too.
+bool Judge::isChallenged(const FeasibleCycle& found) {
+    auto scenario = m_options.challenge ? m_options.challenge(found) : std::nullopt;
+    if (!scenario) {
+        return false;
+    }
+    m_scenarios.emplace(m_scenarios.begin(), *scenario, m_grid);
+    m_added.push_back(std::move(*scenario));
+    if (m_best && m_best->variant == m_options.variant) {
+        const auto result = m_scenarios.front().run(m_best->cycle, noTime_us, counts);
+        const auto margin = result ? leastMargin(*result) : std::nullopt;
+        m_stale = m_stale || !margin;
+        m_best->leastRelativeMargin = std::min(m_best->leastRelativeMargin, margin.value_or(0));
+    } else {
+        m_stale = m_stale || m_best;
+    }
+    return true;
 }
 
 bool Judge::offer(const FeasibleCycle& found) {

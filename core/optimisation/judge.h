@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/stage_runs.h"
 
 namespace sparkout {
 
@@ -20,24 +20,33 @@ public:
     bool judge(const GridCycle& cycle, const SimulationResult& result, int merged = 0);
     /// Runs and judges a cycle.
     bool decide(const GridCycle& cycle, CycleRunner& runner);
+    /// The same of one whose steps are done; under position control it is run again as the project
+    /// states it.
+    void decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleRunner& runner,
+                    int merged = 0);
     /// A best cycle found elsewhere.
     bool offer(const FeasibleCycle& found);
 
     [[nodiscard]] const std::optional<FeasibleCycle>& best() const { return m_best; }
     [[nodiscard]] std::int64_t bestTime_us() const { return m_best ? m_best->time_us : noTime_us; }
+    /// Scenarios of challenges, and whether the best failed in one of them.
+    [[nodiscard]] const std::vector<Project>& added() const { return m_added; }
+    [[nodiscard]] bool isStale() const { return m_stale; }
     SearchCounts counts;
 
 private:
+    bool isChallenged(const FeasibleCycle& found);
     /// The least relative margin; nothing when a requirement fails.
     std::optional<double> leastMargin(const SimulationResult& result);
     /// The same on the scenarios, from that of the part.
     std::optional<double> leastMargin(const GridCycle& cycle, double margin);
 
     const Grid& m_grid;
-    std::size_t m_variant;
-    std::optional<double> m_beyond;       ///< the margin that does not suffice
+    const SearchOptions& m_options;
     std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
+    std::vector<Project> m_added;
+    bool m_stale = false;
 };
 
 } // namespace sparkout

@@ -102,6 +102,11 @@ private:
         for (std::size_t kind = 0; kind < found.cuts.size(); ++kind) {
             m_sum.cuts[kind] += found.cuts[kind];
         }
+        for (const Project& scenario : found.added) {
+            m_own.scenarios.push_back(scenario);
+            m_sum.added.push_back(scenario);
+        }
+        m_sum.isStale = found.isStale;
         m_sum.checkpoint = found.checkpoint;
         m_sum.status = found.status;
         const bool none = found.status == SearchStatus::infeasible && !found.best;

@@ -76,6 +76,10 @@ struct SearchOptions {
     std::optional<double> beyondMargin;
     std::optional<FeasibleCycle> incumbent; ///< a cycle that holds, to be beaten
     std::size_t variant = 0;                ///< by optimise(): the one that is searched
+    /// Pruned search: a further part on which a cycle fails that would be the best, or nothing. The
+    /// part joins the scenarios.
+    std::function<std::optional<Project>(const FeasibleCycle&)> challenge;
+    std::int64_t quickest_us = 0; ///< no cycle that holds is quicker, as was proved before
 };
 
 enum class SearchStatus {
@@ -95,10 +99,14 @@ struct SearchSummary {
     std::int64_t gridSize = 0; ///< cycles in the grid
     long long evaluations = 0; ///< cycles decided on one by one
     long long visits = 0;      ///< radii under the wheel, of all runs
-    /// How often each requirement cut, by kind: a cycle counts for each it breaks, a branch that
-    /// was dropped at a pass once.
+    /// How often each requirement cut, by kind: a cycle counts for each it breaks, but for its
+    /// diameters alone where they miss the field; a branch that was dropped at a pass once.
     std::array<long long, constraintKinds> cuts{};
     SearchCheckpoint checkpoint; ///< full search
+    std::vector<Project> added;  ///< the scenarios of challenges
+    /// A best cycle failed in a scenario that was added later; what it cut off may be the best. The
+    /// search was stopped, and must be made again with the scenarios added.
+    bool isStale = false;
 };
 
 /// Searches the grid of a valid project. An empty grid is infeasible.

@@ -4,6 +4,7 @@
 #include "core/process/coupled_sections.h"
 #include "core/quality/cutting.h"
 #include "core/quality/self_sharpening.h"
+#include "core/units.h"
 
 namespace sparkout {
 
@@ -11,10 +12,17 @@ namespace {
 constexpr double burnTableError = 1e-4; ///< of √a over its limit, generously
 constexpr double peakRounding = 1e-9;
 constexpr double wattsPerKilowatt = 1e3;
+constexpr std::size_t traverseZones = 3;
 } // namespace
 
 // With sections coupled peak power is an integral over the length, which the passes do not keep.
-PassCuts::PassCuts(const Project& project) : m_burn(project.material.burn_rise_k.has_value()) {
+PassCuts::PassCuts(const Project& project)
+    : m_points(project.operation == Operation::traverse
+                   ? traverseZones
+                   : static_cast<std::size_t>(project.sections))
+    , m_least_mm(project.part.lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
+    , m_most_mm(project.part.upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
+    , m_burn(project.material.burn_rise_k.has_value()) {
     const Machine& machine = project.machine;
     if (machine.wheel_drive_kw && !isCoupled(project)) {
         m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + peakRounding);
@@ -44,6 +52,19 @@ std::optional<ConstraintKind> PassCuts::broken(const Run& run, std::size_t stage
     }
     if (m_workPower_w && sums.power_w.value > *m_workPower_w) {
         return ConstraintKind::workPower;
+    }
+    return std::nullopt;
+}
+
+std::optional<ConstraintKind> PassCuts::brokenAtEnd(const Run& run) const {
+    for (std::size_t point = 0; point < m_points; ++point) {
+        const auto [least, most] = run.diameterDeviations(point);
+        if (least < m_least_mm) {
+            return ConstraintKind::diameterMin;
+        }
+        if (most > m_most_mm) {
+            return ConstraintKind::diameterMax;
+        }
     }
     return std::nullopt;
 }

@@ -18,7 +18,13 @@ public:
     /// After a step of a stage, from 0.
     [[nodiscard]] std::optional<ConstraintKind> broken(const Run& run, std::size_t stage) const;
 
+    /// At the end of a cycle: a diameter outside of the drawing's field, by more than rounding.
+    /// What most cycles fail by, told without closing the books and judging all the rest.
+    [[nodiscard]] std::optional<ConstraintKind> brokenAtEnd(const Run& run) const;
+
 private:
+    std::size_t m_points;         ///< whose diameters count
+    double m_least_mm, m_most_mm; ///< of deviations
     bool m_burn;
     std::optional<double> m_wheelPower_w, m_workPower_w; ///< P_z·V_k allowed by the two drives
     std::optional<double> m_depth_mm;                    ///< of self-sharpening

@@ -51,7 +51,7 @@ public:
         , m_runner(project, grid)
         , m_runs(project, grid, m_runner.cuts())
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
-        , m_mayMerge(options.scenarios.empty()
+        , m_mayMerge(options.scenarios.empty() && !options.challenge
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_most(options.memory_bytes / prefixBytes(project, grid)) {}
 
@@ -59,7 +59,7 @@ public:
         begin();
         SearchSummary summary;
         while (const auto branch = take()) {
-            if (m_options.stop.stop_requested()) {
+            if (m_options.stop.stop_requested() || m_judge.isStale()) {
                 summary.status = SearchStatus::stopped;
                 break;
             }
@@ -78,6 +78,8 @@ public:
         summary.evaluations = m_judge.counts.evaluations;
         summary.visits = m_judge.counts.visits;
         summary.cuts = m_judge.counts.cuts;
+        summary.added = m_judge.added();
+        summary.isStale = m_judge.isStale();
         return summary;
     }
 
@@ -109,7 +111,7 @@ private:
         }
         std::sort(order.begin(), order.end());
         for (const auto& [bound_s, setting] : order) {
-            if (isSlower(bound_s) || m_options.stop.stop_requested()) {
+            if (isSlower(bound_s) || m_options.stop.stop_requested() || m_judge.isStale()) {
                 return;
             }
             const GridCycle cycle = m_grid.uniform(stages, setting);
@@ -192,7 +194,8 @@ private:
             },
             [&](const StageRuns::End& end) {
                 if (done.isBeforeLast()) {
-                    complete(from, setting, end);
+                    m_judge.decideDone(m_runs.after(done, setting, end, 0), end.steps, m_runner,
+                                       from.merged);
                     return;
                 }
                 for (int taken = end.first; taken <= (single ? end.last : end.first); ++taken) {
@@ -203,20 +206,6 @@ private:
                 }
             },
             m_judge.counts);
-    }
-
-    /// Judges a cycle behind its last stage.
-    void complete(const Prefix& from, std::size_t setting, const StageRuns::End& end) {
-        if (comparedTime_us(end.steps.run().time_s()) > m_judge.bestTime_us()) {
-            return;
-        }
-        const CyclePrefix whole = m_runs.after(from.done, setting, end, 0);
-        if (m_runs.isGauged()) {
-            m_judge.judge(whole.cycle, m_runner.finish(whole.cycle, end.steps, whole.counts),
-                          from.merged);
-        } else {
-            m_judge.decide(whole.cycle, m_runner);
-        }
     }
 
     const Grid& m_grid;

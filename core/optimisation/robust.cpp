@@ -28,12 +28,35 @@ double worstFailure(const SimulationResult& result) {
     return worst;
 }
 
+/// The scenario in which the project's cycle fails by most.
+std::optional<Project> worstFailing(const Project& best, std::vector<Project> scenarios) {
+    double worst = 0;
+    std::optional<Project> failing;
+    for (Project& scenario : scenarios) {
+        scenario.cycle = best.cycle;
+        const double failure = worstFailure(simulate(scenario));
+        if (failure < worst) {
+            worst = failure;
+            failing = std::move(scenario);
+        }
+    }
+    return failing;
+}
+
 } // namespace
 
 RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                const RobustOptions& options) {
     RobustSummary summary;
     SearchOptions search = options.search;
+    const Variants variants(project);
+    int draws = 0; // from the source
+    const auto challenge = [&](const FeasibleCycle& found) {
+        Project best = variants.project(found.variant);
+        best.optimisation = project.optimisation;
+        best.cycle = variants.grid(found.variant).cycle(found.cycle);
+        return worstFailing(best, source(best, draws++));
+    };
     while (summary.rounds < options.mostRounds) {
         summary.search = optimise(project, search);
         summary.evaluations += summary.search.evaluations;
@@ -41,26 +64,27 @@ RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& sou
         if (summary.rounds++ == 0 && summary.search.best) {
             summary.nominalTime_us = summary.search.best->time_us;
         }
+        for (Project& scenario : summary.search.added) {
+            search.scenarios.push_back(scenario);
+            summary.added.push_back(std::move(scenario));
+        }
+        if (summary.search.isStale) {
+            continue; // with its best in none of them
+        }
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
             return summary;
         }
-        const Project best = withBest(project, summary.search);
-        double worst = 0;
-        std::optional<Project> failing;
-        for (Project& scenario : source(best, summary.rounds - 1)) {
-            scenario.cycle = best.cycle;
-            const double failure = worstFailure(simulate(scenario));
-            if (failure < worst) {
-                worst = failure;
-                failing = std::move(scenario);
-            }
-        }
-        if (!failing) {
+        auto failing = search.challenge ? std::nullopt : challenge(*summary.search.best);
+        if (!failing) { // a challenge was drawn for this cycle
             summary.holdsInSample = true;
             return summary;
         }
         search.scenarios.push_back(*failing);
         summary.added.push_back(std::move(*failing));
+        search.quickest_us = summary.search.best->time_us; // further scenarios speed nothing up
+        if (search.method == SearchMethod::pruned) {
+            search.challenge = challenge;
+        }
     }
     return summary;
 }

@@ -29,6 +29,13 @@ struct RobustSummary {
 /// Optimises, tests the best cycle on the source's scenarios, adds the one that fails by most to
 /// those it must hold in, and again, until none fails [MODEL-8]. The answer is the best of the
 /// grid for the scenarios in the set; that it holds in others is shown for the last sample alone.
+///
+/// The pruned search is made twice: once for the part, then with the first scenario added. There
+/// every cycle that would be the best is tested at once, on scenarios drawn for it, and what it
+/// fails in joins the set. What was dropped before failed in a part of the final set or is slower
+/// than a cycle that was the best then; as long as that one holds in all scenarios that joined
+/// later, nothing is lost. Where it does not, the search is made again with the set as it is.
+/// Cycles quicker than the best without further scenarios were judged before: none of them holds.
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 

@@ -9,7 +9,9 @@ TradeOff tradeOff(const Project& project, const SearchSummary& quickest, SearchO
                   std::size_t most) {
     TradeOff found{{quickest}};
     while (found.cycles.size() < most) {
-        options.beyondMargin = found.cycles.back().best->leastRelativeMargin;
+        const FeasibleCycle& last = *found.cycles.back().best;
+        options.beyondMargin = last.leastRelativeMargin;
+        options.quickest_us = last.time_us + 1; // of equal times it has the greatest margin
         SearchSummary next = optimise(project, options);
         if (next.status != SearchStatus::proved) {
             found.isWhole = next.status == SearchStatus::infeasible;

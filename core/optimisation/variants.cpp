@@ -2,7 +2,9 @@
 #include "core/optimisation/variants.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace sparkout {
@@ -86,12 +88,18 @@ bool Variants::differInOne(std::size_t a, std::size_t b) const {
     return differences == 1;
 }
 
+// Of the cycles of a variant only whether they spark out counts for their number.
 std::int64_t Variants::size() const {
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
+    std::array<std::optional<std::int64_t>, 2> sizes;
     std::int64_t sum = 0;
     for (const Variant& each : m_variants) {
-        const std::int64_t size = each.grid.fault() == GridFault::none ? each.grid.size() : 0;
-        sum = size > most - sum ? most : sum + size;
+        if (each.grid.fault() != GridFault::none) {
+            continue;
+        }
+        std::optional<std::int64_t>& size = sizes[each.grid.sparkOut() > 0 ? 1 : 0];
+        size = size ? size : each.grid.size();
+        sum = *size > most - sum ? most : sum + *size;
     }
     return sum;
 }

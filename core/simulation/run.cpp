@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace sparkout {
@@ -211,15 +213,22 @@ SectionResult Run::sectionResult(std::size_t point, Zone zone) const {
     }
     const auto [low, high] = std::minmax_element(section.radii_mm.begin(), section.radii_mm.end());
     section.radialRunout_mm = *high - *low + m_project.machine.geometric_runout_um / units::umPerMm;
-    const double nominal = m_project.part.diameter_mm;
-    section.diameterDeviationMin_mm = section.radii_mm[0] + section.radii_mm[K / 2] - nominal;
-    section.diameterDeviationMax_mm = section.diameterDeviationMin_mm;
-    for (std::size_t k = 1; k < K / 2; ++k) {
-        const double deviation = section.radii_mm[k] + section.radii_mm[k + K / 2] - nominal;
-        section.diameterDeviationMin_mm = std::min(section.diameterDeviationMin_mm, deviation);
-        section.diameterDeviationMax_mm = std::max(section.diameterDeviationMax_mm, deviation);
-    }
+    std::tie(section.diameterDeviationMin_mm, section.diameterDeviationMax_mm) =
+        diameterDeviations(point);
     return section;
+}
+
+std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
+    const auto K = static_cast<std::size_t>(m_radii);
+    const double* depth_mm = m_lanes.depth_mm.data() + point * K;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t k = 0; k < K / 2; ++k) {
+        const double deviation =
+            radiusAt(depth_mm[k]) + radiusAt(depth_mm[k + K / 2]) - m_project.part.diameter_mm;
+        least = std::min(least, deviation);
+        most = std::max(most, deviation);
+    }
+    return {least, most};
 }
 
 void keepLargestPeaks(SimulationResult& result) {

@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace sparkout {
@@ -73,6 +74,8 @@ public:
     [[nodiscard]] double time_s() const { return m_result.time_s; }
     [[nodiscard]] long long visits() const { return m_result.visits; }
     [[nodiscard]] double burnUsage() const { return m_watch.burnUsage(); }
+    /// Least and most of a point's diameters D_k now, less the nominal one [mm].
+    [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
     /// Largest P_z·V_k [W] and largest a [mm] of a stage, from 0.
     [[nodiscard]] const StageSums& sumsOf(std::size_t stage) const {
         return m_result.sumsByStage[stage];

@@ -86,6 +86,26 @@ private slots:
         }
     }
 
+    void theMachineFoundGoesWithTheCycle() {
+        Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr usual = searched(project);
+        project.optimisation->work_speed_rpm =
+            std::vector<double>{project.machine.work_speed_rpm, 260};
+        project.optimisation->spark_out = std::vector<double>{0, 1};
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(usual && outcome && outcome->proved());
+        QVERIFY(outcome->best()->time_s <= usual->best()->time_s);
+        QCOMPARE(outcome->best()->machine.work_speed_rpm, optimise(project).machine.work_speed_rpm);
+        for (const FoundCycle& found : outcome->found) {
+            Project part = project;
+            part.cycle = found.cycle;
+            setMachine(part, found.machine);
+            QVERIFY(holdsAll(part));
+            QVERIFY(std::abs(simulate(part).time_s - found.time_s) <= 1e-6);
+            QVERIFY(sameSearch(part, project)); // taken, the search is not out of date
+        }
+    }
+
     // Every cycle of the list is one of the grid that holds, none is quicker than the first, and
     // the best of each number of stages is marked.
     void whatWasFoundHoldsAndTheQuickestIsFirst() {
