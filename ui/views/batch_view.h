@@ -57,7 +57,8 @@ signals:
     void batchShown(); ///< the outcome of a batch has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -88,7 +89,6 @@ private:
     void replotShown();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
-    [[nodiscard]] QString hint() const;          ///< below the plot, while nothing is pointed at
     [[nodiscard]] std::string chosenName() const;
     [[nodiscard]] QStringList heading() const;
 

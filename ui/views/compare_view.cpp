@@ -253,7 +253,7 @@ void CompareView::showState() {
     m_restore->setEnabled(run >= 0 && m_kept.inputs(run));
     m_rename->setEnabled(run >= 0);
     m_delete->setEnabled(run >= 0);
-    m_values->setText(hint());
+    readOut();
 }
 
 // --- texts --------------------------------------------------------------------------------------
@@ -359,13 +359,8 @@ void CompareView::retranslate() {
     showState();
 }
 
-void CompareView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        showLegend();
-    }
+void CompareView::recolour() {
+    showLegend();
 }
 
 } // namespace sparkout

@@ -51,7 +51,8 @@ signals:
     void keepWanted(); ///< the present run
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
     void followCycle() override;
 
@@ -83,7 +84,6 @@ private:
     [[nodiscard]] std::optional<ComparedFeeds> feedsOf(int run) const;
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString emptyText() const;
-    [[nodiscard]] QString hint() const;
     [[nodiscard]] QStringList heading() const;
 
     KeptRuns& m_kept;

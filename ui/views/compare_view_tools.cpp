@@ -79,7 +79,7 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
     setObjectName(QStringLiteral("compare"));
     build(settings);
     connectParts();
-    retranslate();
+    built();
 }
 
 QAction* CompareView::makeAction(const char* name, const char16_t* icon, const QKeySequence& keys) {
@@ -287,8 +287,7 @@ void CompareView::connectParts() {
         m_tools->navigation().forgetViews();
     });
     connect(m_plot, &ComparePlot::contentChanged, this, &CompareView::showLegend);
-    connect(m_plot, &ComparePlot::pointed, this,
-            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
+    connect(m_plot, &ComparePlot::pointed, this, &CompareView::readOut);
     connect(m_plot, &ComparePlot::timeClicked, this,
             [this](double time_s) { cycle().toTime(time_s); });
     connect(m_legend, &LegendStrip::toggled, this, [this](int key) {

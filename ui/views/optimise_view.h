@@ -58,7 +58,8 @@ signals:
     void curvesShown(); ///< the chosen cycle has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -85,7 +86,6 @@ private:
     void showCurves();
     void showState();
     [[nodiscard]] QString notice() const;
-    [[nodiscard]] QString hint() const; ///< below the plot, while nothing is pointed at
     [[nodiscard]] QStringList heading() const;
 
     ComparePlot* m_curves;

@@ -57,7 +57,8 @@ signals:
     void sweepShown(); ///< the outcome of a sweep has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -84,7 +85,6 @@ private:
     void showPresent();
     void showState();
     void showButtons();
-    void showPointText();
     void replotShown();
     void nameParts();
     [[nodiscard]] QString notice() const;
