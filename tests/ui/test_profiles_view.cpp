@@ -6,6 +6,7 @@
 #include "ui/views/band_layer.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
+#include "ui/views/names.h"
 #include "ui/views/plot_tools.h"
 #include "ui/views/profiles_layers.h"
 #include "ui/views/profiles_plot.h"
@@ -295,7 +296,7 @@ void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
     const double across = (p.radii_mm[9] + p.radii_mm[27] - 30) * 1000;
     for (const QString& piece :
          {QStringLiteral("Section 1"), QStringLiteral("φ = 90.0°"), QStringLiteral("k = 9"),
-          QString::number(deviation, 'f', 3), QString::number(across, 'f', 3)}) {
+          Names::fixed(deviation, 3), Names::fixed(across, 3)}) {
         QVERIFY2(values->text().contains(piece), qPrintable(values->text()));
     }
     QVERIFY(view.across()->pointer(1)->shown());
@@ -1005,7 +1006,7 @@ void TestProfilesView::theDescriptionTellsWhatIsDrawn() {
     for (const QString& piece :
          {QStringLiteral("After double stroke"), QStringLiteral("Entry reversal zone RZ1"),
           QStringLiteral("Exit reversal zone RZ2"), QStringLiteral("×2000"),
-          QString::number(m_traverse->result.sections[2].diameterDeviationMax_mm * 1000, 'f', 3)}) {
+          Names::fixed(m_traverse->result.sections[2].diameterDeviationMax_mm * 1000, 3)}) {
         QVERIFY2(text.contains(piece), qPrintable(text));
     }
     QVERIFY(view.accessibleDescription().contains(QStringLiteral("in the field")));

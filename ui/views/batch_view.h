@@ -42,7 +42,7 @@ public:
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
-    [[nodiscard]] bool busy() const; ///< runs a batch, or its Sobol indices
+    [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
     [[nodiscard]] bool stale() const { return m_batchStale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 

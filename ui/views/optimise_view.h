@@ -41,7 +41,7 @@ public:
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
-    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool busy() const override { return m_runner->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 

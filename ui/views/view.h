@@ -24,6 +24,7 @@ public:
     /// Of the window's views, in place of its own; it is given the outcomes first.
     void shareCycle(CycleCursor* cycle);
     virtual void retranslate() = 0;
+    [[nodiscard]] virtual bool busy() const { return false; } ///< with what it computes itself
     virtual void forget() {} ///< drops what was computed on demand: another document comes
 
 signals:
