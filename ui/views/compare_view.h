@@ -70,6 +70,8 @@ private:
     void showTable();
     void showState();
     void showMoment();
+    void shareHeight(bool withTable);
+    void fitTable(); ///< the values are in sight, what differs has the rest
     void showLegend();
     void fillAxes();
     void buildSecond();
@@ -101,6 +103,7 @@ private:
     QPushButton* m_keepHere;
     QSplitter* m_columns;
     QSplitter* m_halves;
+    QList<int> m_heights; ///< of the halves, while there is a table
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     CursorStrip* m_strip = nullptr;
