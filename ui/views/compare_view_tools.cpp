@@ -99,7 +99,7 @@ void CompareView::build(Settings* settings) {
     for (QLabel* label : {m_notice, m_empty}) {
         setUpNotice(*label);
     }
-    setTextLines(*m_empty, 3, 0); // a wrapped text tells a splitter one
+    setTextLines(*m_empty, 3, 2); // a wrapped text tells a splitter one
     setUpReadout(*m_values);
     auto* layout = columnIn(this);
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
