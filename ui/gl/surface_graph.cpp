@@ -19,7 +19,11 @@ constexpr int textureWidth = 256, textureHeight = 1024;
 constexpr int samples = 4;               ///< of a pixel
 constexpr double libraryRatio = 1 / 1.6; ///< of a picture, height over width, from which on the
                                          ///< library fits the graph to its width
-constexpr double groundBelow = 0.002;    ///< of the height, so that no facet lies in the ground
+constexpr double hair =
+    0.0004; ///< of the box: no facet lies in the ground, no wall is quite upright
+constexpr double leastScale = 1e-6;
+constexpr double lineShare =
+    0.3; ///< of a line's colour: as strong as a painted one of half a pixel
 
 QVector3D point(double length_mm, double feed_um, double number) {
     return {static_cast<float>(length_mm), static_cast<float>(feed_um), static_cast<float>(number)};
@@ -36,6 +40,17 @@ bool isBlank(const QImage& picture) {
         }
     }
     return true;
+}
+
+/// A line of the sheet, as pale as if it were painted thin.
+QColor thinned(const SurfaceSheet& sheet) {
+    const QColor& under = sheet.colours[sheet.colours.size() / 2];
+    const auto part = [](float line, float facet) {
+        return static_cast<float>(lineShare * line + (1 - lineShare) * facet);
+    };
+    return QColor::fromRgbF(part(sheet.line.redF(), under.redF()),
+                            part(sheet.line.greenF(), under.greenF()),
+                            part(sheet.line.blueF(), under.blueF()));
 }
 
 /// Four corners as a series, row by row.
@@ -70,6 +85,7 @@ SurfaceGraph::SurfaceGraph() {
         face = new QSurface3DSeries;
         face->setFlatShadingEnabled(false);
         face->setColorStyle(Q3DTheme::ColorStyleUniform);
+        face->setDrawMode(QSurface3DSeries::DrawSurfaceAndWireframe);
         m_graph->addSeries(face);
     }
 }
@@ -84,8 +100,11 @@ QImage SurfaceGraph::draw(const SurfaceGrid& grid, const SurfaceSight& sight, co
     if (!works() || pixels.isEmpty()) {
         return {};
     }
-    setLook(grid);
-    setSheets(grid);
+    if (m_shown != grid) {
+        setLook(grid);
+        setSheets(grid);
+        m_shown = grid;
+    }
     setBox(grid, sight);
     setEye(sight, pixels);
     QImage picture = m_graph->renderToImage(samples, pixels);
@@ -115,38 +134,42 @@ void SurfaceGraph::setLook(const SurfaceGrid& grid) {
 void SurfaceGraph::setScale(QValue3DAxis& axis, const SurfaceScale& scale) {
     axis.setTitle(scale.title);
     axis.setSegmentCount(1);
-    axis.setRange(0, static_cast<float>(std::max(scale.most, 1e-6)));
+    axis.setRange(0, static_cast<float>(std::max(scale.most, leastScale)));
 }
 
 // --- surface ------------------------------------------------------------------------------------
 
+/// New series each time: the library mixes old and new points of one whose size changes.
 void SurfaceGraph::setSheets(const SurfaceGrid& grid) {
-    while (m_sheets.size() < grid.sheets.size()) {
-        m_sheets.push_back(new QSurface3DSeries);
-        m_graph->addSeries(m_sheets.back());
+    for (QSurface3DSeries* series : m_sheets) {
+        m_graph->removeSeries(series);
+        delete series;
     }
-    for (std::size_t i = 0; i < m_sheets.size(); ++i) {
-        const bool used = i < grid.sheets.size();
-        m_sheets[i]->setVisible(used);
-        if (used) {
-            fill(*m_sheets[i], grid.sheets[i]);
-        }
+    m_sheets.clear();
+    for (const SurfaceSheet& sheet : grid.sheets) {
+        m_sheets.push_back(new QSurface3DSeries);
+        fill(*m_sheets.back(), sheet, grid.scales);
+        m_graph->addSeries(m_sheets.back());
     }
 }
 
-void SurfaceGraph::fill(QSurface3DSeries& series, const SurfaceSheet& sheet) {
+/// A point beyond a scale by a rounding would take its whole row or column out of the picture.
+void SurfaceGraph::fill(QSurface3DSeries& series, const SurfaceSheet& sheet,
+                        const std::array<SurfaceScale, 3>& scales) {
     auto* rows = new QSurfaceDataArray;
     for (std::size_t i = 0; i < sheet.numbers.size(); ++i) {
         auto* row = new QSurfaceDataRow;
         for (std::size_t j = 0; j < sheet.columns(); ++j) {
-            row->append(point(sheet.lengths_mm[j], sheet.feed_um(i, j), sheet.numbers[i]));
+            row->append(point(std::clamp(sheet.lengths_mm[j], 0.0, scales[0].most),
+                              sheet.feed_um(i, j),
+                              std::clamp(sheet.numbers[i], 0.0, scales[1].most)));
         }
         rows->append(row);
     }
     series.dataProxy()->resetArray(rows);
     series.setFlatShadingEnabled(false);
     series.setDrawMode(QSurface3DSeries::DrawSurfaceAndWireframe);
-    series.setWireframeColor(sheet.line);
+    series.setWireframeColor(sheet.newest ? sheet.line : thinned(sheet));
     series.setTexture(texture(sheet));
 }
 
@@ -177,23 +200,19 @@ QImage SurfaceGraph::texture(const SurfaceSheet& sheet) {
 
 void SurfaceGraph::setBox(const SurfaceGrid& grid, const SurfaceSight& sight) {
     const double length = grid.scales[0].most, number = grid.scales[1].most;
-    const double top = std::max(grid.scales[2].most, 1e-6), under = -groundBelow * top;
+    const double top = std::max(grid.scales[2].most, leastScale), under = -hair * top;
     setFace(*m_box[0], {point(0, under, 0), point(length, under, 0), point(0, under, number),
                         point(length, under, number)});
-    for (const bool opposite : {false, true}) {
-        const double x = opposite ? length : 0, y = opposite ? number : 0;
-        setFace(*m_box[opposite ? 3 : 1], {point(x, under, 0), point(x, top, 0),
-                                           point(x, under, number), point(x, top, number)});
-        setFace(*m_box[opposite ? 4 : 2], {point(0, under, y), point(length, under, y),
-                                           point(0, top, y), point(length, top, y)});
-    }
-    const bool seen[] = {true, sight.lengthZeroBehind, sight.numberZeroBehind,
-                         !sight.lengthZeroBehind, !sight.numberZeroBehind};
-    for (std::size_t i = 0; i < m_box.size(); ++i) {
-        m_box[i]->setVisible(seen[i]);
-        m_box[i]->setBaseColor(grid.wall);
-        m_box[i]->setDrawMode(QSurface3DSeries::DrawSurfaceAndWireframe);
-        m_box[i]->setWireframeColor(grid.edge);
+    // The library wants lengths and numbers to rise.
+    const double x0 = sight.lengthZeroBehind ? 0 : length * (1 - hair), x1 = x0 + length * hair;
+    setFace(*m_box[1], {point(x0, under, 0), point(x1, top, 0), point(x0, under, number),
+                        point(x1, top, number)});
+    const double y0 = sight.numberZeroBehind ? 0 : number * (1 - hair), y1 = y0 + number * hair;
+    setFace(*m_box[2], {point(0, under, y0), point(length, under, y0), point(0, top, y1),
+                        point(length, top, y1)});
+    for (QSurface3DSeries* face : m_box) {
+        face->setBaseColor(grid.wall);
+        face->setWireframeColor(grid.edge);
     }
 }
 

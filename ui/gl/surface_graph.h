@@ -8,6 +8,7 @@
 #include <QtDataVisualization/QValue3DAxis>
 
 #include <memory>
+#include <optional>
 
 namespace sparkout {
 
@@ -28,7 +29,8 @@ public:
     // What makes a grid into a graph; none of it needs a window.
     static void setScale(QValue3DAxis& axis, const SurfaceScale& scale);
     /// Length to the right, numbers away from the eye, feed upwards; the colours as a texture.
-    static void fill(QSurface3DSeries& series, const SurfaceSheet& sheet);
+    static void fill(QSurface3DSeries& series, const SurfaceSheet& sheet,
+                     const std::array<SurfaceScale, 3>& scales);
     /// The facets' colours seen from above, the first row below.
     [[nodiscard]] static QImage texture(const SurfaceSheet& sheet);
     /// The camera's zoom, in percent, that makes the box as large as it is painted.
@@ -41,9 +43,9 @@ private:
     void setEye(const SurfaceSight& sight, const QSize& pixels);
 
     std::unique_ptr<Q3DSurface> m_graph;
-    std::vector<QSurface3DSeries*> m_sheets; ///< of the graph
-    /// Ground, walls at length and number 0, and those opposite.
-    std::array<QSurface3DSeries*, 5> m_box{};
+    std::vector<QSurface3DSeries*> m_sheets;  ///< of the graph
+    std::array<QSurface3DSeries*, 3> m_box{}; ///< ground and the two walls at the back
+    std::optional<SurfaceGrid> m_shown;
 };
 
 } // namespace sparkout

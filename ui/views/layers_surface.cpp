@@ -150,10 +150,16 @@ void LayersSurface::showEvent(QShowEvent* event) {
 }
 
 void LayersSurface::startOpenGl() {
-    m_drawer = makeOpenGlDrawer();
-    if (m_drawer) {
-        replot(rpQueuedReplot);
+    if (std::unique_ptr<SurfaceDrawer> drawer = makeOpenGlDrawer()) {
+        setDrawer(std::move(drawer));
     }
+}
+
+void LayersSurface::setDrawer(std::unique_ptr<SurfaceDrawer> drawer) {
+    m_asked = true;
+    m_drawer = std::move(drawer);
+    m_slowDrawings = 0;
+    replot(rpQueuedReplot);
 }
 
 QImage LayersSurface::drawnByOpenGl(const SurfaceGrid& grid) {

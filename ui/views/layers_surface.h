@@ -47,6 +47,8 @@ public:
     [[nodiscard]] double nearness(double x, double y, double z) const;
     [[nodiscard]] SurfaceGrid grid() const; ///< what is drawn
     [[nodiscard]] SurfaceSight eye() const; ///< from where, in pixels of the widget
+    /// What draws it on the screen in place of the painter; null: nothing does.
+    void setDrawer(std::unique_ptr<SurfaceDrawer> drawer);
     [[nodiscard]] bool usesOpenGl() const { return m_drawer != nullptr; }
     /// The surface and its box for the axis rect; null: they are to be painted.
     [[nodiscard]] QImage drawnByOpenGl(const SurfaceGrid& grid);

@@ -31,6 +31,7 @@ struct SurfaceSheet {
     std::vector<QColor> colours;    ///< of the facets between the points, row by row
     QColor line;                    ///< about the facets
 
+    bool operator==(const SurfaceSheet&) const = default;
     [[nodiscard]] std::size_t columns() const { return lengths_mm.size(); }
     [[nodiscard]] double feed_um(std::size_t row, std::size_t column) const {
         return feeds_um[row * columns() + column];
@@ -43,6 +44,7 @@ struct SurfaceSheet {
 struct SurfaceScale {
     QString title;
     double most = 1; ///< from 0
+    bool operator==(const SurfaceScale&) const = default;
 };
 
 struct SurfaceGrid {
@@ -50,6 +52,7 @@ struct SurfaceGrid {
     std::array<SurfaceScale, 3> scales; ///< length, number, feed
     QColor background;
     QColor wall, edge; ///< of the box; opaque
+    bool operator==(const SurfaceGrid&) const = default;
 };
 
 /// From where the box is seen, by a parallel projection onto a picture about its middle.
