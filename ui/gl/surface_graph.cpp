@@ -108,6 +108,7 @@ QImage SurfaceGraph::draw(const SurfaceGrid& grid, const SurfaceSight& sight, co
     setBox(grid, sight);
     setEye(sight, pixels);
     QImage picture = m_graph->renderToImage(samples, pixels);
+    m_old.clear();
     return picture.isNull() || isBlank(picture) ? QImage() : picture;
 }
 
@@ -139,11 +140,12 @@ void SurfaceGraph::setScale(QValue3DAxis& axis, const SurfaceScale& scale) {
 
 // --- surface ------------------------------------------------------------------------------------
 
-/// New series each time: the library mixes old and new points of one whose size changes.
+/// New series each time: the library mixes old and new points of one whose size changes. The old
+/// ones live until the new ones are drawn: it knows series by their addresses.
 void SurfaceGraph::setSheets(const SurfaceGrid& grid) {
     for (QSurface3DSeries* series : m_sheets) {
         m_graph->removeSeries(series);
-        delete series;
+        m_old.emplace_back(series);
     }
     m_sheets.clear();
     for (const SurfaceSheet& sheet : grid.sheets) {

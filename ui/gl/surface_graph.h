@@ -43,8 +43,9 @@ private:
     void setEye(const SurfaceSight& sight, const QSize& pixels);
 
     std::unique_ptr<Q3DSurface> m_graph;
-    std::vector<QSurface3DSeries*> m_sheets;  ///< of the graph
-    std::array<QSurface3DSeries*, 3> m_box{}; ///< ground and the two walls at the back
+    std::vector<QSurface3DSeries*> m_sheets;              ///< of the graph
+    std::vector<std::unique_ptr<QSurface3DSeries>> m_old; ///< no longer of the graph
+    std::array<QSurface3DSeries*, 3> m_box{};             ///< ground and the two walls at the back
     std::optional<SurfaceGrid> m_shown;
 };
 

@@ -22,8 +22,8 @@ constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] a drag acros
 constexpr double leastZoom = 0.5, mostZoom = 8;
 constexpr double shareOfWidth = 0.56, shareOfHeight = 0.66; ///< of the plot, an edge of the box
 constexpr double flatness = SurfaceSight::flatness;
-constexpr qint64 slow_ms = 100; ///< for one drawing; so slow OpenGL is worse than none …
-constexpr int mostSlow = 5;     ///< … when it is so again and again
+constexpr qint64 slow_ms = 150; ///< for one drawing; so slow OpenGL is worse than none …
+constexpr int mostSlow = 10;    ///< … when it is so again and again
 
 double radians(double degrees) {
     return degrees / 180 * std::numbers::pi;
