@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/surface_opengl.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QLibrary>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+namespace sparkout {
+
+namespace {
+
+bool makesContext() {
+    const QString platform = QGuiApplication::platformName();
+    for (const char* without : {"offscreen", "minimal", "vnc", "linuxfb"}) {
+        if (platform == QLatin1String(without)) {
+            return false;
+        }
+    }
+    if (!qEnvironmentVariableIsEmpty("SPARKOUT_NO_OPENGL")) {
+        return false;
+    }
+    QOffscreenSurface surface;
+    surface.create();
+    QOpenGLContext context;
+    if (!surface.isValid() || !context.create() || !context.makeCurrent(&surface)) {
+        return false;
+    }
+    const bool enough = context.functions()->hasOpenGLFeature(QOpenGLFunctions::Shaders)
+                        && context.functions()->hasOpenGLFeature(QOpenGLFunctions::Framebuffers);
+    context.doneCurrent();
+    return enough;
+}
+
+using MakeDrawer = SurfaceDrawer* (*)();
+
+/// Once loaded it stays.
+MakeDrawer loadModule() {
+    const QString name = QStringLiteral("sparkout_surface");
+    for (const QString& folder :
+         {QCoreApplication::applicationDirPath(), QString::fromUtf8(SPARKOUT_MODULES)}) {
+        QLibrary module(folder + QStringLiteral("/lib") + name + QStringLiteral(".so"));
+        module.setLoadHints(QLibrary::PreventUnloadHint);
+        if (const QFunctionPointer make = module.resolve("sparkout_make_surface_drawer")) {
+            return reinterpret_cast<MakeDrawer>(make);
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+bool openGlWorks() {
+    static const bool works = makesContext();
+    return works;
+}
+
+std::unique_ptr<SurfaceDrawer> makeOpenGlDrawer() {
+    if (!openGlWorks()) {
+        return nullptr;
+    }
+    static const MakeDrawer make = loadModule();
+    return std::unique_ptr<SurfaceDrawer>(make ? make() : nullptr);
+}
+
+} // namespace sparkout
