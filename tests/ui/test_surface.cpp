@@ -243,6 +243,7 @@ private slots:
                            u':' + QString::fromLatin1(screen.readLine()).trimmed());
         environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
         environment.insert(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"), QStringLiteral("1"));
+        environment.insert(QStringLiteral("SPARKOUT_SOFTWARE_OPENGL"), QStringLiteral("1"));
         environment.remove(QStringLiteral("SPARKOUT_NO_OPENGL"));
         test.setProcessEnvironment(environment);
         test.setProcessChannelMode(QProcess::MergedChannels);

@@ -11,7 +11,8 @@
 namespace sparkout {
 
 /// Found out once, by a context that is made current. Never on a platform without a screen, nor
-/// when the environment sets SPARKOUT_NO_OPENGL.
+/// when the environment sets SPARKOUT_NO_OPENGL; of OpenGL in software only when it sets
+/// SPARKOUT_SOFTWARE_OPENGL.
 [[nodiscard]] bool openGlWorks();
 
 /// Null where OpenGL does not work or the module is missing.
