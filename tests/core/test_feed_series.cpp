@@ -5,6 +5,7 @@
 #include "core/simulation/simulate.h"
 
 #include "tests/registry.h"
+#include "tests/two_stage_projects.h"
 
 #include <QTest>
 
@@ -31,38 +32,14 @@ Run run(const Project& project) {
     return run;
 }
 
-Project traverseProject() {
-    Project p;
-    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    p.machine.dwell_entry_s = 0.333;
-    p.machine.dwell_exit_s = 0.333;
-    Stage rough, fine;
-    rough.radial_feed_mm = 0.004;
-    rough.axial_feed_mm_min = 1800;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm = 0.001;
-    fine.axial_feed_mm_min = 300;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
-    return p;
-}
+using fixtures::traverseProject;
 
 Project plungeProject(int sections) {
-    Project p = traverseProject();
-    p.operation = Operation::plunge;
-    p.sections = sections;
-    p.part.length_mm = 40;
-    std::vector<double> gammas;
+    Project p = fixtures::plungeProject(sections);
+    auto& gammas = std::get<std::vector<double>>(p.machine.compliance_mm_per_n);
     for (int j = 0; j < sections; ++j) {
-        gammas.push_back(2e-5 + 1e-6 * j);
+        gammas[static_cast<std::size_t>(j)] += 1e-6 * j;
     }
-    p.machine.compliance_mm_per_n = gammas;
-    Stage rough, fine;
-    rough.radial_feed_mm_min = 0.5;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm_min = 0.15;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
     return p;
 }
 

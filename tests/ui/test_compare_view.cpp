@@ -20,6 +20,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -270,6 +271,24 @@ private slots:
         const RunRow* stages = desk.find(QStringLiteral("Cycle › Stages"));
         QVERIFY(stages);
         QCOMPARE(stages->shown, (QStringList{QStringLiteral("3"), QStringLiteral("2")}));
+    }
+
+    void theValuesThatDifferAreInSight() {
+        Desk desk;
+        desk.keep();
+        auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
+        auto* curves = desk.view.plot();
+        const int alone = curves->height();
+        QVERIFY(!table->isVisible());
+        desk.change(quicker);
+        desk.keep();
+        desk.change([](Project& project) { project.cycle.stages[1].axial_feed_mm_min = 450; });
+        QVERIFY(table->isVisible() && curves->height() < alone - 80);
+        const QHeaderView* head = table->horizontalHeader();
+        QCOMPARE(head->count(), 4); // what, present, two kept
+        QVERIFY(head->length() <= table->viewport()->width());
+        const QModelIndex longest = desk.view.table()->index(1, 0);
+        QVERIFY(table->rowHeight(1) >= table->sizeHintForIndex(longest).height());
     }
 
     void theTableGoesToASpreadsheetWithAllDigits() {

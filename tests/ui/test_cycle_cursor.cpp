@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
 #include "tests/registry.h"
+#include "tests/two_stage_projects.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/run_controller.h"
 
@@ -17,34 +18,16 @@ using namespace sparkout;
 namespace {
 
 Project traverse() {
-    Project p;
+    Project p = fixtures::traverseProject();
     p.part.radii_per_section = 12;
-    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    p.machine.dwell_entry_s = 0.333;
     p.machine.dwell_exit_s = 0.667;
-    Stage rough, fine;
-    rough.radial_feed_mm = 0.004;
-    rough.axial_feed_mm_min = 1800;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm = 0.001;
-    fine.axial_feed_mm_min = 300;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
     return p;
 }
 
 Project plunge() {
-    Project p = traverse();
-    p.operation = Operation::plunge;
-    p.sections = 3;
-    p.part.length_mm = 40;
+    Project p = fixtures::plungeProject(3);
+    p.part.radii_per_section = 12;
     p.machine.compliance_mm_per_n = std::vector<double>{2e-5, 3e-5, 4e-5};
-    Stage rough, fine;
-    rough.radial_feed_mm_min = 0.5;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm_min = 0.15;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
     return p;
 }
 

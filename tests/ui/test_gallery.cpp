@@ -75,6 +75,8 @@ private slots:
             for (View* view : bench.window->views()) {
                 bench.window->viewTabs().showView(view);
                 bench.settle();
+                QTRY_VERIFY_WITH_TIMEOUT(!view->busy(), 60'000);
+                bench.settle();
                 const QImage image = pictureOf(*bench.window);
                 const QString name =
                     QStringLiteral("%1-%2-%3-%4.png")

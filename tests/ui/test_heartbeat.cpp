@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window never stands still: a heartbeat of 5 ms beats on while values are dragged and
-// projects opened. Prints the worst gap; fails only at four times the target, so that a busy
+// projects opened. Prints the worst gap, and the worst that comes back at its time when the same is
+// done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
 #include "core/project/project_file.h"
 #include "tests/registry.h"
+#include "tests/tries.h"
 #include "tests/ui/long_project.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace test_heartbeat {
@@ -43,24 +46,26 @@ double waited_ms() {
                                           : 0;
 }
 
+struct Beat {
+    double at_ms = 0;  ///< since the first
+    double gap_ms = 0; ///< without the waits for a processor
+};
+using Beats = std::vector<Beat>;
+
 /// Beats and remembers how late it was.
 class Heartbeat : public QObject {
 public:
     Heartbeat() {
         m_timer.setTimerType(Qt::PreciseTimer);
         connect(&m_timer, &QTimer::timeout, this, &Heartbeat::beat);
+        m_all.start();
         m_clock.start();
         m_timer.start(beat_ms);
     }
-    /// Prints and gives the worst gap that is the window's own.
-    double report(const char* what) {
+    [[nodiscard]] Beats stop() {
         beat();
-        std::sort(m_gaps_ms.begin(), m_gaps_ms.end());
-        qInfo("HEARTBEAT %s: worst gap %.1f ms, 99 of 100 below %.1f ms, %zu beats; with the waits "
-              "for a processor %.1f ms; target %g ms",
-              what, m_gaps_ms.back(), m_gaps_ms[m_gaps_ms.size() * 99 / 100], m_gaps_ms.size(),
-              m_worst_ms, target_ms);
-        return m_gaps_ms.back();
+        m_timer.stop();
+        return std::move(m_beats);
     }
 
 private:
@@ -68,17 +73,57 @@ private:
         const double gap_ms = double(m_clock.nsecsElapsed()) * 1e-6;
         const double waits_ms = waited_ms();
         m_clock.start();
-        m_worst_ms = std::max(m_worst_ms, gap_ms);
-        m_gaps_ms.push_back(std::max(0.0, gap_ms - (waits_ms - m_waited_ms)));
+        m_beats.push_back({double(m_all.nsecsElapsed()) * 1e-6,
+                           std::max(0.0, gap_ms - (waits_ms - m_waited_ms))});
         m_waited_ms = waits_ms;
     }
 
     QTimer m_timer;
-    QElapsedTimer m_clock;
+    QElapsedTimer m_clock, m_all;
     double m_waited_ms = waited_ms();
-    double m_worst_ms = 0;
-    std::vector<double> m_gaps_ms;
+    Beats m_beats;
 };
+
+/// The worst gap of the first run that every other one has too, within 150 ms of its time.
+double worstThatComesBack_ms(const std::vector<Beats>& runs) {
+    double worst_ms = 0;
+    for (const Beat& beat : runs.front()) {
+        double common_ms = beat.gap_ms;
+        for (const Beats& other : runs) {
+            double near_ms = 0;
+            for (const Beat& its : other) {
+                near_ms = std::abs(its.at_ms - beat.at_ms) <= 150 ? std::max(near_ms, its.gap_ms)
+                                                                  : near_ms;
+            }
+            common_ms = std::min(common_ms, near_ms);
+        }
+        worst_ms = std::max(worst_ms, common_ms);
+    }
+    return worst_ms;
+}
+
+/// Does it up to three times, as long as the worst gap is over the target (`leastOfTries_ms` says
+/// why), prints, and gives the window's own worst gap.
+double watched_ms(const char* what, const std::function<void()>& act) {
+    std::vector<Beats> runs;
+    const auto worst = [](const Beats& beats) {
+        return std::ranges::max(beats, {}, &Beat::gap_ms).gap_ms;
+    };
+    leastOfTries_ms(target_ms, [&] {
+        Heartbeat heart;
+        act();
+        runs.push_back(heart.stop());
+        return worst(runs.back());
+    });
+    Beats sorted = runs.front();
+    std::ranges::sort(sorted, {}, &Beat::gap_ms);
+    const double own_ms = worstThatComesBack_ms(runs);
+    qInfo("HEARTBEAT %s: worst gap %.1f ms, 99 of 100 below %.1f ms, %zu beats; in all %zu runs at "
+          "the same time %.1f ms; target %g ms",
+          what, sorted.back().gap_ms, sorted[sorted.size() * 99 / 100].gap_ms, sorted.size(),
+          runs.size(), own_ms, target_ms);
+    return own_ms;
+}
 
 /// A slider a person could drag now, wherever the forms have one.
 QSlider* sliderInSight(MainWindow& window) {
@@ -168,15 +213,15 @@ private slots:
         }
         QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
         const Project before = bench.window->document().project();
-        Heartbeat heartbeat;
-        slider ? dragSlider(*slider) : dragFeed(bench.window->document());
-        const double worst_ms = heartbeat.report(slider ? "dragging a slider" : "dragging a feed");
+        const double worst_ms = watched_ms(slider ? "dragging a slider" : "dragging a feed", [&] {
+            slider ? dragSlider(*slider) : dragFeed(bench.window->document());
+            bench.window->document().undo(); // the whole drag is one step
+            QVERIFY(sameProject(bench.window->document().project(), before));
+        });
         QTRY_VERIFY(!bench.window->runs().running());
         qInfo("HEARTBEAT outcomes shown meanwhile: %d", int(shown.count()));
         QVERIFY(shown.count() > 20); // the curves followed
         QVERIFY(worst_ms <= limit_ms);
-        bench.window->document().undo(); // the whole drag is one step
-        QVERIFY(sameProject(bench.window->document().project(), before));
     }
 
     void theLargestExampleIsOpened() {
@@ -184,13 +229,14 @@ private slots:
         QVERIFY(!path.isEmpty());
         Bench bench(QStringLiteral("en"));
         QVERIFY(bench.open(examplePaths().front()));
-        Heartbeat heartbeat;
-        for (int time = 0; time < 5; ++time) {
-            QVERIFY(bench.open(path));
-            QTest::qWait(100);
-        }
         const QByteArray what = "opening " + nameOf(path).toUtf8();
-        QVERIFY(heartbeat.report(what.constData()) <= limit_ms);
+        const double worst_ms = watched_ms(what.constData(), [&] {
+            for (int time = 0; time < 5; ++time) {
+                QVERIFY(bench.open(path));
+                QTest::qWait(100);
+            }
+        });
+        QVERIFY(worst_ms <= limit_ms);
     }
 
     /// The largest example, by radius at the highest speed, in every view that follows.
@@ -206,16 +252,14 @@ private slots:
             for (const Qt::Key last : {Qt::Key_Home, Qt::Key_End}) { // by stage … by radius
                 QTest::keyClick(unit, last);
                 QTest::keyClick(unit, last == Qt::Key_Home ? Qt::Key_Down : Qt::Key_End);
-                bench.window->cursor().setPosition(0);
-                bench.settle();
-                Heartbeat heartbeat;
-                QTest::mouseClick(play, Qt::LeftButton);
-                QTest::qWait(1500);
-                const long long reached = bench.window->cursor().position();
                 const QByteArray what = QByteArray("playing the view ") + view;
-                const double worst_ms = heartbeat.report(what.constData());
-                bench.window->findChild<PlaybackBar*>()->setPlaying(false);
-                QVERIFY(reached > 10);
+                const double worst_ms = watched_ms(what.constData(), [&] {
+                    bench.window->cursor().setPosition(0);
+                    QTest::mouseClick(play, Qt::LeftButton);
+                    QTest::qWait(1500);
+                    bench.window->findChild<PlaybackBar*>()->setPlaying(false);
+                    QVERIFY(bench.window->cursor().position() > 10);
+                });
                 QVERIFY(worst_ms <= limit_ms);
             }
         }
@@ -230,18 +274,19 @@ private slots:
     void aProjectOfMillionsOfVisitsIsRun() {
         QFETCH(int, sections);
         Bench bench(QStringLiteral("en"));
-        QVERIFY(bench.open(examplePaths().front()));
-        Heartbeat heartbeat;
-        QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
-        bench.window->document().startUntitled(longProject(sections));
-        QTRY_VERIFY_WITH_TIMEOUT(shown.count() > 0, 60'000);
-        QTest::qWait(200);
-        QVERIFY(bench.window->outcome()->ran());
+        const double worst_ms = watched_ms("running millions of visits", [&] {
+            QVERIFY(bench.open(examplePaths().front()));
+            QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+            bench.window->document().startUntitled(longProject(sections));
+            QTRY_VERIFY_WITH_TIMEOUT(shown.count() > 0, 60'000);
+            QTest::qWait(200);
+            QVERIFY(bench.window->outcome()->ran());
+        });
         qInfo("HEARTBEAT %lld visits in %.0f ms",
               static_cast<long long>(bench.window->outcome()->result.visits),
               bench.window->runs().lastRun_ms());
         QVERIFY(bench.window->outcome()->result.visits > 1'000'000);
-        QVERIFY(heartbeat.report("running millions of visits") <= limit_ms);
+        QVERIFY(worst_ms <= limit_ms);
     }
 };
 

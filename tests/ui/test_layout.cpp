@@ -35,6 +35,7 @@ public:
     QString title() const override { return objectName().toUpper(); }
     void showOutcome() override {}
     void retranslate() override {}
+    QString hint() const override { return {}; }
 };
 
 struct Tabs {

@@ -3,7 +3,9 @@
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "ui/views/legend_strip.h"
+#include "ui/views/names.h"
 #include "ui/views/plot_history.h"
+#include "ui/views/plot_style.h"
 #include "ui/views/plot_tools.h"
 
 #include <QApplication>
@@ -252,6 +254,18 @@ private slots:
     }
 
     // --- copies and menus -----------------------------------------------------------------------
+
+    void numbersHaveATrueMinus() {
+        QCustomPlot plot;
+        style::setUpAxis(*plot.yAxis);
+        plot.yAxis->setRange(-10, 10);
+        plot.resize(400, 300);
+        plot.replot();
+        const QVector<QString> labels = plot.yAxis->tickVectorLabels();
+        QVERIFY(labels.contains(QStringLiteral("−5")) && labels.contains(QStringLiteral("5")));
+        QCOMPARE(Names::micrometres(-9.604), QStringLiteral("−9.60"));
+        QCOMPARE(Names::fixed(-0.0004, 3), QStringLiteral("0.000")); // never −0
+    }
 
     void copiesReachTheClipboard() {
         Plain p;

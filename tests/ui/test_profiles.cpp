@@ -3,6 +3,7 @@
 #include "core/process/profile.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
+#include "tests/two_stage_projects.h"
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/profiles_series.h"
 
@@ -20,34 +21,11 @@ using namespace sparkout;
 
 namespace {
 
-Project traverseProject() {
-    Project p;
-    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    p.machine.dwell_entry_s = 0.333;
-    Stage rough, fine;
-    rough.radial_feed_mm = 0.004;
-    rough.axial_feed_mm_min = 1800;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm = 0.001;
-    fine.axial_feed_mm_min = 300;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
-    return p;
-}
+using fixtures::traverseProject;
 
 Project plungeProject(int sections) {
-    Project p = traverseProject();
-    p.operation = Operation::plunge;
-    p.sections = sections;
-    p.part.length_mm = 40;
+    Project p = fixtures::plungeProject(sections);
     p.machine.geometric_runout_um = 0.5;
-    p.machine.compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(sections), 2e-5);
-    Stage rough, fine;
-    rough.radial_feed_mm_min = 0.5;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm_min = 0.15;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
     return p;
 }
 

@@ -2,9 +2,11 @@
 // The view "Zone profiles", worked with mouse and keys.
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
+#include "tests/ui/view_fixtures.h"
 #include "ui/views/band_layer.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/longitudinal_plot.h"
+#include "ui/views/names.h"
 #include "ui/views/plot_tools.h"
 #include "ui/views/profiles_layers.h"
 #include "ui/views/profiles_plot.h"
@@ -39,34 +41,11 @@ using namespace sparkout;
 
 namespace {
 
-Project traverseProject() {
-    Project p;
-    p.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
-    Stage rough, fine;
-    rough.radial_feed_mm = 0.004;
-    rough.axial_feed_mm_min = 1800;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm = 0.001;
-    fine.axial_feed_mm_min = 300;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
-    return p;
-}
-
-Project plungeProject(int sections) {
-    Project p = traverseProject();
-    p.operation = Operation::plunge;
-    p.sections = sections;
-    p.part.length_mm = 40;
-    p.machine.compliance_mm_per_n = std::vector<double>(static_cast<std::size_t>(sections), 2e-5);
-    Stage rough, fine;
-    rough.radial_feed_mm_min = 0.5;
-    rough.stock_mm = 0.110;
-    fine.radial_feed_mm_min = 0.15;
-    fine.stock_mm = 0.040;
-    p.cycle.stages = {rough, fine};
-    return p;
-}
+using fixtures::hover;
+using fixtures::Marking;
+using fixtures::plungeProject;
+using fixtures::refused;
+using fixtures::traverseProject;
 
 OutcomePtr run(const Project& project, bool recorded = true) {
     auto outcome = std::make_shared<Outcome>();
@@ -76,22 +55,6 @@ OutcomePtr run(const Project& project, bool recorded = true) {
     }
     return outcome;
 }
-
-OutcomePtr refused() {
-    auto outcome = std::make_shared<Outcome>();
-    outcome->issues.push_back(
-        {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "5000", "0.5…1000 mm"});
-    return outcome;
-}
-
-/// Marks every text, so that an untranslated one shows.
-class Marking : public QTranslator {
-public:
-    QString translate(const char*, const char* text, const char*, int) const override {
-        return QStringLiteral("«") + QString::fromUtf8(text) + QStringLiteral("»");
-    }
-    [[nodiscard]] bool isEmpty() const override { return false; }
-};
 
 void show(ProfilesView& view, const OutcomePtr& outcome) {
     if (!view.isVisible()) {
@@ -113,16 +76,8 @@ T* part(const ProfilesView& view, const char* name) {
 }
 
 void wheel(QWidget* widget, const QPointF& at, int delta) {
-    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, delta}, Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(widget, &event);
+    fixtures::wheel(widget, at, delta);
     settle();
-}
-
-void hover(QWidget* widget, const QPointF& at) {
-    QMouseEvent event(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
-                      Qt::NoModifier);
-    QApplication::sendEvent(widget, &event);
 }
 
 void drag(QWidget* widget, const QPoint& from, const QPoint& by) {
@@ -341,7 +296,7 @@ void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
     const double across = (p.radii_mm[9] + p.radii_mm[27] - 30) * 1000;
     for (const QString& piece :
          {QStringLiteral("Section 1"), QStringLiteral("φ = 90.0°"), QStringLiteral("k = 9"),
-          QString::number(deviation, 'f', 3), QString::number(across, 'f', 3)}) {
+          Names::fixed(deviation, 3), Names::fixed(across, 3)}) {
         QVERIFY2(values->text().contains(piece), qPrintable(values->text()));
     }
     QVERIFY(view.across()->pointer(1)->shown());
@@ -1051,7 +1006,7 @@ void TestProfilesView::theDescriptionTellsWhatIsDrawn() {
     for (const QString& piece :
          {QStringLiteral("After double stroke"), QStringLiteral("Entry reversal zone RZ1"),
           QStringLiteral("Exit reversal zone RZ2"), QStringLiteral("×2000"),
-          QString::number(m_traverse->result.sections[2].diameterDeviationMax_mm * 1000, 'f', 3)}) {
+          Names::fixed(m_traverse->result.sections[2].diameterDeviationMax_mm * 1000, 3)}) {
         QVERIFY2(text.contains(piece), qPrintable(text));
     }
     QVERIFY(view.accessibleDescription().contains(QStringLiteral("in the field")));

@@ -292,7 +292,9 @@ private slots:
         QVERIFY(other);
         QTest::keyClick(other, Qt::Key_Down);
         QTest::keyClick(other, Qt::Key_Return);
-        QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Zone or section\t")));
+        const QString copied = QApplication::clipboard()->text();
+        QVERIFY(copied.startsWith(QStringLiteral("Zone or section\t")));
+        QVERIFY(copied.contains(QStringLiteral("\t-")) && !copied.contains(u'−')); // as Excel reads
     }
 
     // --- room -----------------------------------------------------------------------------------

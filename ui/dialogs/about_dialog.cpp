@@ -69,7 +69,8 @@ QString AboutDialog::versions() {
             .arg(QString::fromUtf8(qVersion()), QStringLiteral(QT_VERSION_STR)),
         tr("Libraries: %1")
             .arg(QStringLiteral("QCustomPlot " QCUSTOMPLOT_VERSION_STR ", Eigen %1, JSON %2, "
-                                "Boost %3, NLopt %4, qpdf " QPDF_VERSION ", zlib %5")
+                                "Boost %3, NLopt %4, qpdf " QPDF_VERSION ", zlib %5, "
+                                "Qt DataVisualization (GPL 3)")
                      .arg(text(engine.eigen), text(engine.json), text(engine.boost),
                           text(engine.nlopt), QString::fromUtf8(ZipWriter::libraryVersion()))),
         tr("Compiler: %1").arg(text(engine.compiler)),

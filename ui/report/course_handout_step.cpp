@@ -188,8 +188,7 @@ Facts CourseHandout::stepFacts(const Outcome& outcome, const HandoutStep& step) 
                              withUnit(Names::significant(pass.effectiveWidth_mm, 4), "mm"));
     facts.facts.emplace_back(tr("Programmed so far, tП"), micrometres(visit.programmed_mm));
     facts.facts.emplace_back(tr("Actual feed a"), micrometres(visit.actual_mm));
-    facts.facts.emplace_back(tr("Stock left at this radius"),
-                             micrometres(stock).replace(u'-', QChar(0x2212)));
+    facts.facts.emplace_back(tr("Stock left at this radius"), micrometres(stock));
     return facts;
 }
 

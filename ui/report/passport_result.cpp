@@ -261,7 +261,7 @@ Table Passport::requirements(const Outcome& outcome) {
         const bool sign =
             c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
         const auto amount = [&c](double value, bool withSign) {
-            return Names::amount(c.kind, value, withSign).replace(u'-', QChar(0x2212));
+            return Names::amount(c.kind, value, withSign);
         };
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), amount(c.value, sign),
                               amount(c.limit, sign), amount(c.margin, true),

@@ -5,17 +5,10 @@
 #include "core/batch/sensitivity.h"
 #include "core/issue.h"
 #include "core/project/given_factors.h"
-#include "ui/session/newest_job.h"
+#include "ui/session/counted_job.h"
 
-#include <QElapsedTimer>
-#include <QObject>
-#include <QTimer>
-
-#include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -44,39 +37,19 @@ using SobolIndicesPtr = std::shared_ptr<const SobolIndices>;
 /// How many parts Sobol indices take.
 [[nodiscard]] std::int64_t partsOfIndices(const Project& project, int points);
 
-/// Runs batches, or the parts that Sobol indices take, off the window's thread, one at a time: a
-/// newer one drops the older. It leaves one processor to the window. Destroying it ends what runs
-/// and waits for it.
-class BatchRunner : public QObject {
+/// Runs batches, or the parts that Sobol indices take.
+class BatchRunner : public CountedJob {
     Q_OBJECT
 
 public:
-    explicit BatchRunner(QObject* parent = nullptr);
+    using CountedJob::CountedJob;
 
     void start(const Project& project);                    ///< the project's batch
     void startIndices(const Project& project, int points); ///< of a batch that checkBatch() passes
-    void stop(); ///< ends it; what is done until then is the outcome
-    void drop(); ///< ends it without an outcome
-    [[nodiscard]] bool running() const { return m_progress.isActive(); }
 
 signals:
-    void progressed(qint64 done, qint64 parts, double left_s); ///< left_s below 0: not known yet
     void finished(sparkout::BatchOutcomePtr outcome);
     void indicesFound(sparkout::SobolIndicesPtr indices); ///< null: stopped, or there are none
-
-private:
-    /// Computes, and says what to do with it in the window's thread.
-    using Work = std::function<NewestJob::Answer(const BatchOptions&)>;
-
-    void run(std::int64_t parts, Work work);
-    void tell();
-
-    QTimer m_progress;
-    QElapsedTimer m_took;
-    qint64 m_parts = 0;
-    std::shared_ptr<std::atomic<std::int64_t>> m_done; ///< shared with the batch that is running
-    std::stop_source m_stop;
-    NewestJob m_job; ///< the last member: gone before what its batch uses
 };
 
 } // namespace sparkout

@@ -21,19 +21,9 @@ constexpr double plenty = 99;     ///< Cpk beyond which only that is told
 constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
 constexpr double minute_s = 60;
 
-QLocale batchNumbers() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    return numbers;
-}
-
-QString decimals(double value, int count) {
-    return batchNumbers().toString(value, 'f', count).replace(u'-', u'−');
-}
-
 QString percent(double share) {
     const double hundredth = 100 * share;
-    return decimals(hundredth, hundredth > 0 && hundredth < 10 ? 1 : 0);
+    return Names::fixed(hundredth, hundredth > 0 && hundredth < 10 ? 1 : 0);
 }
 
 /// Cpk, where it was made; else the greatest number.
@@ -81,7 +71,7 @@ QString BatchText::factorAxis(FactorKind kind) {
 QString BatchText::value(double value, const Characteristic& characteristic) {
     const int count =
         std::clamp(static_cast<int>(std::lround(-std::log10(characteristic.resolution))), 0, 6);
-    return decimals(std::abs(value) < 0.5 * std::pow(10, -count) ? 0 : value, count);
+    return Names::fixed(value, count);
 }
 
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
@@ -95,13 +85,13 @@ QString BatchText::capability(const std::optional<Capability>& capability) {
     return capability->interval.low > plenty
                ? brief(*capability)
                : QStringLiteral("%1 (%2…%3)")
-                     .arg(brief(*capability), decimals(capability->interval.low, 2),
-                          decimals(capability->interval.high, 2));
+                     .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
+                          Names::fixed(capability->interval.high, 2));
 }
 
 QString BatchText::brief(const Capability& capability) {
     return capability.interval.low > plenty ? QStringLiteral("> %1").arg(plenty)
-                                            : decimals(capability.value, 2);
+                                            : Names::fixed(capability.value, 2);
 }
 
 QString BatchText::share(const Share& share) {
@@ -117,8 +107,9 @@ QString BatchText::normality(const CharacteristicSummary& summary) {
     if (!summary.normality) {
         return QStringLiteral("–");
     }
-    const QString p = *summary.normality < 0.001 ? QStringLiteral("< %1").arg(decimals(0.001, 3))
-                                                 : decimals(*summary.normality, 3);
+    const QString p = *summary.normality < 0.001
+                          ? QStringLiteral("< %1").arg(Names::fixed(0.001, 3))
+                          : Names::fixed(*summary.normality, 3);
     return *summary.normality < doubtful ? tr("%1, not normal").arg(p) : p;
 }
 

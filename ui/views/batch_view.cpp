@@ -176,7 +176,7 @@ void BatchView::showState() {
     for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->setEnabled(drawn);
     }
-    m_values->setText(hint());
+    readOut();
     m_histograms->setAccessibleDescription(m_state->text());
 }
 
@@ -310,16 +310,8 @@ void BatchView::retranslate() {
     }
 }
 
-void BatchView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_pages || m_pages->all().empty()) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_pages->showLegend();
-    }
+void BatchView::recolour() {
+    m_pages->showLegend();
 }
 
 } // namespace sparkout

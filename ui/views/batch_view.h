@@ -42,7 +42,7 @@ public:
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
-    [[nodiscard]] bool busy() const; ///< runs a batch, or its Sobol indices
+    [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
     [[nodiscard]] bool stale() const { return m_batchStale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -57,7 +57,8 @@ signals:
     void batchShown(); ///< the outcome of a batch has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -88,7 +89,6 @@ private:
     void replotShown();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
-    [[nodiscard]] QString hint() const;          ///< below the plot, while nothing is pointed at
     [[nodiscard]] std::string chosenName() const;
     [[nodiscard]] QStringList heading() const;
 

@@ -58,7 +58,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     setObjectName(QStringLiteral("batch"));
     build(settings);
     connectParts();
-    retranslate();
+    built();
     chooseContent();
 }
 
@@ -188,12 +188,9 @@ void BatchView::connectParts() {
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
     });
-    const auto read = [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? hint() : text);
-    };
-    connect(m_histograms, &HistogramPlot::pointed, this, read);
-    connect(m_sensitivity, &SensitivityPlot::pointed, this, read);
-    connect(m_scatter, &ScatterPlot::pointed, this, read);
+    connect(m_histograms, &HistogramPlot::pointed, this, &BatchView::readOut);
+    connect(m_sensitivity, &SensitivityPlot::pointed, this, &BatchView::readOut);
+    connect(m_scatter, &ScatterPlot::pointed, this, &BatchView::readOut);
     for (BatchRunner* runner : {m_runner, m_indexRunner}) {
         connect(runner, &BatchRunner::progressed, this,
                 [this](qint64 done, qint64 parts, double left_s) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compare_view.h"
 
+#include "ui/font_size.h"
 #include "ui/session/texts.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
@@ -14,11 +15,12 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDateTime>
-#include <QEvent>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListView>
 #include <QLocale>
 #include <QPushButton>
+#include <QSplitter>
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +29,7 @@ namespace sparkout {
 
 namespace {
 
+constexpr int widestValue = 120, leastName = 200; ///< columns, at the usual size of type
 constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
 
 QString runName(const KeptRun& run) {
@@ -234,6 +237,35 @@ void CompareView::showLegend() {
     m_legend->setEntries(m_plot->legendEntries());
 }
 
+/// Without a table the curves have its room.
+void CompareView::shareHeight(bool withTable) {
+    const bool had = !m_table->isHidden();
+    m_table->setVisible(withTable);
+    m_table->parentWidget()->setSizePolicy(
+        QSizePolicy::Preferred, withTable ? QSizePolicy::Preferred : QSizePolicy::Maximum);
+    if (withTable && !had) {
+        m_halves->setSizes(m_heights);
+    } else if (!withTable) {
+        m_heights = had ? m_halves->sizes() : m_heights;
+        m_halves->setSizes({m_halves->height(), 0});
+    }
+}
+
+void CompareView::fitTable() {
+    const QAbstractItemView& table = *m_table; // where it is public
+    QHeaderView* const head = m_table->horizontalHeader();
+    int values = 0;
+    for (int column = 1; column < m_tableModel->columnCount(); ++column) {
+        const int wanted = std::max(table.sizeHintForColumn(column), head->sectionSizeHint(column));
+        const int width = std::min(wanted, atFontSize(widestValue));
+        head->resizeSection(column, width);
+        values += width;
+    }
+    const int rest = m_table->viewport()->width() - values;
+    head->resizeSection(0, std::max(rest, atFontSize(leastName)));
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // measures
+}
+
 void CompareView::showState() {
     const bool drawn = !m_plot->runs().empty();
     m_notice->setText(notice());
@@ -244,16 +276,16 @@ void CompareView::showState() {
     m_zone->setEnabled(drawn);
     m_axis->setEnabled(drawn);
     m_tools->setEnabled(drawn);
+    m_keepHere->setVisible(m_kept.count() == 0);
     const QString empty = emptyText();
     m_empty->setText(empty);
     m_empty->setVisible(!empty.isEmpty());
-    m_table->setVisible(empty.isEmpty());
-    m_keepHere->setVisible(m_kept.count() == 0);
+    shareHeight(empty.isEmpty());
     const int run = selectedRun();
     m_restore->setEnabled(run >= 0 && m_kept.inputs(run));
     m_rename->setEnabled(run >= 0);
     m_delete->setEnabled(run >= 0);
-    m_values->setText(hint());
+    readOut();
 }
 
 // --- texts --------------------------------------------------------------------------------------
@@ -359,13 +391,8 @@ void CompareView::retranslate() {
     showState();
 }
 
-void CompareView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        showLegend();
-    }
+void CompareView::recolour() {
+    showLegend();
 }
 
 } // namespace sparkout

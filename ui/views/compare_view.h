@@ -51,7 +51,8 @@ signals:
     void keepWanted(); ///< the present run
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
     void followCycle() override;
 
@@ -69,6 +70,8 @@ private:
     void showTable();
     void showState();
     void showMoment();
+    void shareHeight(bool withTable);
+    void fitTable(); ///< the values are in sight, what differs has the rest
     void showLegend();
     void fillAxes();
     void buildSecond();
@@ -83,7 +86,6 @@ private:
     [[nodiscard]] std::optional<ComparedFeeds> feedsOf(int run) const;
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QString emptyText() const;
-    [[nodiscard]] QString hint() const;
     [[nodiscard]] QStringList heading() const;
 
     KeptRuns& m_kept;
@@ -101,6 +103,7 @@ private:
     QPushButton* m_keepHere;
     QSplitter* m_columns;
     QSplitter* m_halves;
+    QList<int> m_heights; ///< of the halves, while there is a table
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     CursorStrip* m_strip = nullptr;

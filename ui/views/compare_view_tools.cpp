@@ -2,6 +2,7 @@
 // The widgets of the view of compared runs: building, connecting and naming.
 #include "ui/views/compare_view.h"
 
+#include "ui/font_size.h"
 #include "ui/metrics.h"
 #include "ui/theme.h"
 #include "ui/tool_row.h"
@@ -79,7 +80,7 @@ CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
     setObjectName(QStringLiteral("compare"));
     build(settings);
     connectParts();
-    retranslate();
+    built();
 }
 
 QAction* CompareView::makeAction(const char* name, const char16_t* icon, const QKeySequence& keys) {
@@ -98,6 +99,7 @@ void CompareView::build(Settings* settings) {
     for (QLabel* label : {m_notice, m_empty}) {
         setUpNotice(*label);
     }
+    setTextLines(*m_empty, 3, 2); // a wrapped text tells a splitter one
     setUpReadout(*m_values);
     auto* layout = columnIn(this);
     layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
@@ -115,7 +117,8 @@ void CompareView::build(Settings* settings) {
     m_table->setSaving([this] { return m_tableModel->table(); },
                        [this] { return heading().value(1); }, settings);
     m_halves->setStretchFactor(0, 1);
-    m_halves->setSizes({curvesHeight, tableHeight});
+    m_heights = {curvesHeight, tableHeight};
+    m_table->hide();
     for (QSplitter* splitter : {m_columns, m_halves}) {
         splitter->setChildrenCollapsible(false);
     }
@@ -243,12 +246,13 @@ QWidget* CompareView::buildTable() {
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setWordWrap(false);
+    m_table->setWordWrap(true);
     m_table->setMinimumHeight(80);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->setMinimumSectionSize(10);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    connect(m_table, &CopyTable::resized, this, &CompareView::fitTable);
+    connect(m_tableModel, &QAbstractItemModel::modelReset, this, &CompareView::fitTable);
     column->addWidget(m_table, 1);
     column->addWidget(m_empty);
     column->addWidget(m_keepHere, 0, Qt::AlignLeft);
@@ -287,8 +291,7 @@ void CompareView::connectParts() {
         m_tools->navigation().forgetViews();
     });
     connect(m_plot, &ComparePlot::contentChanged, this, &CompareView::showLegend);
-    connect(m_plot, &ComparePlot::pointed, this,
-            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
+    connect(m_plot, &ComparePlot::pointed, this, &CompareView::readOut);
     connect(m_plot, &ComparePlot::timeClicked, this,
             [this](double time_s) { cycle().toTime(time_s); });
     connect(m_legend, &LegendStrip::toggled, this, [this](int key) {

@@ -56,13 +56,11 @@ ComplianceView::ComplianceView(QWidget* parent, Settings* settings)
     m_summary->setObjectName(QStringLiteral("complianceSummary"));
     connect(m_plot, &CompliancePlot::contentChanged, this,
             [this] { m_legend->setEntries(m_plot->legendEntries()); });
-    connect(m_plot, &CompliancePlot::pointed, this, [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? tr("Point at the curve to read the values.") : text);
-    });
+    connect(m_plot, &CompliancePlot::pointed, this, &ComplianceView::readOut);
     connect(m_legend, &LegendStrip::toggled, m_plot, &CompliancePlot::toggleCurve);
     connect(m_legend, &LegendStrip::onlyAsked, m_plot, &CompliancePlot::showOnly);
     buildStudies();
-    retranslate();
+    built();
 }
 
 void ComplianceView::buildStudies() {
@@ -312,7 +310,7 @@ void ComplianceView::retranslate() {
     m_notice->setAccessibleName(tr("State of the curves"));
     m_values->setAccessibleName(tr("Values under the mouse"));
     m_summary->setAccessibleName(tr("Where it yields most"));
-    m_values->setText(tr("Point at the curve to read the values."));
+    readOut();
     m_content->setItemText(0, tr("Compliance along the part"));
     m_content->setItemText(1, tr("Where to put the gauge"));
     m_content->setItemText(2, tr("Coupled against independent sections"));
@@ -330,16 +328,12 @@ void ComplianceView::retranslate() {
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ComplianceView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_tools) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_legend->setEntries(m_plot->legendEntries());
-    }
+QString ComplianceView::hint() const {
+    return tr("Point at the curve to read the values.");
+}
+
+void ComplianceView::recolour() {
+    m_legend->setEntries(m_plot->legendEntries());
 }
 
 } // namespace sparkout

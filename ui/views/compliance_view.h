@@ -36,7 +36,8 @@ signals:
     void gaugeWanted(double position_mm); ///< there, from the headstock end of the ground length
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:

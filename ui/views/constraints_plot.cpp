@@ -5,6 +5,7 @@
 #include "ui/views/hair_line.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
+#include "ui/views/number_ticker.h"
 #include "ui/views/plot_style.h"
 
 #include <QEvent>
@@ -282,7 +283,7 @@ void ConstraintsPlot::fitFeeds() {
 void ConstraintsPlot::setLogarithmic(bool on) {
     feedAxis()->setScaleType(on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     feedAxis()->setTicker(on ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                             : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+                             : QSharedPointer<QCPAxisTicker>(new NumberTicker));
     feedAxis()->setSubTicks(on);
     fit();
 }

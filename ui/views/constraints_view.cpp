@@ -290,7 +290,7 @@ void ConstraintsView::nameParts() {
     tell(m_places, tr("Every zone, section and stage; else the worst of each requirement"));
     tell(m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
                     "or a double click on its row"));
-    m_values->setText(tr("Point at the curve to read the values."));
+    readOut();
 }
 
 void ConstraintsView::retranslate() {
@@ -314,17 +314,13 @@ void ConstraintsView::drawIcons() {
     m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }
 
-void ConstraintsView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_tools) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        drawIcons();
-        showState();
-    }
+QString ConstraintsView::hint() const {
+    return tr("Point at the curve to read the values.");
+}
+
+void ConstraintsView::recolour() {
+    drawIcons();
+    showState();
 }
 
 } // namespace sparkout

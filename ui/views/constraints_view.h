@@ -50,7 +50,8 @@ signals:
     void pathAsked(const std::string& path); ///< the input that turns a limit on
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
     void followCycle() override;
 

@@ -49,7 +49,7 @@ ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
     m_logarithmic->setChecked(true); // far limits and the last cuts in one picture
     m_plot->setLogarithmic(true);
     connectParts();
-    retranslate();
+    built();
 }
 
 void ConstraintsView::build(Settings* settings) {
@@ -179,9 +179,7 @@ QWidget* ConstraintsView::buildSheet() {
 void ConstraintsView::connectParts() {
     connect(m_plot, &ConstraintsPlot::contentChanged, this,
             [this] { m_legend->setEntries(m_plot->legendEntries()); });
-    connect(m_plot, &ConstraintsPlot::pointed, this, [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? tr("Point at the curve to read the values.") : text);
-    });
+    connect(m_plot, &ConstraintsPlot::pointed, this, &ConstraintsView::readOut);
     connect(m_legend, &LegendStrip::toggled, m_plot, &ConstraintsPlot::toggleCurve);
     connect(m_legend, &LegendStrip::onlyAsked, m_plot, &ConstraintsPlot::showOnly);
     connect(m_zone, &QComboBox::currentIndexChanged, this, [this](int group) {

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QTimer>
 
 namespace sparkout {
@@ -45,7 +46,8 @@ CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
 }
 
 void CopyTable::copy() const {
-    QGuiApplication::clipboard()->setText(m_text());
+    static const QRegularExpression minus(QStringLiteral("−(?=\\d)")); // spreadsheets read another
+    QGuiApplication::clipboard()->setText(m_text().replace(minus, QStringLiteral("-")));
 }
 
 void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,

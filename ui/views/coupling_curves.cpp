@@ -21,7 +21,7 @@ QString couplingWord(const char* text) {
 
 /// The two models often lie closer than the hundredths others are told in.
 QString fine(double value_um) {
-    return QLocale().toString(value_um, 'f', 3);
+    return Names::fixed(value_um, 3);
 }
 
 constexpr style::Hue independentHue = style::Hue::blue;

@@ -5,6 +5,7 @@
 #include "ui/font_size.h"
 #include "ui/views/band_layer.h"
 #include "ui/views/names.h"
+#include "ui/views/number_ticker.h"
 #include "ui/views/plot_style.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ constexpr int rowGap = 4;    ///< above and below each plot
 constexpr int bottomPad = 2; ///< below the tick labels
 
 /// Leaves the last label out where it would run into the first one of the plot to the right.
-class InnerTicker : public QCPAxisTicker {
+class InnerTicker : public NumberTicker {
 public:
     explicit InnerTicker(const QCPAxis& axis) : m_axis(axis) {}
 

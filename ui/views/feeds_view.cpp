@@ -348,14 +348,8 @@ void FeedsView::retranslate() {
     m_plot->replot();
 }
 
-void FeedsView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (!m_plot) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    }
+QString FeedsView::hint() const {
+    return tr("Point at a curve to read its values.");
 }
 
 /// In a narrow view the values need four lines.

@@ -43,9 +43,9 @@ public:
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
 
 protected:
-    void changeEvent(QEvent* event) override;
     void showOutcome() override;
     void followCycle() override;
+    [[nodiscard]] QString hint() const override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:

@@ -36,12 +36,8 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings) : View(parent) {
     m_overview = new FeedsOverview(*m_plot, this);
     buildPlotTools(settings);
     buildToolBar(bar);
-    for (QLabel* label : {m_notice, m_values}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        label->setWordWrap(true);
-    }
-    m_values->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
     layout->addWidget(bar);
     layout->addWidget(m_notice);
     layout->addWidget(m_legend);
@@ -52,7 +48,7 @@ FeedsView::FeedsView(QWidget* parent, Settings* settings) : View(parent) {
     layout->addStretch();
     connectTools();
     connectPlot();
-    retranslate();
+    built();
 }
 
 void FeedsView::buildPlotTools(Settings* settings) {
@@ -148,7 +144,7 @@ void FeedsView::buildLabels() {
     m_previous->setToolTip(tr("Previous"));
     m_next->setAccessibleName(tr("Next"));
     m_next->setToolTip(tr("Next"));
-    m_values->setText(tr("Point at a curve to read its values."));
+    readOut();
     m_note->setAccessibleName(tr("How to read the feeds"));
     m_note->setToolTip(tr("How to read the feeds: the steps E1…E5 and the curves"));
 }
@@ -182,9 +178,7 @@ void FeedsView::connectPlot() {
     connect(m_plot, &FeedsPlot::gridBuilt, &navigation, &PlotNavigation::forgetViews);
     connect(m_plot, &FeedsPlot::timesChanged, m_overview, &FeedsOverview::followPlot);
     connect(m_plot, &FeedsPlot::contentChanged, this, &FeedsView::showLegend);
-    connect(m_plot, &FeedsPlot::pointed, this, [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? tr("Point at a curve to read its values.") : text);
-    });
+    connect(m_plot, &FeedsPlot::pointed, this, &FeedsView::readOut);
     connect(m_plot, &FeedsPlot::timeClicked, this,
             [this](double time_s) { cycle().toTime(time_s); });
     connect(m_plot, &FeedsPlot::pointedBand, m_plot, &QWidget::setToolTip);

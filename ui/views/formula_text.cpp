@@ -43,6 +43,11 @@ QString withPower(QString text) {
     return text.left(e) + QStringLiteral("·10") + power;
 }
 
+/// Of the number, not of its exponent.
+QString trueMinus(const QString& number) {
+    return number.startsWith(u'-') ? u'−' + number.mid(1) : number;
+}
+
 QString digitsOf(const FormulaTerm& term, int digits, QLocale locale) {
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     const bool length = term.unit && QLatin1StringView(term.unit) == QLatin1StringView("mm");
@@ -88,7 +93,7 @@ QStringList paragraphs(const FormulaSheet& sheet) {
 } // namespace
 
 QString formulaNumber(const FormulaTerm& term, int digits) {
-    return withPower(digitsOf(term, digits, QLocale()));
+    return withPower(trueMinus(digitsOf(term, digits, QLocale())));
 }
 
 double shownValue(const FormulaTerm& term, int digits) {

@@ -125,7 +125,7 @@ void LayersView::showState() {
     for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->setEnabled(drawn);
     }
-    m_values->setText(hint());
+    readOut();
     m_plot->setAccessibleDescription(m_summary->text());
     m_surface->setAccessibleDescription(m_summary->text());
     m_side->setAccessibleDescription(m_side->values());
@@ -224,16 +224,8 @@ void LayersView::retranslate() {
     }
 }
 
-void LayersView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_pages || m_pages->all().empty()) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_pages->showLegend();
-    }
+void LayersView::recolour() {
+    m_pages->showLegend();
 }
 
 } // namespace sparkout

@@ -38,14 +38,14 @@ public:
     void retranslate() override;
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
     void followCycle() override;
 
 private:
     void build();
     void buildTools(QWidget* bar);
-    [[nodiscard]] QString hint() const; ///< what the mouse does, or the values
     void connectParts();
     void chooseContent();
     void setSeries(); ///< of the chosen radius

@@ -33,7 +33,7 @@ LayersView::LayersView(QWidget* parent, Settings* settings)
     setObjectName(QStringLiteral("layers"));
     build();
     connectParts();
-    retranslate();
+    built();
     chooseContent();
 }
 
@@ -98,8 +98,7 @@ void LayersView::connectParts() {
         showState();
         replotShown();
     });
-    connect(m_plot, &LayersPlot::pointed, this,
-            [this](const QString& text) { m_values->setText(text.isEmpty() ? hint() : text); });
+    connect(m_plot, &LayersPlot::pointed, this, &LayersView::readOut);
     connect(m_plot, &LayersPlot::strokeClicked, this,
             [this](int stroke) { cycle().toStroke(stroke); });
 }

@@ -106,8 +106,7 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
         return QStringLiteral("%1 / %2 %3")
             .arg(Names::amount(c.kind, c.value, deviation),
                  Names::amount(c.kind, c.limit, deviation), unitText(constraintUnit(c.kind)))
-            .trimmed()
-            .replace(u'-', u'−');
+            .trimmed();
     default: return {};
     }
 }

@@ -148,7 +148,7 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
         return withSign ? signedMicrometres(value) : micrometres(value);
     }
     if (unit.isEmpty()) {
-        return numbers().toString(value, 'f', 0);
+        return fixed(value, 0);
     }
     QString text = significant(value);
     while (text.contains(numbers().decimalPoint())
@@ -182,8 +182,15 @@ QString Names::refusal(const Issues& issues, int most) {
     return lines.join(QLatin1Char('\n'));
 }
 
+QString Names::fixed(double value, int decimals) {
+    const double least = 0.5 * std::pow(10.0, -decimals);
+    return numbers()
+        .toString(std::abs(value) < least ? 0.0 : value, 'f', decimals)
+        .replace(u'-', u'−');
+}
+
 QString Names::micrometres(double value_um) {
-    return numbers().toString(std::abs(value_um) < 0.005 ? 0.0 : value_um, 'f', 2);
+    return fixed(value_um, 2);
 }
 
 QString Names::signedMicrometres(double value_um) {
@@ -191,7 +198,7 @@ QString Names::signedMicrometres(double value_um) {
 }
 
 QString Names::millimetres(double value_mm) {
-    return numbers().toString(std::abs(value_mm) < 0.00005 ? 0.0 : value_mm, 'f', 4);
+    return fixed(value_mm, 4);
 }
 
 QString Names::significant(double value, int digits) {
@@ -200,7 +207,7 @@ QString Names::significant(double value, int digits) {
     }
     const double size = std::abs(value);
     const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-    return numbers().toString(value, 'f', std::clamp(digits - before, 0, 9));
+    return fixed(value, std::clamp(digits - before, 0, 9));
 }
 
 } // namespace sparkout

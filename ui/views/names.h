@@ -33,6 +33,8 @@ public:
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
 
+    /// Of so many decimals, in the current locale, with a true minus; never −0.
+    static QString fixed(double value, int decimals);
     static QString micrometres(double value_um);              ///< 2 decimals, current locale
     static QString signedMicrometres(double value_um);        ///< the same, with its sign
     static QString millimetres(double value_mm);              ///< 4 decimals

@@ -32,10 +32,7 @@ QString OptimiseText::minutes(double time_s) {
 }
 
 QString OptimiseText::percent(double share) {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double tenths = std::round(share * 1000) + 0.0; // never −0
-    return numbers.toString(tenths / 10, 'f', 1).replace(u'-', u'−');
+    return Names::fixed(100 * share, 1);
 }
 
 QString OptimiseText::gridSize(std::int64_t size) {

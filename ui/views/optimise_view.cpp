@@ -216,7 +216,7 @@ void OptimiseView::showState() {
         part->setVisible(drawn && (given || found));
     }
     m_pages->page().tools->setEnabled(drawn);
-    m_values->setText(hint());
+    readOut();
 }
 
 QString OptimiseView::hint() const {
@@ -283,16 +283,8 @@ void OptimiseView::retranslate() {
     showState();
 }
 
-void OptimiseView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_pages || m_pages->all().empty()) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_pages->showLegend();
-    }
+void OptimiseView::recolour() {
+    m_pages->showLegend();
 }
 
 } // namespace sparkout

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
-    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool busy() const override { return m_runner->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -58,7 +58,8 @@ signals:
     void curvesShown(); ///< the chosen cycle has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -85,7 +86,6 @@ private:
     void showCurves();
     void showState();
     [[nodiscard]] QString notice() const;
-    [[nodiscard]] QString hint() const; ///< below the plot, while nothing is pointed at
     [[nodiscard]] QStringList heading() const;
 
     ComparePlot* m_curves;

@@ -56,7 +56,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
     setObjectName(QStringLiteral("optimise"));
     build(settings);
     connectParts();
-    retranslate();
+    built();
     chooseContent();
 }
 
@@ -174,11 +174,8 @@ void OptimiseView::connectParts() {
             },
             {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
     });
-    const auto read = [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? hint() : text);
-    };
-    connect(m_curves, &ComparePlot::pointed, this, read);
-    connect(m_times, &StageCountPlot::pointed, this, read);
+    connect(m_curves, &ComparePlot::pointed, this, &OptimiseView::readOut);
+    connect(m_times, &StageCountPlot::pointed, this, &OptimiseView::readOut);
     connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
         const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
         m_progress->setValue(static_cast<int>(share * progressSteps));

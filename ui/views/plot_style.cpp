@@ -3,6 +3,7 @@
 
 #include "ui/font_size.h"
 #include "ui/theme.h"
+#include "ui/views/number_ticker.h"
 
 #include <qcustomplot.h>
 
@@ -41,6 +42,7 @@ void setUpAxis(QCPAxis& axis) {
     axis.setNumberFormat(QStringLiteral("g"));
     axis.setNumberPrecision(6);
     axis.setSubTicks(false);
+    axis.setTicker(QSharedPointer<NumberTicker>::create());
 }
 
 void applyPalette(QCPAxis& axis, const QPalette& palette) {

@@ -24,7 +24,7 @@ enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
 
 void applyPalette(QCustomPlot& plot, const QPalette& palette);
 void applyPalette(QCPAxis& axis, const QPalette& palette);
-void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers without sub-ticks
+void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers (NumberTicker)
 
 /// The names of the value axes in that type, or in smaller, to a limit, as a low plot asks for; and
 /// no more numbers than have room.

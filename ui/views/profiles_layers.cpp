@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles_layers.h"
+#include "ui/views/names.h"
 
 #include "core/units.h"
 
@@ -206,8 +207,7 @@ std::vector<PolarGrid::Mark> PolarGrid::marks() const {
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step_um) + 1e-9)));
     std::vector<Mark> marks;
     for (int n = first; n <= last && n - first < mostCircles; ++n) {
-        const QString number =
-            mParentPlot->locale().toString(n * step_um, 'f', n == 0 ? 0 : decimals);
+        const QString number = Names::fixed(n * step_um, n == 0 ? 0 : decimals);
         marks.push_back({drawn(n), n > 0 ? QLatin1Char('+') + number : number});
     }
     return marks;

@@ -14,16 +14,9 @@ namespace sparkout {
 
 namespace {
 
-QString number(double value, int decimals) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const double least = 0.5 * std::pow(10.0, -decimals);
-    return locale.toString(std::abs(value) < least ? 0.0 : value, 'f', decimals);
-}
-
 /// µm with three decimals: what the magnified profiles can show.
 QString um(double value_mm, int decimals = 3) {
-    return number(value_mm * units::umPerMm, decimals);
+    return Names::fixed(value_mm * units::umPerMm, decimals);
 }
 
 QString signedUm(double value_mm, int decimals = 3) {
@@ -44,7 +37,7 @@ QString ProfilesText::blankText(const ProfileSeries& series, int k) {
 }
 
 QString ProfilesText::magnification(double value) {
-    return QChar(0x00D7) + number(value, 0);
+    return QChar(0x00D7) + Names::fixed(value, 0);
 }
 
 QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profile, bool brief) {
@@ -75,12 +68,12 @@ QString ProfilesText::sample(const ProfileSeries& series, const Profile& profile
     const double angle = k * 360.0 / series.radii();
     const double radius = profile.radii_mm[static_cast<std::size_t>(k)];
     const double across = diameterAt(profile, k);
-    QString text =
-        tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
-           "diameter across %6 mm, %7 µm from nominal")
-            .arg(Names::zone(profile.zone, profile.section), number(angle, 1), QString::number(k),
-                 signedUm(radius - series.target_mm), signedUm(radius - profile.mean_mm),
-                 number(across, 5), signedUm(across - series.nominal_mm));
+    QString text = tr("%1, φ = %2° (k = %3): radius %4 µm from target, %5 µm from its mean; "
+                      "diameter across %6 mm, %7 µm from nominal")
+                       .arg(Names::zone(profile.zone, profile.section), Names::fixed(angle, 1),
+                            QString::number(k), signedUm(radius - series.target_mm),
+                            signedUm(radius - profile.mean_mm), Names::fixed(across, 5),
+                            signedUm(across - series.nominal_mm));
     return withBlank ? text + blankText(series, k) : text;
 }
 
@@ -89,8 +82,9 @@ QString ProfilesText::stretch(const ProfileSeries& series, const Profile& profil
     const auto mm = [](double value_um) { return value_um / units::umPerMm; };
     const bool plunge = series.operation == Operation::plunge;
     const QString place =
-        plunge ? tr("%1 mm").arg(number(profile.position_mm, 1))
-               : tr("%1…%2 mm").arg(number(profile.from_mm, 1), number(profile.to_mm, 1));
+        plunge
+            ? tr("%1 mm").arg(Names::fixed(profile.position_mm, 1))
+            : tr("%1…%2 mm").arg(Names::fixed(profile.from_mm, 1), Names::fixed(profile.to_mm, 1));
     QString text = tr("%1, %2: radius %3 µm from target, mean %4 µm; diameter %5 µm from nominal; "
                       "runout %6 µm")
                        .arg(Names::zone(profile.zone, profile.section), place,
@@ -113,7 +107,7 @@ QString ProfilesText::moment(const ProfileSeries& series) {
     if (series.stage > 0) {
         text = tr("%1, stage %2").arg(text).arg(series.stage);
     }
-    return tr("%1, %2 s").arg(text, number(series.time_s, 1));
+    return tr("%1, %2 s").arg(text, Names::fixed(series.time_s, 1));
 }
 
 QString ProfilesText::summary(const ProfileSeries& series, const std::vector<int>& shown) {

@@ -314,20 +314,16 @@ void ProfilesView::retranslate() {
     }
     showState();
     showLegend();
-    m_values->setText(tr("Point at a profile to read its values."));
+    readOut();
     replotAll();
 }
 
-void ProfilesView::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (!m_spectrumTools) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        showLegend(); // the plots follow by themselves
-    }
+QString ProfilesView::hint() const {
+    return tr("Point at a profile to read its values.");
+}
+
+void ProfilesView::recolour() {
+    showLegend();
 }
 
 } // namespace sparkout

@@ -57,7 +57,8 @@ public:
     void showSection(int section); ///< at the end of the cycle; below 0 all of them
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
     void followCycle() override;
 

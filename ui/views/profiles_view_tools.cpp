@@ -72,7 +72,7 @@ ProfilesView::ProfilesView(QWidget* parent, Settings* settings) : View(parent) {
     m_spectrum->setHidden(m_hidden);
     connectTools();
     connectPlots();
-    retranslate();
+    built();
 }
 
 QStringList ProfilesView::headingOf(const QString& plot) const {
@@ -332,12 +332,9 @@ void ProfilesView::connectPlots() {
             [this](int key) { toggle(static_cast<ProfileLine>(key)); });
     connect(m_legend, &LegendStrip::onlyAsked, this,
             [this](int key) { showOnly(static_cast<ProfileLine>(key)); });
-    const auto tell = [this](const QString& text) {
-        m_values->setText(text.isEmpty() ? tr("Point at a profile to read its values.") : text);
-    };
-    connect(m_across, &ProfilesPlot::pointed, this, tell);
-    connect(m_along, &LongitudinalPlot::pointed, this, tell);
-    connect(m_spectrum, &SpectrumPlot::pointed, this, tell);
+    connect(m_across, &ProfilesPlot::pointed, this, &ProfilesView::readOut);
+    connect(m_along, &LongitudinalPlot::pointed, this, &ProfilesView::readOut);
+    connect(m_spectrum, &SpectrumPlot::pointed, this, &ProfilesView::readOut);
     connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
 }
 

@@ -86,7 +86,7 @@ QString told(double value, Digits digits) {
     switch (digits) {
     case Digits::hundredths: return Names::micrometres(value);
     case Digits::signedHundredths: return Names::signedMicrometres(value);
-    case Digits::thousandths: return QLocale().toString(value, 'f', 3);
+    case Digits::thousandths: return Names::fixed(value, 3);
     case Digits::tenThousandths: return Names::millimetres(value);
     case Digits::significant: break;
     }

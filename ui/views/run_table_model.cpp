@@ -61,9 +61,10 @@ QVariant RunTableModel::data(const QModelIndex& index, int role) const {
     }
     const QString whole = text(index.row(), index.column());
     switch (role) {
-    case Qt::DisplayRole: return briefly(whole, longestCell);
+    case Qt::DisplayRole: return index.column() > 0 ? briefly(whole, longestCell) : whole;
     case Qt::AccessibleTextRole: return whole;
-    case Qt::ToolTipRole: return whole.size() > longestCell ? whole : QVariant();
+    case Qt::ToolTipRole:
+        return index.column() > 0 && whole.size() > longestCell ? whole : QVariant();
     case Qt::TextAlignmentRole:
         return static_cast<int>((index.column() > 0 ? Qt::AlignRight : Qt::AlignLeft)
                                 | Qt::AlignVCenter);

@@ -6,6 +6,7 @@
 #include "ui/views/run_dash.h"
 
 #include <QGuiApplication>
+#include <QIcon>
 #include <QPainter>
 #include <QPalette>
 
@@ -40,9 +41,8 @@ int RunsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_runs.size());
 }
 
-QPixmap RunsModel::markOf(const Run& run) {
+QPixmap RunsModel::markOf(const Run& run, const QColor& text) {
     const qreal ratio = qApp->devicePixelRatio();
-    const QColor text = QGuiApplication::palette().color(QPalette::Text);
     QPixmap mark =
         runSample(std::max(run.number, 0), run.number < 0 ? Qt::transparent : text, sample, ratio);
     const int side = sample.height();
@@ -67,7 +67,12 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const {
     case Qt::EditRole: return run.name;
     case Qt::ToolTipRole: return run.told;
     case Qt::AccessibleTextRole: return run.told;
-    case Qt::DecorationRole: return markOf(run);
+    case Qt::DecorationRole: {
+        const QPalette palette = QGuiApplication::palette();
+        QIcon marks(markOf(run, palette.color(QPalette::Text)));
+        marks.addPixmap(markOf(run, palette.color(QPalette::HighlightedText)), QIcon::Selected);
+        return marks;
+    }
     case Qt::CheckStateRole: return run.chosen ? Qt::Checked : Qt::Unchecked;
     default: return {};
     }

@@ -43,7 +43,7 @@ signals:
     void renamed(int run, const QString& name);
 
 private:
-    [[nodiscard]] static QPixmap markOf(const Run& run);
+    [[nodiscard]] static QPixmap markOf(const Run& run, const QColor& text);
 
     std::vector<Run> m_runs;
 };

@@ -228,9 +228,7 @@ void SensitivityPlot::onMouse(QMouseEvent* event) {
                 continue;
             }
             const Bars& bars = m_bars[i];
-            const auto number = [this](double v) {
-                return locale().toString(v, 'f', 2).replace(u'-', u'−');
-            };
+            const auto number = [](double v) { return Names::fixed(v, 2); };
             const QString who = QStringLiteral("%1, %2").arg(
                 placeName(bars), BatchText::factor(m_outcome->factors[f].kind));
             emit pointed(m_kind == SensitivityKind::ranks

@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "ui/views/names.h"
+#include "ui/views/number_ticker.h"
 #include "ui/views/plot_style.h"
 
 #include <QEvent>
@@ -143,7 +144,7 @@ void SpectrumPlot::setScale(Cell& cell) const {
     QCPAxis* axis = cell.rect->axis(QCPAxis::atLeft);
     axis->setScaleType(m_logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis->setTicker(m_logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                  : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+                                  : QSharedPointer<QCPAxisTicker>(new NumberTicker));
 }
 
 /// The same axis of the other cells follows.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/views/surface_grid.h"
+
 #include <qcustomplot.h>
 
 #include <vector>
@@ -9,7 +11,9 @@ namespace sparkout {
 
 class LayersSurface;
 
-/// Paints the surface of the layers, from the back to the front, and the box with its numbers.
+/// Draws the surface of the layers in its box, and the numbers along the box. On the screen OpenGL
+/// draws surface and box where it works; else, and in every picture, they are painted from the back
+/// to the front.
 class SurfaceScene : public QCPLayerable {
     Q_OBJECT
 public:
@@ -25,12 +29,15 @@ private:
     struct Facet {
         QPolygonF corners;
         double nearness = 0;
-        QColor colour;
-        bool edge = false; ///< where the cursor stands
+        QColor colour, line;
+        bool newest = false; ///< where the cursor stands
     };
-    [[nodiscard]] std::vector<Facet> facets() const;
-    void drawBox(QCPPainter& painter) const;
-    void drawScale(QCPPainter& painter, int along) const; ///< 0: length, 1: numbers, 2: feed
+    [[nodiscard]] bool drawByOpenGl(QCPPainter& painter, const SurfaceGrid& grid) const;
+    [[nodiscard]] std::vector<Facet> facets(const SurfaceGrid& grid) const;
+    void drawFacets(QCPPainter& painter, const SurfaceGrid& grid) const;
+    void drawBox(QCPPainter& painter, const SurfaceGrid& grid) const;
+    /// @param along 0: length, 1: numbers, 2: feed
+    void drawScale(QCPPainter& painter, const SurfaceScale& scale, int along) const;
 
     LayersSurface& m_surface;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep_plot.h"
 
+#include "ui/views/number_ticker.h"
 #include "ui/views/plot_click.h"
 
 #include <QEvent>
@@ -47,7 +48,7 @@ void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) 
         (i == 0 ? across() : up())
             ->setTicker(QSharedPointer<QCPAxisTicker>(i == 0 || m_sweep->result.inputs.size() == 2
                                                           ? new SweepTicker(scaleOf(i))
-                                                          : new QCPAxisTicker));
+                                                          : new NumberTicker));
     }
     fill();
     fillMarks();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/views/number_ticker.h"
+
 #include <qcustomplot.h>
 
 #include <cmath>
@@ -19,7 +21,7 @@ struct SweepScale {
 };
 
 /// Ticks at round values of such an axis.
-class SweepTicker : public QCPAxisTicker {
+class SweepTicker : public NumberTicker {
 public:
     explicit SweepTicker(SweepScale scale) : m_scale(scale) {}
 

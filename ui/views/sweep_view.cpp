@@ -150,10 +150,9 @@ void SweepView::replotShown() {
     plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
-void SweepView::showPointText() {
-    m_values->setText(m_sweep && m_chosen
-                          ? SweepText::point(m_sweep->result, *m_chosen, chosenEntry())
-                          : tr("Point at a place to read its values; a click chooses it."));
+QString SweepView::hint() const {
+    return m_sweep && m_chosen ? SweepText::point(m_sweep->result, *m_chosen, chosenEntry())
+                               : tr("Point at a place to read its values; a click chooses it.");
 }
 
 void SweepView::showState() {
@@ -165,7 +164,7 @@ void SweepView::showState() {
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_state->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
     showButtons();
-    showPointText();
+    readOut();
     plot().setAccessibleDescription(m_state->text());
 }
 
@@ -311,16 +310,8 @@ void SweepView::retranslate() {
     }
 }
 
-void SweepView::changeEvent(QEvent* event) {
-    View::changeEvent(event);
-    if (!m_pages || m_pages->all().empty()) {
-        return;
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-    } else if (event->type() == QEvent::PaletteChange) {
-        m_pages->showLegend();
-    }
+void SweepView::recolour() {
+    m_pages->showLegend();
 }
 
 } // namespace sparkout

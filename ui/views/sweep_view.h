@@ -41,7 +41,7 @@ public:
     [[nodiscard]] SweepMap* map() const { return m_map; }
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SweepOutcomePtr& sweep() const { return m_sweep; }
-    [[nodiscard]] bool busy() const { return m_runner->running(); }
+    [[nodiscard]] bool busy() const override { return m_runner->running(); }
     [[nodiscard]] bool stale() const { return m_sweepStale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
@@ -57,7 +57,8 @@ signals:
     void sweepShown(); ///< the outcome of a sweep has been drawn
 
 protected:
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
     void showOutcome() override;
 
 private:
@@ -84,7 +85,6 @@ private:
     void showPresent();
     void showState();
     void showButtons();
-    void showPointText();
     void replotShown();
     void nameParts();
     [[nodiscard]] QString notice() const;

@@ -53,7 +53,7 @@ SweepView::SweepView(QWidget* parent, Settings* settings)
     build();
     connectParts();
     connectEdits();
-    retranslate();
+    built();
 }
 
 void SweepView::build() {
@@ -128,9 +128,7 @@ void SweepView::connectParts() {
     connect(m_side, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
     for (SweepPlot* plot : plots()) {
         connect(plot, &SweepPlot::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
-        connect(plot, &SweepPlot::pointed, this, [this](const QString& text) {
-            text.isEmpty() ? showPointText() : m_values->setText(text);
-        });
+        connect(plot, &SweepPlot::pointed, this, &SweepView::readOut);
     }
     connect(m_run, &QPushButton::clicked, this, &SweepView::runSweep);
     connect(m_stop, &QPushButton::clicked, m_runner, &SweepRunner::stop);

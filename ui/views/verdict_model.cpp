@@ -213,7 +213,7 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     const Light light = lightOf(*row.constraint);
     const QString shown = first ? requirementName(*row.constraint, briefName(row.constraint->kind),
                                                   tr("stage %1").arg(row.constraint->stage))
-                                : text(*row.constraint, column).replace(u'-', u'−');
+                                : text(*row.constraint, column);
     switch (role) {
     case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
         return first && light != Light::holds ? shown + QLatin1Char('\n') + lightName(light)

@@ -2,6 +2,7 @@
 #include "ui/views/view.h"
 #include "ui/font_size.h"
 
+#include <QEvent>
 #include <QLabel>
 
 #include <utility>
@@ -60,6 +61,28 @@ void View::setUpReadout(QLabel& label, int lines) {
     setUpNotice(label);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTextLines(label, lines, 2);
+    m_readout = &label;
+}
+
+void View::readOut(const QString& text) {
+    m_readout->setText(text.isEmpty() ? hint() : text);
+}
+
+void View::built() {
+    m_built = true;
+    retranslate();
+}
+
+void View::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (!m_built) {
+        return;
+    }
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        recolour();
+    }
 }
 
 void View::redraw() {

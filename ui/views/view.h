@@ -24,6 +24,7 @@ public:
     /// Of the window's views, in place of its own; it is given the outcomes first.
     void shareCycle(CycleCursor* cycle);
     virtual void retranslate() = 0;
+    [[nodiscard]] virtual bool busy() const { return false; } ///< with what it computes itself
     virtual void forget() {} ///< drops what was computed on demand: another document comes
 
 signals:
@@ -38,9 +39,16 @@ protected:
     /// What was given last, maybe refused.
     [[nodiscard]] const OutcomePtr& latest() const { return m_latest; }
     static void setUpNotice(QLabel& label); ///< plain text, selectable, wrapped
-    /// The same for the values under the mouse.
-    static void setUpReadout(QLabel& label, int lines = 2);
+    /// The same for the values under the mouse, which readOut() fills.
+    void setUpReadout(QLabel& label, int lines = 2);
+    void readOut(const QString& text = {}); ///< nothing: the hint
+    /// What the read-out says while nothing is pointed at.
+    [[nodiscard]] virtual QString hint() const = 0;
+    virtual void recolour() {} ///< what does not follow the palette by itself, as a legend
+    /// Ends a constructor: gives the texts, then and whenever the language changes.
+    void built();
     void redraw(); ///< now, if there is something new
+    void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -48,7 +56,9 @@ private:
 
     OutcomePtr m_latest;
     CycleCursor* m_ownCycle;
+    QLabel* m_readout = nullptr;
     QPointer<CycleCursor> m_cycle;
+    bool m_built = false;
     bool m_stale = false;
     bool m_queued = false;
     bool m_moved = false;

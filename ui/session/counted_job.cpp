@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/counted_job.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace sparkout {
+
+CountedJob::CountedJob(QObject* parent) : QObject(parent) {
+    constexpr int tick_ms = 100;
+    m_progress.setInterval(tick_ms);
+    connect(&m_progress, &QTimer::timeout, this, &CountedJob::tell);
+}
+
+void CountedJob::run(std::int64_t parts, Work work) {
+    drop();
+    m_stop = std::stop_source();
+    m_done = std::make_shared<std::atomic<std::int64_t>>(0);
+    m_parts = parts;
+    m_took.start();
+    m_progress.start();
+    m_job.start([this, work = std::move(work), done = m_done,
+                 wanted = m_stop](const std::stop_token& newer, const NewestJob::Post& post) {
+        std::stop_source either = wanted; // the two share one state
+        const std::stop_callback dropped(newer, [&either] { either.request_stop(); });
+        const int processors = static_cast<int>(std::thread::hardware_concurrency());
+        const Means means{std::max(1, processors - 1), either.get_token(), done.get()};
+        post([this, answer = work(means)] {
+            m_progress.stop();
+            answer();
+        });
+    });
+}
+
+void CountedJob::stop() {
+    m_stop.request_stop();
+}
+
+void CountedJob::drop() {
+    m_progress.stop();
+    m_job.stop();
+}
+
+void CountedJob::tell() {
+    const std::int64_t done = m_done->load(std::memory_order_relaxed);
+    const double took_s = static_cast<double>(m_took.elapsed()) / 1000;
+    emit progressed(
+        done, m_parts,
+        done > 0 ? took_s * static_cast<double>(m_parts - done) / static_cast<double>(done) : -1);
+}
+
+} // namespace sparkout
