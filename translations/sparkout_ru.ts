@@ -3972,6 +3972,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Between the levels a cycle of %1 min holds; that none is quicker is not proved.</source>
             <translation>Между уровнями сетки требования выдерживает и цикл за %1 мин (не доказано, что быстрее нет).</translation>
         </message>
+        <message>
+            <source>Between the levels nothing quicker was found.</source>
+            <translation>Между уровнями сетки ничего быстрее не найдено.</translation>
+        </message>
     </context>
     <context>
         <name>PageText</name>

@@ -57,6 +57,7 @@ public:
             }
             finish();
             if (m_refine && m_outcome->best()) {
+                m_outcome->refines = true;
                 refineBest();
             }
         }

@@ -51,6 +51,7 @@ struct SearchOutcome {
     GridFault fault = GridFault::none;
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
     bool robust = false;
+    bool refines = false;                ///< looked between the levels too
     std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
     std::vector<FoundCycle> found;       ///< the quickest first
     double limit_s = 0;                  ///< of the stepless cycle

@@ -179,7 +179,11 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
                   : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
                         .arg(minutes(best->time_s), minutes(outcome.bound_s)));
     if (const FoundCycle* refined = outcome.refined()) {
-        lines << tr("Between the levels a cycle of %1 min holds; that none is quicker is not proved.").arg(minutes(refined->time_s));
+        lines
+            << tr("Between the levels a cycle of %1 min holds; that none is quicker is not proved.")
+                   .arg(minutes(refined->time_s));
+    } else if (outcome.refines) {
+        lines << tr("Between the levels nothing quicker was found.");
     }
     if (present_s && *present_s > 0) {
         constexpr double noticed = 5e-4;

@@ -202,8 +202,10 @@ void OptimiseView::showState() {
     m_stop->setVisible(busy());
     m_run->setVisible(!busy());
     m_run->setEnabled(given);
-    m_phases->setEnabled(given && !busy());
-    m_refine->setEnabled(given && !busy());
+    for (QCheckBox* wish : {m_phases, m_refine}) { // the progress takes their room
+        wish->setVisible(!busy());
+        wish->setEnabled(given);
+    }
     m_state->setText(given && !busy()
                          ? OptimiseText::gridSize(sparkout::gridSize(m_good->result.project))
                          : QString());
