@@ -7247,7 +7247,7 @@ med, µm</source>
         </message>
         <message>
             <source>No run is kept yet. Keep the present one, change the inputs, and see here what it did: the curves of both, and the inputs and results that differ.</source>
-            <translation>Пока не запомнен ни один расчёт. Запомните текущий, измените исходные данные — и здесь будет видно, что это дало: кривые обоих расчётов и различия в исходных данных и результатах.</translation>
+            <translation>Пока не запомнен ни один расчёт. Запомните текущий и измените исходные данные — здесь станет видно, что изменилось.</translation>
         </message>
         <message>
             <source>Check a run in the list to lay it over the present one.</source>

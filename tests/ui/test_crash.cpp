@@ -250,9 +250,10 @@ private:
                 }
                 victim.read();
                 const qint64 now = QDateTime::currentMSecsSinceEpoch();
-                // On a busy machine edits come late; a kill before any was due would prove nothing.
+                // On a busy machine edits and files come late; a kill before any was due, and late
+                // for long enough, would prove nothing.
                 if (!victim.edits.empty() && now - victim.edits.front() >= victim.killAt_ms
-                    && due(victim, now) > 0) {
+                    && due(victim, now - allowance_ms) > 0) {
                     victim.killed = now;
                     victim.process->kill();
                     victim.process->waitForFinished();

@@ -50,14 +50,19 @@ private slots:
     void everyExampleInEveryViewHasAPicture_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("theme");
+        QTest::addColumn<QSize>("size");
         for (const char* language : {"en", "ru"}) {
             for (const Theme theme : {Theme::light, Theme::dark}) {
                 // Otherwise each language in one of the themes: labels and themes have tests.
                 const bool english = qstrcmp(language, "en") == 0;
-                if (qEnvironmentVariableIsSet("SPARKOUT_LONG")
-                    || english == (theme == Theme::light)) {
+                const bool all = qEnvironmentVariableIsSet("SPARKOUT_LONG");
+                if (all || english == (theme == Theme::light)) {
                     QTest::addRow("%s %s", language, qPrintable(themeCode(theme)))
-                        << QString::fromUtf8(language) << int(theme);
+                        << QString::fromUtf8(language) << int(theme) << QSize(1366, 768);
+                }
+                if (all) {
+                    QTest::addRow("%s %s large", language, qPrintable(themeCode(theme)))
+                        << QString::fromUtf8(language) << int(theme) << QSize(1920, 1080);
                 }
             }
         }
@@ -66,8 +71,10 @@ private slots:
     void everyExampleInEveryViewHasAPicture() {
         QFETCH(QString, language);
         QFETCH(int, theme);
+        QFETCH(QSize, size);
         WarningCatcher warnings;
         Bench bench(language, Theme(theme));
+        bench.window->resize(size);
         const QDir folder = galleryFolder();
         for (const QString& path : examplePaths()) {
             QVERIFY2(bench.open(path), qPrintable(path));
@@ -79,8 +86,9 @@ private slots:
                 bench.settle();
                 const QImage image = pictureOf(*bench.window);
                 const QString name =
-                    QStringLiteral("%1-%2-%3-%4.png")
-                        .arg(nameOf(path), view->objectName(), language, themeCode(Theme(theme)));
+                    QStringLiteral("%1-%2-%3-%4-%5.png")
+                        .arg(nameOf(path), view->objectName(), language, themeCode(Theme(theme)))
+                        .arg(size.width());
                 QVERIFY(image.save(folder.filePath(name)));
                 QVERIFY2(coloursIn(image) >= leastColours, qPrintable(name));
                 QVERIFY2(coloursIn(pictureOf(*view)) >= leastColours / 2, qPrintable(name));

@@ -16,6 +16,7 @@
 #include <QContextMenuEvent>
 #include <QLocale>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTest>
@@ -89,6 +90,20 @@ class TestStageTable : public QObject {
     Q_OBJECT
 
 private slots:
+    void deleteEmptiesACellWhetherItIsBeingEditedOrNot() {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("editing failed")));
+        for (const bool edited : {false, true}) {
+            Bench bench;
+            bench.select(0, 0);
+            QVERIFY(!edited || bench.openEditor());
+            QTest::keyClick(&bench.table.view(), Qt::Key_Delete);
+            auto* field = bench.table.view().findChild<NumberField*>();
+            QVERIFY(field && field->isVisible() && field->text().isEmpty());
+            QTest::keyClick(field, Qt::Key_Escape);
+            QVERIFY(bench.stages()[0].radial_feed_mm.has_value()); // as it was
+        }
+    }
+
     void returnAndAClickElsewhereAtOnceStoreTheNumberOnce() {
         Bench bench;
         QWidget elsewhere(&bench.table);

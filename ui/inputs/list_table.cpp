@@ -363,9 +363,19 @@ void ListTable::clearCell() {
     if (!(m_model->flags(m_view->currentIndex()) & Qt::ItemIsEditable)) {
         return;
     }
-    m_view->edit(m_view->currentIndex());
-    if (auto* field = m_view->viewport()->findChild<NumberField*>()) {
-        field->clearText();
+    const auto field = [this]() -> NumberField* {
+        for (auto* each : m_view->viewport()->findChildren<NumberField*>()) {
+            if (each->isVisible()) {
+                return each;
+            }
+        }
+        return nullptr;
+    };
+    if (!field()) { // else it is being edited already
+        m_view->edit(m_view->currentIndex());
+    }
+    if (NumberField* const open = field()) {
+        open->clearText();
     }
 }
 

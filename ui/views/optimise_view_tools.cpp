@@ -2,6 +2,7 @@
 // The widgets of the view of the search: building, connecting and naming.
 #include "ui/metrics.h"
 #include "ui/session/search_edits.h"
+#include "ui/tool_row.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/found_model.h"
@@ -103,13 +104,10 @@ void OptimiseView::build(Settings* settings) {
 
 QWidget* OptimiseView::buildRunBar() {
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     m_state->setTextFormat(Qt::PlainText);
-    // What stands beside the commands asks for no room of the window.
-    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_progress->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_progress->setRange(0, progressSteps);
     m_progress->setTextVisible(true);
     row->addWidget(m_run);
