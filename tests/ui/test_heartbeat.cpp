@@ -34,7 +34,8 @@ namespace {
 
 constexpr int beat_ms = 5;
 constexpr int frame_ms = 16; ///< 60 Hz
-const int drag_ms = qEnvironmentVariableIsSet("SPARKOUT_LONG") ? 10'000 : 4'000;
+const bool longTest = qEnvironmentVariableIsSet("SPARKOUT_LONG");
+const int drag_ms = longTest ? 10'000 : 4'000, play_ms = longTest ? 1500 : 700;
 constexpr double target_ms = 50;
 constexpr double limit_ms = 4 * target_ms;
 
@@ -256,7 +257,7 @@ private slots:
                 const double worst_ms = watched_ms(what.constData(), [&] {
                     bench.window->cursor().setPosition(0);
                     QTest::mouseClick(play, Qt::LeftButton);
-                    QTest::qWait(1500);
+                    QTest::qWait(play_ms);
                     bench.window->findChild<PlaybackBar*>()->setPlaying(false);
                     QVERIFY(bench.window->cursor().position() > 10);
                 });
