@@ -12,7 +12,6 @@
 #include "ui/views/sensitivity_plot.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>

@@ -11,7 +11,6 @@
 #include "ui/views/plot_tools.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>

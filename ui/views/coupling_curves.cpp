@@ -6,7 +6,6 @@
 #include "ui/views/plot_style.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>

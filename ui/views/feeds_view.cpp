@@ -14,7 +14,6 @@
 
 #include <QComboBox>
 #include <QElapsedTimer>
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>

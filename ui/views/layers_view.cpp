@@ -10,7 +10,6 @@
 #include "ui/views/side_plot.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>

@@ -5,7 +5,6 @@
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/names.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <cmath>

@@ -9,7 +9,6 @@
 #include "ui/views/sweep_map.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
