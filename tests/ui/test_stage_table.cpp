@@ -23,6 +23,7 @@
 #include <QToolButton>
 
 #include <clocale>
+#include <functional>
 #include <memory>
 
 namespace test_stage_table {
@@ -125,6 +126,40 @@ private slots:
         QTest::keyClick(editor, Qt::Key_Return);
         QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
         QVERIFY(bench.table.view().hasFocus());
+    }
+
+    /// By the view itself or by its rows; what the editor then says on losing the focus is late.
+    void anEditorThatTheViewLetsGoOfIsSilent() {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("editor")));
+        using Close = std::function<void(Bench&)>;
+        const std::initializer_list<Close> closings{
+            [](Bench& bench) { bench.select(0, 1); },
+            [](Bench& bench) { bench.table.view().setCurrentIndex({}); },
+            [](Bench& bench) { bench.document.undo(); },
+            [](Bench& bench) { bench.document.startUntitled(newProject(Operation::plunge)); },
+            [](Bench& bench) { bench.table.hide(); },
+        };
+        for (const Close& close : closings) {
+            for (const bool sparkOut : {false, true}) {
+                Bench bench;
+                QTest::keyClick(&bench.table.view(), Qt::Key_Insert);
+                QApplication::setActiveWindow(&bench.table);
+                QWidget* editor = nullptr;
+                if (sparkOut) {
+                    QComboBox* mode = sparkOutEditor(bench);
+                    QTest::keyClick(mode, Qt::Key_Down);
+                    QTest::keyClick(mode, Qt::Key_Tab);
+                    editor = bench.table.view().findChild<NumberField*>();
+                } else {
+                    bench.select(int(bench.stages().size()) - 1, 0);
+                    editor = bench.openEditor();
+                }
+                QTRY_COMPARE(QApplication::focusWidget(), editor);
+                QTest::keyClicks(editor, QStringLiteral("0.0"));
+                close(bench);
+                QCoreApplication::processEvents();
+            }
+        }
     }
 
     void typingOverACellChangesTheStageWhileTyping() {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* startedProperty = "sparkoutStarted";
 constexpr const char* originalProperty = "sparkoutOriginal"; ///< invalid when not given
+constexpr const char* cellProperty = "sparkoutCell";
 
 const ListModel& modelOf(const QModelIndex& index) {
     return *static_cast<const ListModel*>(index.model());
@@ -32,6 +33,7 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     NumberSpec spec = NumberSpec::of(model.field(index), m_document.project(), model.item(index));
     spec.optional = false; // a column that is shown is needed
     auto* editor = new NumberField(spec, parent);
+    setCell(*editor, index);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     editor->setAccessibleName(index.data(Qt::AccessibleTextRole).toString());
     connect(editor, &NumberField::valueEdited, self, [self, editor] { self->commit(editor); });
@@ -43,9 +45,27 @@ QWidget* ListDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
     return editor;
 }
 
+void ListDelegate::setCell(QWidget& editor, const QModelIndex& cell) {
+    editor.setProperty(cellProperty, QVariant::fromValue(QPersistentModelIndex(cell)));
+}
+
+bool ListDelegate::isOpen(const QWidget& editor) {
+    const auto* view =
+        qobject_cast<const QAbstractItemView*>(editor.parentWidget()->parentWidget());
+    const auto cell = editor.property(cellProperty).value<QPersistentModelIndex>();
+    return editor.isVisible() && view->indexWidget(cell) == &editor;
+}
+
 void ListDelegate::commit(QWidget* editor) {
-    if (editor->isVisible()) {
+    if (isOpen(*editor)) {
         emit commitData(editor);
+    }
+}
+
+void ListDelegate::close(QWidget* editor) {
+    if (isOpen(*editor)) {
+        emit commitData(editor);
+        emit closeEditor(editor, SubmitModelCache);
     }
 }
 
@@ -108,7 +128,7 @@ bool ListDelegate::eventFilter(QObject* watched, QEvent* event) {
             const QVariant original = field->property(originalProperty);
             field->reset(original.isValid() ? std::optional(original.toDouble()) : std::nullopt);
             if (field->value()) {
-                emit commitData(field);
+                commit(field);
             }
         }
         if (field && (key == Qt::Key_Up || key == Qt::Key_Down)) {
@@ -121,9 +141,8 @@ bool ListDelegate::eventFilter(QObject* watched, QEvent* event) {
             QMetaObject::invokeMethod(
                 this,
                 [this, open = QPointer<QWidget>(editor)] {
-                    if (open && open->isVisible()) {
-                        emit commitData(open);
-                        emit closeEditor(open, SubmitModelCache);
+                    if (open) {
+                        close(open);
                     }
                 },
                 Qt::QueuedConnection);

@@ -26,7 +26,11 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     [[nodiscard]] Document& document() const { return m_document; }
-    void commit(QWidget* editor); ///< unless the view has let go of it, hiding it
+    static void setCell(QWidget& editor, const QModelIndex& cell); ///< needed by all below
+    /// Whether the view still holds it: it forgets an editor before taking the focus from it.
+    [[nodiscard]] static bool isOpen(const QWidget& editor);
+    void commit(QWidget* editor); ///< when open
+    void close(QWidget* editor);  ///< with a commit, when open
 
 private:
     Document& m_document;

@@ -65,11 +65,9 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
     auto* self = const_cast<StageDelegate*>(this);
     const bool traverse = document().project().operation == Operation::traverse;
     auto* editor = new SparkOutEditor(field, traverse, parent);
+    setCell(*editor, index);
     connect(editor, &SparkOutEditor::edited, self, [self, editor] { self->commit(editor); });
-    connect(editor, &SparkOutEditor::left, self, [self, editor] {
-        emit self->commitData(editor);
-        emit self->closeEditor(editor);
-    });
+    connect(editor, &SparkOutEditor::left, self, [self, editor] { self->close(editor); });
     if (const QString refused = stagesOf(index).refusedText(index); !refused.isNull()) {
         editor->setValue(stagesOf(index).stage(index).spark_out);
         editor->showRefused(refused);
