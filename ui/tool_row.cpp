@@ -77,10 +77,33 @@ int ToolRow::leastWidth(const Line& line) const {
                            [](int sum, const Tool* tool) { return sum + leastOf(*tool->item); });
 }
 
-int ToolRow::heightOf(const Line& line) {
-    int height = 0;
+/// What is left goes to those that stretch; what is wanting is taken from those that can shrink.
+std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
+    const int least = leastWidth(line);
+    int wished = least, stretches = 0;
     for (const Tool* tool : line) {
-        height = std::max(height, tool->item->sizeHint().height());
+        wished += tool->item->sizeHint().width() - leastOf(*tool->item);
+        stretches += tool->stretch;
+    }
+    std::vector<int> widths;
+    for (const Tool* tool : line) {
+        const int own = tool->item->sizeHint().width(), mine = leastOf(*tool->item);
+        widths.push_back(
+            wished <= room
+                ? own + roundedShare(room - wished, tool->stretch, stretches)
+                : mine + roundedShare(std::max(0, room - least), own - mine, wished - least));
+    }
+    return widths;
+}
+
+/// A text that wraps is as high as its width makes it.
+int ToolRow::heightOf(const Line& line, int room) const {
+    const std::vector<int> widths = widthsOf(line, room);
+    int height = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const QLayoutItem& item = *line[i]->item;
+        height = std::max(height, item.hasHeightForWidth() ? item.heightForWidth(widths[i])
+                                                           : item.sizeHint().height());
     }
     return height;
 }
@@ -120,9 +143,10 @@ std::vector<ToolRow::Line> ToolRow::lines(int width) const {
 
 int ToolRow::heightForWidth(int width) const {
     const QMargins margins = contentsMargins();
+    const int room = width - margins.left() - margins.right();
     int height = margins.top() + margins.bottom() - spacing();
-    for (const Line& line : lines(width - margins.left() - margins.right())) {
-        height += heightOf(line) + spacing();
+    for (const Line& line : lines(room)) {
+        height += heightOf(line, room) + spacing();
     }
     return height;
 }
@@ -154,31 +178,18 @@ void ToolRow::setGeometry(const QRect& rect) {
     int top = room.top();
     const std::vector<Line> all = lines(room.width());
     for (const Line& line : all) {
-        const int height = all.size() == 1 ? room.height() : heightOf(line);
+        const int height = all.size() == 1 ? room.height() : heightOf(line, room.width());
         layOut(line, {room.left(), top, room.width(), height});
         top += height + spacing();
     }
 }
 
-/// What is left goes to those that stretch; what is wanting is taken from those that can shrink.
 void ToolRow::layOut(const Line& line, const QRect& rect) const {
-    const int least = leastWidth(line);
-    int wished = least, stretches = 0;
-    for (const Tool* tool : line) {
-        wished += tool->item->sizeHint().width() - leastOf(*tool->item);
-        stretches += tool->stretch;
-    }
-    const int spare = std::max(0, rect.width() - wished);
+    const std::vector<int> widths = widthsOf(line, rect.width());
     int x = rect.left();
-    for (const Tool* tool : line) {
-        const int own = tool->item->sizeHint().width(), mine = leastOf(*tool->item);
-        const int width =
-            wished <= rect.width()
-                ? own + roundedShare(spare, tool->stretch, stretches)
-                : mine
-                      + roundedShare(std::max(0, rect.width() - least), own - mine, wished - least);
-        tool->item->setGeometry({x, rect.top(), width, rect.height()});
-        x += width + spacing();
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        line[i]->item->setGeometry({x, rect.top(), widths[i], rect.height()});
+        x += widths[i] + spacing();
     }
 }
 

@@ -39,7 +39,8 @@ private:
     using Line = std::vector<const Tool*>;
     [[nodiscard]] std::vector<Line> lines(int width) const;
     [[nodiscard]] int leastWidth(const Line& line) const;
-    static int heightOf(const Line& line);
+    [[nodiscard]] std::vector<int> widthsOf(const Line& line, int room) const;
+    [[nodiscard]] int heightOf(const Line& line, int room) const;
     void layOut(const Line& line, const QRect& rect) const;
 
     std::vector<Tool> m_items;

@@ -21,7 +21,7 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
-        m_scenarios.emplace_back(scenario, grid);
+        m_scenarios.push_back(std::make_unique<ScenarioRunner>(scenario, grid));
     }
 }
 
@@ -43,7 +43,7 @@ std::optional<double> Judge::leastMargin(const SimulationResult& result) {
 
 std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) {
     for (std::size_t i = 0; i < m_scenarios.size(); ++i) {
-        const auto result = m_scenarios[i].run(cycle, noTime_us, counts);
+        const auto result = m_scenarios[i]->run(cycle, counts);
         const std::optional<double> there = result ? leastMargin(*result) : std::nullopt;
         if (!there) {
             std::swap(m_scenarios[0], m_scenarios[i]);
@@ -79,6 +79,23 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     return best;
 }
 
+bool Judge::isHopeless(GridCycle cycle, int merged) {
+    for (int more = 0; more <= merged; ++more) {
+        const auto failing =
+            std::find_if(m_scenarios.begin(), m_scenarios.end(),
+                         [&](const auto& each) { return each->isHopeless(cycle, counts); });
+        if (failing == m_scenarios.end()) {
+            return false;
+        }
+        std::iter_swap(m_scenarios.begin(), failing);
+        if (more < merged) {
+            ++cycle[cycle.size() - 2].steps;
+        }
+    }
+    ++counts.evaluations;
+    return true;
+}
+
 bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
     if (const auto result = runner.run(cycle, bestTime_us(), counts)) {
         return judge(cycle, *result);
@@ -98,8 +115,7 @@ void Judge::decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleR
     } else if (!runner.isGauged()) {
         decide(whole.cycle, runner);
     } else if (const auto broken = runner.cuts().brokenAtEnd(steps.run())) {
-        ++counts.evaluations;
-        ++counts.cuts[static_cast<std::size_t>(*broken)];
+        cut(*broken);
     } else {
         judge(whole.cycle, runner.finish(whole.cycle, steps, whole.counts), merged);
     }
@@ -111,10 +127,10 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (!scenario) {
         return false;
     }
-    m_scenarios.emplace(m_scenarios.begin(), *scenario, m_grid);
+    m_scenarios.insert(m_scenarios.begin(), std::make_unique<ScenarioRunner>(*scenario, m_grid));
     m_added.push_back(std::move(*scenario));
     if (m_best && m_best->variant == m_options.variant) {
-        const auto result = m_scenarios.front().run(m_best->cycle, noTime_us, counts);
+        const auto result = m_scenarios.front()->run(m_best->cycle, counts);
         const auto margin = result ? leastMargin(*result) : std::nullopt;
         m_stale = m_stale || !margin;
         m_best->leastRelativeMargin = std::min(m_best->leastRelativeMargin, margin.value_or(0));

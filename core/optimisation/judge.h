@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/optimisation/stage_runs.h"
+#include "core/optimisation/scenario_runner.h"
 
 namespace sparkout {
 
@@ -24,8 +24,17 @@ public:
     /// states it.
     void decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleRunner& runner,
                     int merged = 0);
+    /// Whether a cycle and each of the `merged` further ones is told to break a requirement in a
+    /// scenario, before the last stage is run; then it is decided.
+    bool isHopeless(GridCycle cycle, int merged);
     /// A best cycle found elsewhere.
     bool offer(const FeasibleCycle& found);
+
+    /// Counts a cycle as cut before its end.
+    void cut(ConstraintKind kind) {
+        ++counts.evaluations;
+        ++counts.cuts[static_cast<std::size_t>(kind)];
+    }
 
     [[nodiscard]] const std::optional<FeasibleCycle>& best() const { return m_best; }
     [[nodiscard]] std::int64_t bestTime_us() const { return m_best ? m_best->time_us : noTime_us; }
@@ -43,7 +52,7 @@ private:
 
     const Grid& m_grid;
     const SearchOptions& m_options;
-    std::vector<CycleRunner> m_scenarios; ///< the one that failed last first
+    std::vector<std::unique_ptr<ScenarioRunner>> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
     std::vector<Project> m_added;
     bool m_stale = false;

@@ -22,6 +22,7 @@ PassCuts::PassCuts(const Project& project)
                    : static_cast<std::size_t>(project.sections))
     , m_least_mm(project.part.lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
     , m_most_mm(project.part.upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
+    , m_isBore(project.part.surface == Surface::internal)
     , m_burn(project.material.burn_rise_k.has_value()) {
     const Machine& machine = project.machine;
     if (machine.wheel_drive_kw && !isCoupled(project)) {

@@ -21,10 +21,18 @@ public:
     /// At the end of a cycle: a diameter outside of the drawing's field, by more than rounding.
     /// What most cycles fail by, told without closing the books and judging all the rest.
     [[nodiscard]] std::optional<ConstraintKind> brokenAtEnd(const Run& run) const;
+    /// Whether a deviation of a diameter [mm] is beyond the end of the field that cutting comes to.
+    [[nodiscard]] bool isTooDeep(double deviation_mm) const {
+        return m_isBore ? deviation_mm > m_most_mm : deviation_mm < m_least_mm;
+    }
+    [[nodiscard]] ConstraintKind tooDeep() const {
+        return m_isBore ? ConstraintKind::diameterMax : ConstraintKind::diameterMin;
+    }
 
 private:
     std::size_t m_points;         ///< whose diameters count
     double m_least_mm, m_most_mm; ///< of deviations
+    bool m_isBore;
     bool m_burn;
     std::optional<double> m_wheelPower_w, m_workPower_w; ///< P_z·V_k allowed by the two drives
     std::optional<double> m_depth_mm;                    ///< of self-sharpening

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <queue>
@@ -186,6 +187,9 @@ private:
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
         const CyclePrefix& done = from.done;
+        if (done.isBeforeLast() && m_runs.isGauged() && isHopeless(done, setting, from.merged)) {
+            return;
+        }
         const bool single = !m_mayMerge && done.cycle.size() + 2 != done.stages;
         m_runs.run(
             done, setting,
@@ -206,6 +210,28 @@ private:
                 }
             },
             m_judge.counts);
+    }
+
+    /// Whether a few radii tell that a last stage takes too long or ends too deep.
+    [[nodiscard]] bool isHopeless(const CyclePrefix& done, std::size_t setting, int merged) {
+        const double step_s = m_runs.bound().step_s(setting);
+        const double begin_s = done.steps->run().time_s();
+        int mostSteps = std::numeric_limits<int>::max();
+        if (m_judge.best()) {
+            const double left_s = static_cast<double>(m_judge.bestTime_us()) * 1e-6 - begin_s;
+            mostSteps = static_cast<int>(left_s / step_s) + 2;
+        }
+        const LastStageOutlook told = m_runs.outlook(done, setting, mostSteps);
+        if (isSlower(begin_s + told.leastSteps * step_s * (1 - 1e-9))) {
+            return true;
+        }
+        if (told.cutsTooDeep) {
+            m_judge.cut(m_runner.cuts().tooDeep());
+            return true;
+        }
+        GridCycle cycle = done.cycle;
+        cycle.push_back({setting, 0});
+        return m_judge.isHopeless(std::move(cycle), merged);
     }
 
     const Grid& m_grid;

@@ -3,8 +3,6 @@
 
 #include "core/simulation/stage_control.h"
 
-#include <algorithm>
-
 namespace sparkout {
 
 StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts)
@@ -48,6 +46,21 @@ void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless&
     }
 }
 
+void StageRuns::runTo(int taken, const CyclePrefix& from, std::size_t setting, const AtEnd& atEnd,
+                      SearchCounts& counts) const {
+    runTo(
+        {taken, taken}, from, setting, [](const Run&, int) { return false; }, atEnd, counts);
+}
+
+LastStageOutlook StageRuns::outlook(const CyclePrefix& from, std::size_t setting,
+                                    int mostSteps) const {
+    const StageSetting& feeds = m_grid.settings()[setting];
+    return sparkout::outlook(*from.steps,
+                             {m_bound.infeed_mm(setting), feeds.axialFeed_mm_min, feeds.sparkOut,
+                              from.hasSteps(), mostSteps},
+                             m_cuts);
+}
+
 void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
                       const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const {
     const std::unique_ptr<CycleSteps> steps = from.steps->copy();
@@ -55,10 +68,9 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
     const long long visitsBefore = run.visits();
     const std::size_t stage = from.cycle.size();
     const bool last = from.isBeforeLast();
-    const bool begun =
-        std::any_of(from.counts.begin(), from.counts.end(), [](int each) { return each > 0; });
+    const bool begun = from.hasSteps();
     const int sparkOut = m_grid.settings()[setting].sparkOut;
-    for (int count = 0;; ++count) {
+    for (int count = from.running;; ++count) {
         const int first = ends.taken;
         while ((begun || count > 0) && ends.taken <= ends.last
                && (sparkOut > 0 ? count >= sparkOut : ended(*steps, later(last, ends.taken)))) {
@@ -82,7 +94,7 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
 
 CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const End& end,
                              int taken) const {
-    CyclePrefix prefix{nullptr, from.stages, from.cycle, from.counts, taken};
+    CyclePrefix prefix{nullptr, from.stages, from.cycle, from.counts, taken, 0};
     prefix.counts.push_back(end.count);
     prefix.cycle.push_back({setting, from.isBeforeLast() ? 0 : taken - from.taken});
     return prefix;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/last_stage_outlook.h"
 #include "core/optimisation/time_bound.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,7 +20,11 @@ struct CyclePrefix {
     GridCycle cycle;         ///< so far
     std::vector<int> counts; ///< steps of each stage
     int taken = 0;           ///< steps of stock
+    int running = 0;         ///< steps already made of the next stage
     [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
+    [[nodiscard]] bool hasSteps() const {
+        return std::any_of(counts.begin(), counts.end(), [](int each) { return each > 0; });
+    }
 };
 
 /// Goes on from cycles by one stage, through all the ends that the grid leaves it.
@@ -39,6 +46,13 @@ public:
     /// that breaks a requirement counts as cut and ends.
     void run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
              const AtEnd& atEnd, SearchCounts& counts) const;
+    /// To the end with so many steps of stock behind the stage.
+    void runTo(int taken, const CyclePrefix& from, std::size_t setting, const AtEnd& atEnd,
+               SearchCounts& counts) const;
+    /// What a few radii tell of a last stage with this setting, or of its first steps; under gauge
+    /// control.
+    [[nodiscard]] LastStageOutlook outlook(const CyclePrefix& from, std::size_t setting,
+                                           int mostSteps = std::numeric_limits<int>::max()) const;
     /// The prefix behind the stage, without steps.
     [[nodiscard]] CyclePrefix after(const CyclePrefix& from, std::size_t setting, const End& end,
                                     int taken) const;

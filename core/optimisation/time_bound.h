@@ -38,6 +38,8 @@ public:
     /// spark-out, whose begin is not known here, 0.
     [[nodiscard]] double rest_s(std::size_t setting, double fed_mm, double later_mm,
                                 bool last) const;
+    /// Time [s] of a full step of the setting.
+    [[nodiscard]] double step_s(std::size_t setting) const { return m_rates[setting].step_s; }
     /// Time [s] of a spark-out with the setting.
     [[nodiscard]] double sparkOut_s(std::size_t setting) const {
         return m_rates[setting].sparkOut_s;

@@ -9,12 +9,11 @@
 namespace sparkout {
 
 void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bkr) {
-    const double A = 1 + gamma * bks;
-    const double c = gamma * bkr;
-    C[lane] = c;
-    C2[lane] = c * c;
-    A4[lane] = 4 * A;
-    inverse2A[lane] = 1 / (2 * A);
+    const LaneBalance balance(gamma, bks, bkr);
+    C[lane] = balance.C;
+    C2[lane] = balance.C2;
+    A4[lane] = balance.A4;
+    inverse2A[lane] = balance.inverse2A;
 }
 
 namespace {

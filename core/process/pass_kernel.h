@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -54,6 +55,26 @@ struct PassFeed {
 
     [[nodiscard]] double at(double share) const {
         return std::min(base + offset + rate * share, base + cap);
+    }
+};
+
+/// The balance's coefficients of one lane at one width of cut.
+struct LaneBalance {
+    double C = 0, C2 = 0, A4 = 0, inverse2A = 0;
+    bool multiplied = true;
+    LaneBalance() = default;
+    /// γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
+    LaneBalance(double gamma, double bks, double bkr)
+        : C(gamma * bkr)
+        , C2(C * C)
+        , A4(4 * (1 + gamma * bks))
+        , inverse2A(1 / (2 * (1 + gamma * bks)))
+        , multiplied(bkr <= multipliedFormLimit * bks) {}
+    /// √a [√mm] where the infeed is h [mm] beyond the radius, as a pass has it but for rounding.
+    [[nodiscard]] double root(double h) const {
+        const double infeed = h > 0 ? h : 0;
+        const double q = std::sqrt(C2 + A4 * infeed);
+        return multiplied ? (q - C) * inverse2A : 2 * infeed / (C + q);
     }
 };
 

@@ -19,7 +19,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using namespace catalogue;
 
-constexpr const char* formatName = "sparkout-catalogue";
+constexpr const char* catalogueFormat = "sparkout-catalogue";
 
 /// What makes a kind of catalogue: its name in the file, and where its value stands in a project.
 template <class Entry>
@@ -73,7 +73,7 @@ const json* checkHeader(const json& root, const char* kind, Issues& issues) {
             refuse(wrong, path.c_str(), quoted(*found), quoted(expected));
         }
     };
-    expect("format", formatName, IssueCode::notOneOf);
+    expect("format", catalogueFormat, IssueCode::notOneOf);
     expect("version", catalogueVersion, IssueCode::notOneOf);
     expect("kind", kind, IssueCode::notOneOf);
     const auto entries = root.find("entries");
@@ -150,7 +150,7 @@ CatalogueRead<Entry> readCatalogue(std::string_view text) {
 template <class Entry>
 std::string writeCatalogue(const std::vector<Entry>& entries) {
     ordered_json root = {
-        {"format", formatName}, {"version", catalogueVersion}, {"kind", Kindred<Entry>::name}};
+        {"format", catalogueFormat}, {"version", catalogueVersion}, {"kind", Kindred<Entry>::name}};
     ordered_json& list = root["entries"] = ordered_json::array();
     for (const Entry& entry : entries) {
         ordered_json text = writeByTable(tableOf<Entry>(), &entry);

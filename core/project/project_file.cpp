@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* formatName = "sparkout-project";
+constexpr const char* projectFormat = "sparkout-project";
 
 /// The header decides whether the rest is worth reading.
 Issues checkHeader(const json& root) {
@@ -31,10 +31,10 @@ Issues checkHeader(const json& root) {
     const auto add = [&](IssueCode code, const char* path, std::string value, std::string limit) {
         issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
     };
-    const std::string expected = '"' + std::string(formatName) + '"';
+    const std::string expected = '"' + std::string(projectFormat) + '"';
     if (!root.contains("format")) {
         add(IssueCode::missingKey, "/format", {}, expected);
-    } else if (root.at("format") != formatName) {
+    } else if (root.at("format") != projectFormat) {
         add(IssueCode::wrongFormat, "/format", quoted(root.at("format")), expected);
     }
     const std::string versions = "1…" + std::to_string(projectVersion);
@@ -135,7 +135,7 @@ ReadResult readProject(std::string_view text) {
 }
 
 std::string writeProject(const Project& project) {
-    nlohmann::ordered_json root = {{"format", formatName}, {"version", projectVersion}};
+    nlohmann::ordered_json root = {{"format", projectFormat}, {"version", projectVersion}};
     root.update(writeByTable(tableOf<Project>(), &project));
     return printJson(root);
 }

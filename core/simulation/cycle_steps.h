@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/radius_follower.h"
 #include "core/simulation/run.h"
 
 #include <memory>
@@ -29,6 +30,9 @@ public:
     /// What the gauge reads: remaining stock per side [mm].
     [[nodiscard]] double remaining() const { return m_run.remaining(m_gaugePoint); }
     [[nodiscard]] virtual SimulationResult finish(const std::vector<int>& stepsByStage) = 0;
+    /// Of the state it is in when asked to begin; none where radii depend on each other.
+    [[nodiscard]] virtual const RadiusFollower* follower() const { return nullptr; }
+    [[nodiscard]] std::size_t gaugePoint() const { return m_gaugePoint; }
 
     [[nodiscard]] Run& run() { return m_run; }
     [[nodiscard]] const Run& run() const { return m_run; }

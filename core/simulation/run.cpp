@@ -223,12 +223,46 @@ std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
     const double* depth_mm = m_lanes.depth_mm.data() + point * K;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t k = 0; k < K / 2; ++k) {
-        const double deviation =
-            radiusAt(depth_mm[k]) + radiusAt(depth_mm[k + K / 2]) - m_project.part.diameter_mm;
+        const double deviation = diameterDeviation(depth_mm[k], depth_mm[k + K / 2]);
         least = std::min(least, deviation);
         most = std::max(most, deviation);
     }
     return {least, most};
+}
+
+double Run::diameterDeviation(double depth_mm, double opposite_mm) const {
+    return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part.diameter_mm;
+}
+
+std::size_t Run::deepestLane(std::size_t point) const {
+    const auto begin = m_lanes.depth_mm.begin() + static_cast<std::ptrdiff_t>(point) * m_radii;
+    return static_cast<std::size_t>(std::max_element(begin, begin + m_radii)
+                                    - m_lanes.depth_mm.begin());
+}
+
+std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
+    const auto K = static_cast<std::size_t>(m_radii);
+    std::size_t deepest = 0;
+    double most = 0;
+    for (std::size_t point = 0; point < m_points.size(); ++point) {
+        for (std::size_t lane = point * K; lane < point * K + K / 2; ++lane) {
+            const double both = m_lanes.depth_mm[lane] + m_lanes.depth_mm[lane + K / 2];
+            if (both > most) {
+                most = both;
+                deepest = lane;
+            }
+        }
+    }
+    return {deepest, deepest + K / 2};
+}
+
+FollowedRadius Run::followed(std::size_t lane, double plungeWidth_mm, double strokeWidth_mm) const {
+    const std::size_t point = lane / static_cast<std::size_t>(m_radii);
+    const auto balance = [&](double width_mm) {
+        return LaneBalance(m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr);
+    };
+    return {m_lanes.depth_mm[lane], m_lanes.share[lane], point, balance(plungeWidth_mm),
+            balance(strokeWidth_mm)};
 }
 
 void keepLargestPeaks(SimulationResult& result) {

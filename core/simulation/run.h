@@ -7,6 +7,7 @@
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/simulation/limit_watch.h"
+#include "core/simulation/radius_follower.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/trajectory.h"
@@ -76,6 +77,16 @@ public:
     [[nodiscard]] double burnUsage() const { return m_watch.burnUsage(); }
     /// Least and most of a point's diameters D_k now, less the nominal one [mm].
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
+    /// D_k less the nominal diameter [mm] of two opposite radii at these depths.
+    [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const;
+    /// The deepest radius of a point, and of all points the one that with its opposite is deepest.
+    [[nodiscard]] std::size_t deepestLane(std::size_t point) const;
+    [[nodiscard]] std::pair<std::size_t, std::size_t> deepestDiameter() const;
+    /// Whether each radius is cut by its own balance alone, without a contact in series.
+    [[nodiscard]] bool isEachAlone() const { return !m_contact; }
+    /// A lane as it is now, cut at these widths [mm].
+    [[nodiscard]] FollowedRadius followed(std::size_t lane, double plungeWidth_mm,
+                                          double strokeWidth_mm) const;
     /// Largest P_z·V_k [W] and largest a [mm] of a stage, from 0.
     [[nodiscard]] const StageSums& sumsOf(std::size_t stage) const {
         return m_result.sumsByStage[stage];

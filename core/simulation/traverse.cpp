@@ -21,7 +21,7 @@ int dwellRevolutions(double dwell_s, double workSpeed_rpm) {
 namespace {
 
 /// Double strokes, step by step in the order of the table in MODEL-5.
-class TraverseSteps : public CycleSteps {
+class TraverseSteps : public CycleSteps, public RadiusFollower {
 public:
     TraverseSteps(const Project& project, Zone gaugeZone, Trajectory* trajectory,
                   const std::stop_token& stop)
@@ -42,11 +42,14 @@ public:
     bool step(const StepFeed& feed) override {
         if (feed.axialFeed_mm_min != m_axialFeed) {
             m_axialFeed = feed.axialFeed_mm_min;
-            m_stroke = sharedCut(std::min(m_axialFeed / rpm(), m_project.wheel.width_mm));
+            m_stroke = sharedCut(strokeWidth(m_axialFeed));
         }
         m_stage = feed.stage;
-        doubleStroke(feed.infeed_mm);
-        return !m_run.mustEnd();
+        ++m_steps;
+        const bool done = doubleStroke(m_run.fed_mm, feed.infeed_mm,
+                                       [&](const Pass& pass) { return cut(pass, feed.infeed_mm); });
+        m_run.fed_mm += feed.infeed_mm;
+        return done && !m_run.mustEnd();
     }
 
     SimulationResult finish(const std::vector<int>& stepsByStage) override {
@@ -54,11 +57,41 @@ public:
                             {Zone::rz1, Zone::nz, Zone::rz2});
     }
 
+    const RadiusFollower* follower() const override { return m_run.isEachAlone() ? this : nullptr; }
+
+    FollowedRadii follow(const std::array<std::size_t, FollowedRadii::count>& lanes,
+                         double axialFeed_mm_min) const override {
+        FollowedRadii radii{m_run.fed_mm, {}};
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            const ZoneLengths zones = zoneLengths(m_project);
+            radii.radii[i] = m_run.followed(lanes[i], zones.rz1, strokeWidth(axialFeed_mm_min));
+        }
+        return radii;
+    }
+
+    void stepAlone(FollowedRadii& radii, double infeed_mm) const override {
+        doubleStroke(radii.fed_mm, infeed_mm, [&](const Pass& pass) {
+            for (FollowedRadius& radius : radii.radii) {
+                if (pass.isStroke || radius.zone == static_cast<std::size_t>(pass.zone)) {
+                    const LaneBalance& balance = pass.isStroke ? radius.stroke : radius.plunge;
+                    const double root = balance.root(pass.feed.at(radius.share) - radius.depth_mm);
+                    radius.depth_mm += root * root;
+                }
+            }
+            return true;
+        });
+        radii.fed_mm += infeed_mm;
+    }
+
 private:
     static constexpr std::size_t zoneCount = 3;
 
     std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {
         return std::make_shared<const CutWidth>(m_run.makeCut(width_mm));
+    }
+
+    double strokeWidth(double axialFeed) const {
+        return std::min(axialFeed / rpm(), m_project.wheel.width_mm);
     }
 
     double rpm() const { return m_project.machine.work_speed_rpm; }
@@ -73,49 +106,74 @@ private:
                 .revolution = revolution};
     }
 
-    void doubleStroke(double infeed) {
-        ++m_steps;
-        plungeIn(infeed);
-        dwell(Zone::rz1, Step::e2, *m_plunge1, m_entryDwell);
-        stroke({Step::e3, Step::e1, Step::e1});
-        dwell(Zone::rz2, Step::e2, *m_plunge2, m_exitDwell);
-        stroke({Step::e4, Step::e2, Step::e3});
-        dwell(Zone::rz1, Step::e5, *m_plunge1, m_entryDwell);
+    /// A pass of a double stroke: of all zones in a stroke, else of one.
+    struct Pass {
+        Zone zone = Zone::rz1;
+        bool isStroke = false;
+        std::array<Step, zoneCount> steps{}; ///< by zone in a stroke, else the first
+        int revolution = 1;
+        PassFeed feed;
+    };
+
+    /// The passes of a double stroke in order, until one is refused: false.
+    template <class Do>
+    bool doubleStroke(double fed, double infeed, const Do& pass) const {
+        const auto dwell = [&](Zone zone, Step step, int revolutions) {
+            for (int m = 1; m <= revolutions; ++m) {
+                if (!pass(Pass{zone, false, {step}, m, {.base = fed + infeed}})) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        const auto stroke = [&](const std::array<Step, zoneCount>& steps) {
+            return pass(Pass{Zone::rz1, true, steps, 1, {.base = fed + infeed}});
+        };
+        return plungeIn(fed, infeed, pass) && dwell(Zone::rz1, Step::e2, m_entryDwell)
+               && stroke({Step::e3, Step::e1, Step::e1}) && dwell(Zone::rz2, Step::e2, m_exitDwell)
+               && stroke({Step::e4, Step::e2, Step::e3})
+               && dwell(Zone::rz1, Step::e5, m_entryDwell);
     }
 
     /// E1 of РЗ1: t_П + min(S_t, (S_rad/n)·(m − 1 + (k+1)/K)) in N_E1 = ⌈n·S_t/S_rad⌉ revolutions.
-    void plungeIn(double infeed) {
-        m_infeed = infeed;
+    template <class Do>
+    bool plungeIn(double fed, double infeed, const Do& pass) const {
         const double feed = m_project.machine.plunge_feed_mm_min;
         const int revolutions = static_cast<int>(std::ceil(rpm() * infeed / feed - 1e-9));
         const double perRevolution = feed / rpm();
-        for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
-            const Place at = place(Zone::rz1, Step::e1, m);
-            m_run.cut(0, 1, *m_plunge1,
-                      {m_run.fed_mm, perRevolution * (m - 1), perRevolution, infeed}, &at,
-                      {.duration_s = revolution_s(), .radialFeed_mm = infeed});
-            m_run.advance(revolution_s(), m_stage);
+        for (int m = 1; m <= revolutions; ++m) {
+            if (!pass(Pass{Zone::rz1,
+                           false,
+                           {Step::e1},
+                           m,
+                           {fed, perRevolution * (m - 1), perRevolution, infeed}})) {
+                return false;
+            }
         }
-        m_run.fed_mm += infeed;
+        return true;
     }
 
-    void dwell(Zone zone, Step step, const CutWidth& width, int revolutions) {
-        for (int m = 1; m <= revolutions && !m_run.mustEnd(); ++m) {
-            const Place at = place(zone, step, m);
-            m_run.cut(static_cast<std::size_t>(zone), 1, width, {.base = m_run.fed_mm}, &at,
-                      {.duration_s = revolution_s(), .radialFeed_mm = m_infeed});
-            m_run.advance(revolution_s(), m_stage);
+    /// False, and nothing done, when the run must end.
+    bool cut(const Pass& pass, double infeed) {
+        if (pass.isStroke) {
+            const double duration = m_travel_mm / m_axialFeed * units::secondsPerMinute;
+            const std::array places{place(Zone::rz1, pass.steps[0]), place(Zone::nz, pass.steps[1]),
+                                    place(Zone::rz2, pass.steps[2])};
+            m_run.cut(
+                0, zoneCount, *m_stroke, pass.feed, places.data(),
+                {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = infeed});
+            m_run.advance(duration, m_stage);
+            return true;
         }
-    }
-
-    void stroke(const std::array<Step, zoneCount>& steps) {
-        const double duration = m_travel_mm / m_axialFeed * units::secondsPerMinute;
-        const std::array places{place(Zone::rz1, steps[0]), place(Zone::nz, steps[1]),
-                                place(Zone::rz2, steps[2])};
-        m_run.cut(
-            0, zoneCount, *m_stroke, {.base = m_run.fed_mm}, places.data(),
-            {.duration_s = duration, .axialFeed_mm_min = m_axialFeed, .radialFeed_mm = m_infeed});
-        m_run.advance(duration, m_stage);
+        if (m_run.mustEnd()) {
+            return false;
+        }
+        const Place at = place(pass.zone, pass.steps[0], pass.revolution);
+        m_run.cut(static_cast<std::size_t>(pass.zone), 1,
+                  pass.zone == Zone::rz1 ? *m_plunge1 : *m_plunge2, pass.feed, &at,
+                  {.duration_s = revolution_s(), .radialFeed_mm = infeed});
+        m_run.advance(revolution_s(), m_stage);
+        return true;
     }
 
     const Project& m_project;
@@ -123,7 +181,6 @@ private:
     int m_entryDwell, m_exitDwell;
     double m_travel_mm;
     double m_axialFeed = 0;
-    double m_infeed = 0;     ///< of the running double stroke
     std::size_t m_stage = 0; ///< that it belongs to
 };
 

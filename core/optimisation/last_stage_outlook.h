@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/pass_cuts.h"
+#include "core/simulation/cycle_steps.h"
+
+#include <limits>
+
+namespace sparkout {
+
+/// How the last stage of a cycle is tried on a few radii before it is run.
+struct LastStage {
+    double infeed_mm = 0;        ///< of a step
+    double axialFeed_mm_min = 0; ///< traverse
+    int sparkOut = 0;            ///< > 0: it ends after so many steps
+    bool begun = true;           ///< steps were made before it
+    int mostSteps = std::numeric_limits<int>::max();
+};
+
+/// What is proved of a last stage by three of the part's radii.
+struct LastStageOutlook {
+    int leastSteps = 0;       ///< it does not end before
+    bool cutsTooDeep = false; ///< a diameter ends beyond the field
+};
+
+/// Under gauge control, from a state on in which all feeding stages but the last are done.
+///
+/// The cycle ends when Π_rem ≤ slack, and Π_rem is |R_first − R_t| less the mean depth of two
+/// opposite radii of the gauge's zone, or of all of them: not before the deepest of these radii is
+/// at the size. They have one γ and are fed alike, and depth + a(t_П − depth) rises with depth, as
+/// a rises by no more than its infeed does: so the one that is the deepest now stays so, and it
+/// alone tells a number of steps before which the stage does not end. Radii only grow deeper: a
+/// diameter of two others beyond the field after that many steps is beyond it at the end. Taken are
+/// the two that are the deepest now. Where radii depend on each other nothing is told.
+[[nodiscard]] LastStageOutlook outlook(const CycleSteps& steps, const LastStage& stage,
+                                       const PassCuts& cuts);
+
+} // namespace sparkout

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/optimisation/scenario_runner.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sparkout {
+
+namespace {
+constexpr std::size_t mostKept = 1000; ///< prefixes, of some 10 kB each
+}
+
+bool ScenarioRunner::Before::operator()(const GridCycle& a, const GridCycle& b) const {
+    return std::lexicographical_compare(
+        a.begin(), a.end(), b.begin(), b.end(), [](const GridStage& x, const GridStage& y) {
+            return std::tie(x.setting, x.steps) < std::tie(y.setting, y.steps);
+        });
+}
+
+ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid)
+    : m_runner(scenario, grid)
+    , m_runs(scenario, grid, m_runner.cuts())
+    , m_known(*std::max_element(grid.stageCounts().begin(), grid.stageCounts().end()) + 1) {}
+
+bool ScenarioRunner::isHopeless(const GridCycle& cycle, SearchCounts& counts) {
+    if (!m_runner.isGauged()) {
+        return false;
+    }
+    if (m_kept > mostKept) {
+        std::for_each(m_known.begin(), m_known.end(), [](Prefixes& each) { each.clear(); });
+        m_kept = 0;
+    }
+    const CyclePrefix& done = prefix(cycle, cycle.size() - 1, counts);
+    if (done.steps && !m_runs.outlook(done, cycle.back().setting).cutsTooDeep) {
+        return false;
+    }
+    if (done.steps) {
+        ++counts.cuts[static_cast<std::size_t>(m_runner.cuts().tooDeep())];
+    }
+    return true;
+}
+
+std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, SearchCounts& counts) {
+    if (!m_runner.isGauged()) {
+        return m_runner.run(cycle, noTime_us, counts);
+    }
+    if (isHopeless(cycle, counts)) {
+        return std::nullopt;
+    }
+    const CyclePrefix& done = prefix(cycle, cycle.size() - 1, counts);
+    const std::size_t setting = cycle.back().setting;
+    std::optional<SimulationResult> result;
+    m_runs.runTo(
+        0, done, setting,
+        [&](const StageRuns::End& end) {
+            if (const auto broken = m_runner.cuts().brokenAtEnd(end.steps.run())) {
+                ++counts.cuts[static_cast<std::size_t>(*broken)];
+                return;
+            }
+            const CyclePrefix whole = m_runs.after(done, setting, end, 0);
+            result = m_runner.finish(cycle, end.steps, whole.counts);
+        },
+        counts);
+    return result;
+}
+
+/// The first stages of the cycle, run now unless they were before.
+const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t stages,
+                                          SearchCounts& counts) {
+    const GridCycle first(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(stages));
+    Prefixes& known = m_known[cycle.size()];
+    const auto found = known.find(first);
+    if (found != known.end()) {
+        return found->second;
+    }
+    ++m_kept;
+    CyclePrefix done;
+    if (stages == 0) {
+        done.steps = m_runner.begin(cycle.size());
+        done.stages = cycle.size();
+    } else if (const CyclePrefix& before = prefix(cycle, stages - 1, counts); before.steps) {
+        done = goOn(before, first, known, counts);
+    }
+    return known.emplace(first, std::move(done)).first->second;
+}
+
+/// Its last stage from the furthest end on that it was run to before the one that is wanted.
+CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wanted,
+                                 const Prefixes& known, SearchCounts& counts) const {
+    const GridStage stage = wanted.back();
+    CyclePrefix from = before;
+    if (auto nearest = known.lower_bound(wanted); nearest != known.begin()) {
+        const auto& [cycle, done] = *--nearest;
+        GridCycle same = wanted;
+        same.back().steps = cycle.empty() ? 0 : cycle.back().steps;
+        if (cycle == same && !done.steps) {
+            return {}; // what was cut there is cut further on
+        }
+        if (cycle == same) {
+            from.steps = done.steps;
+            from.running = done.counts.back();
+        }
+    }
+    CyclePrefix next;
+    const int taken = before.taken + stage.steps;
+    m_runs.runTo(
+        taken, from, stage.setting,
+        [&](const StageRuns::End& end) {
+            next = m_runs.after(before, stage.setting, end, taken);
+            next.steps = end.steps.copy();
+        },
+        counts);
+    return next;
+}
+
+} // namespace sparkout
