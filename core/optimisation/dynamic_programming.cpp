@@ -36,7 +36,7 @@ public:
         , m_keepsSetting(rule == LabelRule::quickest || project.optimisation->non_increasing)
         , m_judge(grid, options)
         , m_runner(project, grid)
-        , m_runs(project, grid, m_runner.cuts()) {}
+        , m_runs(project, grid, m_runner.cuts(), StageRuns::Bounds::yes) {}
 
     SearchSummary run() {
         bool ended = true;

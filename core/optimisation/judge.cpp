@@ -21,8 +21,15 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
-        m_scenarios.push_back(std::make_unique<ScenarioRunner>(scenario, grid));
+        m_scenarios.push_back(runner(scenario, scenarios.size()));
     }
+}
+
+/// Together they take a quarter of the memory. The full search shares nothing: it is the reference.
+std::unique_ptr<ScenarioRunner> Judge::runner(const Project& scenario, std::size_t among) const {
+    const bool shares = m_options.method != SearchMethod::full;
+    return std::make_unique<ScenarioRunner>(scenario, m_grid,
+                                            shares ? m_options.memory_bytes / 4 / among : 0);
 }
 
 std::optional<double> Judge::leastMargin(const SimulationResult& result) {
@@ -84,7 +91,7 @@ bool Judge::isHopeless(GridCycle cycle, int merged) {
         const auto failing =
             std::find_if(m_scenarios.begin(), m_scenarios.end(),
                          [&](const auto& each) { return each->isHopeless(cycle, counts); });
-        if (failing == m_scenarios.end()) {
+        if (failing == m_scenarios.end() || m_options.stop.stop_requested()) {
             return false;
         }
         std::iter_swap(m_scenarios.begin(), failing);
@@ -127,7 +134,7 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (!scenario) {
         return false;
     }
-    m_scenarios.insert(m_scenarios.begin(), std::make_unique<ScenarioRunner>(*scenario, m_grid));
+    m_scenarios.insert(m_scenarios.begin(), runner(*scenario, m_scenarios.size() + 1));
     m_added.push_back(std::move(*scenario));
     if (m_best && m_best->variant == m_options.variant) {
         const auto result = m_scenarios.front()->run(m_best->cycle, counts);

@@ -44,6 +44,8 @@ public:
     SearchCounts counts;
 
 private:
+    [[nodiscard]] std::unique_ptr<ScenarioRunner> runner(const Project& scenario,
+                                                         std::size_t among) const;
     bool isChallenged(const FeasibleCycle& found);
     /// The least relative margin; nothing when a requirement fails.
     std::optional<double> leastMargin(const SimulationResult& result);

@@ -18,16 +18,21 @@ LastStageOutlook outlook(const CycleSteps& steps, const LastStage& stage, const 
                                               stage.axialFeed_mm_min);
     const auto& [gauged, one, other] = followed.radii;
     const double size_mm = run.blank().totalInfeed_mm - stageSlack_mm - followedRounding_mm;
+    const auto ended = [&](int made) {
+        return stage.sparkOut > 0 ? made >= stage.sparkOut
+                                  : gauged.depth_mm >= size_mm && (stage.begun || made > 0);
+    };
+    const long long mostPasses = maxVisits / run.radii(); // the run itself makes no more
     LastStageOutlook told;
-    while (told.leastSteps < stage.mostSteps
-           && (stage.sparkOut > 0
-                   ? told.leastSteps < stage.sparkOut
-                   : gauged.depth_mm < size_mm || (!stage.begun && told.leastSteps == 0))) {
+    while (true) {
+        told.cutsTooDeep = cuts.isTooDeep(run.diameterDeviation(one.depth_mm, other.depth_mm));
+        if (told.cutsTooDeep || ended(told.leastSteps) || told.leastSteps >= stage.mostSteps
+            || followed.passes > mostPasses) {
+            return told;
+        }
         follower->stepAlone(followed, stage.infeed_mm);
         ++told.leastSteps;
     }
-    told.cutsTooDeep = cuts.isTooDeep(run.diameterDeviation(one.depth_mm, other.depth_mm));
-    return told;
 }
 
 } // namespace sparkout

@@ -25,13 +25,14 @@ struct LastStageOutlook {
 
 /// Under gauge control, from a state on in which all feeding stages but the last are done.
 ///
-/// The cycle ends when Π_rem ≤ slack, and Π_rem is |R_first − R_t| less the mean depth of two
-/// opposite radii of the gauge's zone, or of all of them: not before the deepest of these radii is
-/// at the size. They have one γ and are fed alike, and depth + a(t_П − depth) rises with depth, as
-/// a rises by no more than its infeed does: so the one that is the deepest now stays so, and it
-/// alone tells a number of steps before which the stage does not end. Radii only grow deeper: a
-/// diameter of two others beyond the field after that many steps is beyond it at the end. Taken are
-/// the two that are the deepest now. Where radii depend on each other nothing is told.
+/// The gauge stands in НЗ, which is cut in strokes alone. The cycle ends when Π_rem ≤ slack, and
+/// Π_rem is |R_first − R_t| less the mean depth of two opposite radii of the gauge's zone, or of
+/// all of them: not before the deepest of these radii is at the size. They have one γ and are fed
+/// alike, and depth + a(t_П − depth) rises with depth, as a rises by no more than its infeed does:
+/// so the one that is the deepest now stays so, and it alone tells a number of steps before which
+/// the stage does not end. Radii only grow deeper: a diameter of two others beyond the field after
+/// that many steps is beyond it at the end. Taken are the two that are the deepest now. Where radii
+/// depend on each other, or the gauge stands elsewhere, nothing is told.
 [[nodiscard]] LastStageOutlook outlook(const CycleSteps& steps, const LastStage& stage,
                                        const PassCuts& cuts);
 

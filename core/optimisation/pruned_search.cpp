@@ -34,15 +34,6 @@ struct Branch {
     }
 };
 
-/// What a prefix takes in memory, about.
-std::size_t prefixBytes(const Project& project, const Grid& grid) {
-    constexpr std::size_t numbersPerLane = 12, rest = 4096;
-    const int sections = project.operation == Operation::traverse ? 3 : project.sections + 1;
-    const auto lanes = static_cast<std::size_t>(sections * project.part.radii_per_section);
-    return lanes * numbersPerLane * sizeof(double)
-           + grid.settings().size() * sizeof(std::pair<double, std::size_t>) + rest;
-}
-
 class PrunedSearch {
 public:
     PrunedSearch(const Project& project, const Grid& grid, const SearchOptions& options)
@@ -50,11 +41,13 @@ public:
         , m_options(options)
         , m_judge(grid, options)
         , m_runner(project, grid)
-        , m_runs(project, grid, m_runner.cuts())
+        , m_runs(project, grid, m_runner.cuts(), StageRuns::Bounds::yes)
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
         , m_mayMerge(options.scenarios.empty() && !options.challenge
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
-        , m_most(options.memory_bytes / prefixBytes(project, grid)) {}
+        , m_most(options.memory_bytes
+                 / (prefixBytes(project)
+                    + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {}
 
     SearchSummary run() {
         begin();
@@ -214,12 +207,15 @@ private:
 
     /// Whether a few radii tell that a last stage takes too long or ends too deep.
     [[nodiscard]] bool isHopeless(const CyclePrefix& done, std::size_t setting, int merged) {
+        if (!done.steps->follower()) {
+            return false;
+        }
         const double step_s = m_runs.bound().step_s(setting);
         const double begin_s = done.steps->run().time_s();
         int mostSteps = std::numeric_limits<int>::max();
         if (m_judge.best()) {
             const double left_s = static_cast<double>(m_judge.bestTime_us()) * 1e-6 - begin_s;
-            mostSteps = static_cast<int>(left_s / step_s) + 2;
+            mostSteps = static_cast<int>(std::min(left_s / step_s, 1e9)) + 2;
         }
         const LastStageOutlook told = m_runs.outlook(done, setting, mostSteps);
         if (isSlower(begin_s + told.leastSteps * step_s * (1 - 1e-9))) {

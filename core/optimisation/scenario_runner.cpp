@@ -6,10 +6,6 @@
 
 namespace sparkout {
 
-namespace {
-constexpr std::size_t mostKept = 1000; ///< prefixes, of some 10 kB each
-}
-
 bool ScenarioRunner::Before::operator()(const GridCycle& a, const GridCycle& b) const {
     return std::lexicographical_compare(
         a.begin(), a.end(), b.begin(), b.end(), [](const GridStage& x, const GridStage& y) {
@@ -17,47 +13,51 @@ bool ScenarioRunner::Before::operator()(const GridCycle& a, const GridCycle& b) 
         });
 }
 
-ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid)
-    : m_runner(scenario, grid)
-    , m_runs(scenario, grid, m_runner.cuts())
-    , m_known(*std::max_element(grid.stageCounts().begin(), grid.stageCounts().end()) + 1) {}
-
-bool ScenarioRunner::isHopeless(const GridCycle& cycle, SearchCounts& counts) {
-    if (!m_runner.isGauged()) {
-        return false;
+ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes)
+    : m_runner(scenario, grid), m_mostKept(memory_bytes / prefixBytes(scenario)) {
+    if (memory_bytes > 0 && m_runner.isGauged()) {
+        m_runs.emplace(scenario, grid, m_runner.cuts(), StageRuns::Bounds::no);
     }
-    if (m_kept > mostKept) {
-        std::for_each(m_known.begin(), m_known.end(), [](Prefixes& each) { each.clear(); });
+}
+
+const CyclePrefix* ScenarioRunner::hopeful(const GridCycle& cycle, SearchCounts& counts) {
+    if (m_kept > m_mostKept) {
+        m_known.clear();
         m_kept = 0;
     }
     const CyclePrefix& done = prefix(cycle, cycle.size() - 1, counts);
-    if (done.steps && !m_runs.outlook(done, cycle.back().setting).cutsTooDeep) {
-        return false;
+    if (!done.steps) {
+        return nullptr;
     }
-    if (done.steps) {
+    if (m_runs->outlook(done, cycle.back().setting).cutsTooDeep) {
         ++counts.cuts[static_cast<std::size_t>(m_runner.cuts().tooDeep())];
+        return nullptr;
     }
-    return true;
+    return &done;
+}
+
+bool ScenarioRunner::isHopeless(const GridCycle& cycle, SearchCounts& counts) {
+    return m_runs && !hopeful(cycle, counts);
 }
 
 std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, SearchCounts& counts) {
-    if (!m_runner.isGauged()) {
+    if (!m_runs) {
         return m_runner.run(cycle, noTime_us, counts);
     }
-    if (isHopeless(cycle, counts)) {
+    const CyclePrefix* const done = hopeful(cycle, counts);
+    if (!done) {
         return std::nullopt;
     }
-    const CyclePrefix& done = prefix(cycle, cycle.size() - 1, counts);
     const std::size_t setting = cycle.back().setting;
     std::optional<SimulationResult> result;
-    m_runs.runTo(
-        0, done, setting,
+    m_runs->runTo(
+        0, *done, setting,
         [&](const StageRuns::End& end) {
             if (const auto broken = m_runner.cuts().brokenAtEnd(end.steps.run())) {
                 ++counts.cuts[static_cast<std::size_t>(*broken)];
                 return;
             }
-            const CyclePrefix whole = m_runs.after(done, setting, end, 0);
+            const CyclePrefix whole = m_runs->after(*done, setting, end, 0);
             result = m_runner.finish(cycle, end.steps, whole.counts);
         },
         counts);
@@ -68,7 +68,7 @@ std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, Sear
 const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t stages,
                                           SearchCounts& counts) {
     const GridCycle first(cycle.begin(), cycle.begin() + static_cast<std::ptrdiff_t>(stages));
-    Prefixes& known = m_known[cycle.size()];
+    Prefixes& known = m_known[{cycle.size(), stages}];
     const auto found = known.find(first);
     if (found != known.end()) {
         return found->second;
@@ -92,7 +92,7 @@ CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wan
     if (auto nearest = known.lower_bound(wanted); nearest != known.begin()) {
         const auto& [cycle, done] = *--nearest;
         GridCycle same = wanted;
-        same.back().steps = cycle.empty() ? 0 : cycle.back().steps;
+        same.back().steps = cycle.back().steps;
         if (cycle == same && !done.steps) {
             return {}; // what was cut there is cut further on
         }
@@ -103,10 +103,10 @@ CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wan
     }
     CyclePrefix next;
     const int taken = before.taken + stage.steps;
-    m_runs.runTo(
+    m_runs->runTo(
         taken, from, stage.setting,
         [&](const StageRuns::End& end) {
-            next = m_runs.after(before, stage.setting, end, taken);
+            next = m_runs->after(before, stage.setting, end, taken);
             next.steps = end.steps.copy();
         },
         counts);

@@ -5,12 +5,25 @@
 
 namespace sparkout {
 
-StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts)
+std::size_t prefixBytes(const Project& project) {
+    constexpr std::size_t numbersPerLane = 12, rest = 4096;
+    const int sections = project.operation == Operation::traverse ? 3 : project.sections + 1;
+    const auto lanes = static_cast<std::size_t>(sections * project.part.radii_per_section);
+    return lanes * numbersPerLane * sizeof(double) + rest;
+}
+
+StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts, Bounds bounds)
     : m_grid(grid)
     , m_cuts(cuts)
     , m_total(makeBlank(project.part).totalInfeed_mm)
-    , m_bound(project, grid, m_total)
-    , m_gauge(project.gauge.control == Control::gauge) {}
+    , m_gauge(project.gauge.control == Control::gauge) {
+    for (const StageSetting& setting : grid.settings()) {
+        m_infeeds_mm.push_back(infeedOf(project, setting));
+    }
+    if (bounds == Bounds::yes) {
+        m_bound.emplace(project, grid, m_total);
+    }
+}
 
 int StageRuns::leastTaken(const CyclePrefix& prefix) const {
     return prefix.isBeforeLast()
@@ -25,8 +38,8 @@ int StageRuns::mostTaken(const CyclePrefix& prefix) const {
 double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
                           int taken) const {
     double rest_s =
-        m_bound.rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
-    if (const double sparkOut_s = m_bound.sparkOut_s(setting); sparkOut_s > 0) {
+        m_bound->rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+    if (const double sparkOut_s = m_bound->sparkOut_s(setting); sparkOut_s > 0) {
         const double since_s = prefix.steps ? run.time_s() - prefix.steps->run().time_s() : 0;
         rest_s = std::max(sparkOut_s - since_s, 0.0) * (1 - 1e-9);
     }
@@ -55,10 +68,10 @@ void StageRuns::runTo(int taken, const CyclePrefix& from, std::size_t setting, c
 LastStageOutlook StageRuns::outlook(const CyclePrefix& from, std::size_t setting,
                                     int mostSteps) const {
     const StageSetting& feeds = m_grid.settings()[setting];
-    return sparkout::outlook(*from.steps,
-                             {m_bound.infeed_mm(setting), feeds.axialFeed_mm_min, feeds.sparkOut,
-                              from.hasSteps(), mostSteps},
-                             m_cuts);
+    return sparkout::outlook(
+        *from.steps,
+        {m_infeeds_mm[setting], feeds.axialFeed_mm_min, feeds.sparkOut, from.hasSteps(), mostSteps},
+        m_cuts);
 }
 
 void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
@@ -105,7 +118,7 @@ double StageRuns::later(bool last, int taken) const {
 }
 
 double StageRuns::nextInfeed(double later_mm, std::size_t setting, double fed_mm) const {
-    const double infeed = m_bound.infeed_mm(setting);
+    const double infeed = m_infeeds_mm[setting];
     return m_gauge ? infeed : std::clamp(m_total - later_mm - fed_mm, 0.0, infeed);
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -27,10 +28,16 @@ struct CyclePrefix {
     }
 };
 
+/// What the steps in a prefix of the project take in memory, about.
+[[nodiscard]] std::size_t prefixBytes(const Project& project);
+
 /// Goes on from cycles by one stage, through all the ends that the grid leaves it.
 class StageRuns {
 public:
-    StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts);
+    /// Without bounds bound_s() and bound() are not to be called; they take the square of the
+    /// settings to make.
+    enum class Bounds { no, yes };
+    StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts, Bounds bounds);
 
     /// Ends that fall on one step: steps of stock behind the stage from `first` to `last`; of the
     /// last stage both are 0.
@@ -63,7 +70,7 @@ public:
     /// Least time [s] of all cycles that go on with this setting.
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
                                  int taken) const;
-    [[nodiscard]] const TimeBound& bound() const { return m_bound; }
+    [[nodiscard]] const TimeBound& bound() const { return *m_bound; }
     [[nodiscard]] bool isGauged() const { return m_gauge; }
     [[nodiscard]] double totalInfeed_mm() const { return m_total; }
 
@@ -79,8 +86,9 @@ private:
 
     const Grid& m_grid;
     const PassCuts& m_cuts;
-    double m_total; ///< |R_first − R_t| [mm]
-    TimeBound m_bound;
+    double m_total;                   ///< |R_first − R_t| [mm]
+    std::vector<double> m_infeeds_mm; ///< of a step, by setting
+    std::optional<TimeBound> m_bound;
     bool m_gauge;
 };
 

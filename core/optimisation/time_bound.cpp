@@ -26,6 +26,7 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
     const double revolution_s = units::secondsPerMinute / machine.work_speed_rpm;
     for (const StageSetting& setting : grid.settings()) {
         Rate rate;
+        rate.infeed_mm = infeedOf(project, setting);
         if (project.operation == Operation::traverse) {
             const double travel = project.part.length_mm - project.wheel.width_mm
                                   + machine.overrun_entry_mm + machine.overrun_exit_mm;
@@ -33,7 +34,6 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
                 2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
                 + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm);
             const double plunge_s_mm = units::secondsPerMinute / machine.plunge_feed_mm_min;
-            rate.infeed_mm = setting.radial;
             rate.fixed_s = dwells * revolution_s
                            + 2 * travel / setting.axialFeed_mm_min * units::secondsPerMinute;
             rate.step_s =
@@ -41,7 +41,6 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
                 + revolution_s * std::ceil(rate.infeed_mm * plunge_s_mm / revolution_s - 1e-6);
             rate.s_per_mm = rate.fixed_s / rate.infeed_mm + plunge_s_mm * (1 - boundRounding);
         } else {
-            rate.infeed_mm = setting.radial / machine.work_speed_rpm;
             rate.fixed_s = rate.step_s = revolution_s;
             rate.s_per_mm = revolution_s / rate.infeed_mm;
         }
@@ -88,6 +87,12 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
     const double here = std::max(all - later_mm, 0.0);
     return (here * rate.s_per_mm + (all - here) * rate.next_s_per_mm + m_sparkOut_s)
            * (1 - boundRounding);
+}
+
+double infeedOf(const Project& project, const StageSetting& setting) {
+    return project.operation == Operation::traverse
+               ? setting.radial
+               : setting.radial / project.machine.work_speed_rpm;
 }
 
 double leastTime_s(const Project& project, const Grid& grid) {

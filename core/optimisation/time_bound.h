@@ -63,6 +63,9 @@ private:
     bool m_shortLastStep;
 };
 
+/// Infeed [mm] of a step with a setting.
+[[nodiscard]] double infeedOf(const Project& project, const StageSetting& setting);
+
 /// How long every cycle of a grid takes at least [s].
 [[nodiscard]] double leastTime_s(const Project& project, const Grid& grid);
 

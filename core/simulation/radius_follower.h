@@ -19,7 +19,8 @@ struct FollowedRadius {
 /// A few radii and how far the wheel is fed at them.
 struct FollowedRadii {
     static constexpr std::size_t count = 3;
-    double fed_mm = 0; ///< t_П
+    double fed_mm = 0;    ///< t_П
+    long long passes = 0; ///< made so far, each of one zone at least
     std::array<FollowedRadius, count> radii;
 };
 

@@ -64,8 +64,7 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
     cut.bks = width_mm * m_law.ks;
     cut.bkr = width_mm * m_law.kr;
     for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
-        const std::size_t point = lane / static_cast<std::size_t>(m_radii);
-        cut.coefficients.set(lane, m_points[point].gamma_mm_n, cut.bks, cut.bkr);
+        cut.coefficients.set(lane, m_points[pointOf(lane)].gamma_mm_n, cut.bks, cut.bkr);
     }
 }
 
@@ -257,7 +256,7 @@ std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
 }
 
 FollowedRadius Run::followed(std::size_t lane, double plungeWidth_mm, double strokeWidth_mm) const {
-    const std::size_t point = lane / static_cast<std::size_t>(m_radii);
+    const std::size_t point = pointOf(lane);
     const auto balance = [&](double width_mm) {
         return LaneBalance(m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr);
     };

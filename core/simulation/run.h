@@ -79,6 +79,10 @@ public:
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
     /// D_k less the nominal diameter [mm] of two opposite radii at these depths.
     [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const;
+    [[nodiscard]] std::size_t pointOf(std::size_t lane) const {
+        return lane / static_cast<std::size_t>(m_radii);
+    }
+    [[nodiscard]] int radii() const { return m_radii; } ///< of a point
     /// The deepest radius of a point, and of all points the one that with its opposite is deepest.
     [[nodiscard]] std::size_t deepestLane(std::size_t point) const;
     [[nodiscard]] std::pair<std::size_t, std::size_t> deepestDiameter() const;

@@ -57,14 +57,18 @@ public:
                             {Zone::rz1, Zone::nz, Zone::rz2});
     }
 
-    const RadiusFollower* follower() const override { return m_run.isEachAlone() ? this : nullptr; }
+    const RadiusFollower* follower() const override {
+        const bool inMiddle = m_gaugePoint == static_cast<std::size_t>(Zone::nz);
+        return inMiddle && m_run.isEachAlone() ? this : nullptr;
+    }
 
     FollowedRadii follow(const std::array<std::size_t, FollowedRadii::count>& lanes,
                          double axialFeed_mm_min) const override {
-        FollowedRadii radii{m_run.fed_mm, {}};
+        FollowedRadii radii{.fed_mm = m_run.fed_mm, .radii = {}};
         for (std::size_t i = 0; i < lanes.size(); ++i) {
-            const ZoneLengths zones = zoneLengths(m_project);
-            radii.radii[i] = m_run.followed(lanes[i], zones.rz1, strokeWidth(axialFeed_mm_min));
+            const auto zone = static_cast<Zone>(m_run.pointOf(lanes[i]));
+            radii.radii[i] =
+                m_run.followed(lanes[i], plungeCut(zone).width_mm, strokeWidth(axialFeed_mm_min));
         }
         return radii;
     }
@@ -78,6 +82,7 @@ public:
                     radius.depth_mm += root * root;
                 }
             }
+            ++radii.passes;
             return true;
         });
         radii.fed_mm += infeed_mm;
@@ -88,6 +93,10 @@ private:
 
     std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {
         return std::make_shared<const CutWidth>(m_run.makeCut(width_mm));
+    }
+
+    const CutWidth& plungeCut(Zone zone) const {
+        return zone == Zone::rz2 ? *m_plunge2 : *m_plunge1;
     }
 
     double strokeWidth(double axialFeed) const {
@@ -169,8 +178,7 @@ private:
             return false;
         }
         const Place at = place(pass.zone, pass.steps[0], pass.revolution);
-        m_run.cut(static_cast<std::size_t>(pass.zone), 1,
-                  pass.zone == Zone::rz1 ? *m_plunge1 : *m_plunge2, pass.feed, &at,
+        m_run.cut(static_cast<std::size_t>(pass.zone), 1, plungeCut(pass.zone), pass.feed, &at,
                   {.duration_s = revolution_s(), .radialFeed_mm = infeed});
         m_run.advance(revolution_s(), m_stage);
         return true;

@@ -121,6 +121,12 @@ inline Project smallCase(unsigned seed) {
     }
     p.optimisation = grid;
     addOptions(p, dice);
+    if (traverse) {
+        p.machine.overrun_entry_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
+        p.machine.overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
+        p.machine.dwell_entry_s = dice.integer(0, 2) / 3.0; // in whole revolutions
+        p.machine.dwell_exit_s = dice.integer(0, 2) / 3.0;
+    }
     return p;
 }
 

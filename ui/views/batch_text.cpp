@@ -6,7 +6,6 @@
 #include "ui/session/texts.h"
 #include "ui/views/names.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
