@@ -53,7 +53,7 @@ bool ListDelegate::isOpen(const QWidget& editor) {
     const auto* view =
         qobject_cast<const QAbstractItemView*>(editor.parentWidget()->parentWidget());
     const auto cell = editor.property(cellProperty).value<QPersistentModelIndex>();
-    return editor.isVisible() && view->indexWidget(cell) == &editor;
+    return view && view->indexWidget(cell) == &editor;
 }
 
 void ListDelegate::commit(QWidget* editor) {

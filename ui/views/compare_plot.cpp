@@ -14,7 +14,7 @@ namespace {
 constexpr double curveRoom = 0.06; ///< of the values
 } // namespace
 
-ComparePlot::ComparePlot(QWidget* parent) : QCustomPlot(parent) {
+ComparePlot::ComparePlot(QWidget* parent) : ViewPlot(parent) {
     setPlottingHints(QCP::phFastPolylines);
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     build();
@@ -27,6 +27,7 @@ ComparePlot::ComparePlot(QWidget* parent) : QCustomPlot(parent) {
                 presentScale().time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
         }
     });
+    setBuilt();
 }
 
 void ComparePlot::build() {
@@ -169,13 +170,6 @@ void ComparePlot::showOnly(int key) {
     emit contentChanged();
 }
 
-void ComparePlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
-}
-
 void ComparePlot::setMoment(std::optional<double> time_s) {
     m_moment_s = time_s;
     m_momentLine->setAt(time_s && !m_runs.empty() ? std::optional(presentScale().at(*time_s))
@@ -247,8 +241,7 @@ void ComparePlot::onMouse(QMouseEvent* event) {
         return;
     }
     if (!rect || !rect->rect().contains(event->pos())) {
-        m_hairLine->setAt({});
-        emit pointed({});
+        pointAway();
         return;
     }
     const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
@@ -282,10 +275,9 @@ const ComparePlot::Curve* ComparePlot::nearestCurve(const QPointF& at) const {
     return nearest;
 }
 
-void ComparePlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
+void ComparePlot::pointAway() {
     m_hairLine->setAt({});
-    emit pointed({});
+    ViewPlot::pointAway();
 }
 
 } // namespace sparkout

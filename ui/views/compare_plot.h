@@ -6,8 +6,7 @@
 #include "ui/views/legend_drawing.h"
 #include "ui/views/plot_history.h"
 #include "ui/views/read_curves.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <array>
 #include <memory>
@@ -30,7 +29,7 @@ struct ComparedFeeds {
 /// Actual over accumulated feed of several runs, double stroke by double stroke, over one
 /// horizontal axis; each with a second quantity on an axis to the right, force and radius unless
 /// chosen otherwise. The colour says which quantity, the dash which run.
-class ComparePlot : public QCustomPlot {
+class ComparePlot : public ViewPlot {
     Q_OBJECT
 public:
     static constexpr std::size_t rowCount = 2;
@@ -50,12 +49,10 @@ public:
     [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
     [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, row by row
     void setMoment(std::optional<double> time_s);             ///< of the present run
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     /// Within a plot, wheel and drag move the time only.
     [[nodiscard]] static QList<QCPAxis*> movedAxes(QCPAxisRect& rect);
@@ -71,15 +68,11 @@ public:
     [[nodiscard]] CsvTable table() const; ///< the visible curves' points within the visible span
 
 signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< values under the mouse, empty outside
-    void timeClicked(double time_s);   ///< of the present run
-
-protected:
-    void changeEvent(QEvent* event) override;
-    void leaveEvent(QEvent* event) override;
+    void timeClicked(double time_s); ///< of the present run
 
 private:
+    void setTexts() override;
+    void pointAway() override;
     struct Curve {
         std::size_t run; ///< index in m_runs
         Quantity quantity;
@@ -113,7 +106,6 @@ private:
     HairLine* m_momentLine = nullptr;
     std::optional<double> m_moment_s;
     PlotHistory::State m_fitted; ///< what fit() showed
-    bool m_dim = false;
 };
 
 } // namespace sparkout

@@ -53,17 +53,7 @@ void ComparePlot::restyle() {
     }
     for (const Curve& curve : m_curves) {
         curve.graph->setPen(
-            runPen(m_runs[curve.run].number, style::dimmed(colourOf(curve.quantity), m_dim)));
-    }
-}
-
-void ComparePlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (m_momentLine && look) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
+            runPen(m_runs[curve.run].number, style::dimmed(colourOf(curve.quantity), isDimmed())));
     }
 }
 
@@ -106,10 +96,7 @@ void ComparePlot::labelAxes() {
     m_rects[1]->axis(QCPAxis::atBottom)->setLabel(timeLabel());
 }
 
-void ComparePlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void ComparePlot::setTexts() {
     labelAxes();
 }
 
@@ -117,7 +104,7 @@ LegendEntries ComparePlot::legendEntries() const {
     LegendEntries entries;
     for (const Quantity quantity : quantities()) {
         const int key = static_cast<int>(quantity);
-        entries.push_back({style::dimmed(colourOf(quantity), m_dim), Qt::SolidLine,
+        entries.push_back({style::dimmed(colourOf(quantity), isDimmed()), Qt::SolidLine,
                            quantityName(quantity), key, m_choice.shows(key)});
     }
     for (const ComparedFeeds& run : m_runs) {

@@ -12,7 +12,6 @@
 #include "ui/views/plot_style.h"
 #include "ui/views/shaft_scene.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -54,7 +53,7 @@ double valueOf(const ComplianceParts& parts, CompliancePart part) {
     return 0;
 }
 
-CompliancePlot::CompliancePlot(QWidget* parent) : QCustomPlot(parent) {
+CompliancePlot::CompliancePlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
@@ -63,6 +62,7 @@ CompliancePlot::CompliancePlot(QWidget* parent) : QCustomPlot(parent) {
     retranslate();
     connect(this, &QCustomPlot::afterLayout, this, &CompliancePlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &CompliancePlot::onMouse);
+    setBuilt();
 }
 
 CompliancePlot::~CompliancePlot() = default;
@@ -336,7 +336,7 @@ void CompliancePlot::showOnly(int key) {
 
 QColor CompliancePlot::colourOf(CompliancePart part) const {
     static constexpr Hue hues[] = {Hue::blue, Hue::green, Hue::orange, Hue::purple, Hue::vermilion};
-    return style::dimmed(style::colour(hues[static_cast<int>(part)], palette()), m_dim);
+    return style::dimmed(style::colour(hues[static_cast<int>(part)], palette()), isDimmed());
 }
 
 QString CompliancePlot::nameOf(CompliancePart part) {
@@ -357,7 +357,7 @@ LegendEntries CompliancePlot::legendEntries() const {
 
 LegendEntries CompliancePlot::complianceEntries() const {
     LegendEntries entries;
-    const QColor text = style::dimmed(palette().color(QPalette::Text), m_dim);
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     for (const CompliancePart part : stacked) {
         if (has(part)) {
             const int key = static_cast<int>(part);
@@ -397,12 +397,12 @@ void CompliancePlot::restyle() {
         stack(part)->setBrush(fill);
     }
     m_base->setPen(Qt::NoPen);
-    m_sum->setPen(QPen(style::dimmed(palette().color(QPalette::Text), m_dim), 2));
+    m_sum->setPen(QPen(style::dimmed(palette().color(QPalette::Text), isDimmed()), 2));
     const QColor used = colourOf(CompliancePart::rests);
     m_used->setPen(QPen(used, 1));
     m_used->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, used, 8));
-    m_gauge->restyle(m_dim);
-    m_coupling->restyle(m_dim);
+    m_gauge->restyle(isDimmed());
+    m_coupling->restyle(isDimmed());
     if (m_outcome) {
         fillBands();
     }
@@ -417,33 +417,10 @@ void CompliancePlot::labelValues() {
         ->setLabel(curves() ? LengthCurves::axisLabel() : tr("Compliance γ, nm/N"));
 }
 
-void CompliancePlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
-}
-
-void CompliancePlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void CompliancePlot::setTexts() {
     labelValues();
     if (m_outcome) {
         fillBands();
-    }
-}
-
-void CompliancePlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
-void CompliancePlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (m_used && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) {
-        restyle();
-        replot(QCustomPlot::rpQueuedReplot);
     }
 }
 

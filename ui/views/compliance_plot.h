@@ -6,8 +6,7 @@
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
 #include "ui/views/read_curves.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <array>
 #include <memory>
@@ -41,7 +40,7 @@ enum class ComplianceContent { compliance, gauge, coupling };
 /// Above the part on its supports with wheel and gauge, to scale; below γ along it as stacked
 /// parts, its sum, and the γ each zone or section is ground with, or diameters in their place. Both
 /// over one axis.
-class CompliancePlot : public QCustomPlot {
+class CompliancePlot : public ViewPlot {
     Q_OBJECT
 public:
     static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
@@ -56,15 +55,13 @@ public:
     /// Where the gauge stands in the run shown, from the headstock end of the ground length [mm].
     [[nodiscard]] double gaugePlace_mm() const;
     void setRun(OutcomePtr outcome); ///< no replot
-    void setDimmed(bool dim);
     void fit();
     void fitValues(); ///< the lower axis alone
     /// The same where what is drawn has grown out of it or is small in it, and nobody has zoomed.
     void refitValues();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] QCPAxisRect* shaftRect() const { return m_shaftRect; }
     [[nodiscard]] QCPAxisRect* curveRect() const { return m_rect; }
@@ -80,15 +77,8 @@ public:
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
-signals:
-    void pointed(const QString& text); ///< values under the mouse, empty outside
-    void contentChanged();             ///< hence the legend
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     void build();
     void fill();
     [[nodiscard]] LengthCurves* curves() const; ///< below the part; null: γ
@@ -123,7 +113,6 @@ private:
     ComplianceContent m_content = ComplianceContent::compliance;
     QCPRange m_fitted;      ///< of the lower axis, as it was fitted last
     QCPRange m_fittedAlong; ///< of the axis along the part, likewise
-    bool m_dim = false;
     bool m_fitting = false; ///< with the next layout
 };
 

@@ -8,7 +8,6 @@
 #include "ui/views/number_ticker.h"
 #include "ui/views/plot_style.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -44,7 +43,7 @@ void setPoints(QCPGraph& graph, const LimitPoints& points) {
 
 } // namespace
 
-ConstraintsPlot::ConstraintsPlot(QWidget* parent) : QCustomPlot(parent) {
+ConstraintsPlot::ConstraintsPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     build();
     restyle();
@@ -52,6 +51,7 @@ ConstraintsPlot::ConstraintsPlot(QWidget* parent) : QCustomPlot(parent) {
     m_moment = new HairLine(*this, HairLine::Role::moment);
     connect(this, &QCustomPlot::afterLayout, this, &ConstraintsPlot::placeMark);
     connect(this, &QCustomPlot::mouseMove, this, &ConstraintsPlot::onMouse);
+    setBuilt();
 }
 
 QCPGraph* ConstraintsPlot::addLine() {
@@ -311,12 +311,12 @@ void ConstraintsPlot::showOnly(int key) {
 
 QPen ConstraintsPlot::penOf(int key) const {
     const auto pen = [this](Hue hue, double width, Qt::PenStyle dashes) {
-        return QPen(style::dimmed(style::colour(hue, palette()), m_dim), width, dashes);
+        return QPen(style::dimmed(style::colour(hue, palette()), isDimmed()), width, dashes);
     };
     switch (key) {
     case actualKey: return pen(Hue::blue, 1.6, Qt::SolidLine);
     case steplessKey:
-        return {style::dimmed(palette().color(QPalette::Text), m_dim), 3, Qt::SolidLine};
+        return {style::dimmed(palette().color(QPalette::Text), isDimmed()), 3, Qt::SolidLine};
     case static_cast<int>(ConstraintKind::burn): return pen(Hue::vermilion, 1.6, Qt::DashLine);
     case static_cast<int>(ConstraintKind::selfSharpening):
         return pen(Hue::orange, 1.6, Qt::DashDotLine);
@@ -365,7 +365,7 @@ void ConstraintsPlot::restyle() {
         graph->setPen(penOf(static_cast<int>(kind)));
     }
     QColor forbidden = style::colour(Hue::vermilion, palette());
-    forbidden.setAlpha(m_dim ? forbiddenAlpha / 3 : forbiddenAlpha);
+    forbidden.setAlpha(isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha);
     m_stepless->setPen(penOf(steplessKey));
     m_stepless->setBrush(forbidden);
     m_ceiling->setPen(Qt::NoPen);
@@ -373,10 +373,10 @@ void ConstraintsPlot::restyle() {
     m_actual->setPen(actual);
     m_actual->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDisc, actual.color(), actual.color(), cutSize));
-    const QColor alarm = style::dimmed(style::colour(Hue::vermilion, palette()), m_dim);
+    const QColor alarm = style::dimmed(style::colour(Hue::vermilion, palette()), isDimmed());
     m_exceeded->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssSquare, alarm, alarm, exceededSize));
-    const QColor text = style::dimmed(palette().color(QPalette::Text), m_dim);
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     m_mark->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, markSize));
     QColor paper = palette().color(QPalette::Base);
@@ -384,13 +384,6 @@ void ConstraintsPlot::restyle() {
     m_markText->setBrush(paper);
     m_markText->setColor(text);
     m_markText->setFont(font());
-}
-
-void ConstraintsPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
 }
 
 /// A cut is a revolution's where the wheel plunges or stands, else a stroke's.
@@ -401,22 +394,10 @@ QString ConstraintsPlot::feedLabel() const {
     return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
 }
 
-void ConstraintsPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void ConstraintsPlot::setTexts() {
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
     feedAxis()->setLabel(feedLabel());
     m_markText->setText(markText());
-}
-
-void ConstraintsPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange;
-    if (m_markText && look) {
-        restyle();
-        replot(QCustomPlot::rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

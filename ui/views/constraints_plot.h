@@ -5,8 +5,7 @@
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
 #include "ui/views/read_curves.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <map>
 #include <optional>
@@ -19,7 +18,7 @@ struct CursorSubject;
 /// The actual feed of one zone or section over the stock left, the cycle from left to right, under
 /// the curves of all limits that are on. The least of them, the stepless limit, stands out; above
 /// it is forbidden. Drawn in µm.
-class ConstraintsPlot : public QCustomPlot {
+class ConstraintsPlot : public ViewPlot {
     Q_OBJECT
 public:
     static constexpr int actualKey = 100, steplessKey = 101; ///< else the kind of the limit
@@ -28,15 +27,13 @@ public:
 
     void setRun(OutcomePtr outcome, int group); ///< no replot
     void setLogarithmic(bool on);
-    void setDimmed(bool dim);
     /// Marks where a requirement was worst; nothing: where the group comes nearest to its limit.
     void setMarked(const std::optional<ConstraintResult>& requirement);
     void setMoment(std::optional<double> stock_mm); ///< left where the cycle stands
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] int group() const { return m_group; }
     [[nodiscard]] bool hasCuts() const { return m_actual->data()->size() > 0; }
@@ -53,15 +50,8 @@ public:
     [[nodiscard]] CursorSubject cursorSubject();
     [[nodiscard]] CsvTable table() const; ///< the cuts in sight
 
-signals:
-    void pointed(const QString& text); ///< values under the mouse, empty outside
-    void contentChanged();             ///< hence the legend
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     void build();
     void fill();
     void fillCuts(const LimitGroup& group);
@@ -100,7 +90,6 @@ private:
     HairLine* m_moment = nullptr;
     QCPRange m_fittedStock; ///< of the axis, as it was fitted last
     QCPRange m_fittedFeeds; ///< likewise
-    bool m_dim = false;
 };
 
 } // namespace sparkout

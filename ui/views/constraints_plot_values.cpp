@@ -96,11 +96,6 @@ void ConstraintsPlot::onMouse(QMouseEvent* event) {
     emit pointed(valuesAt(*std::ranges::min_element(group->cuts, {}, away)));
 }
 
-void ConstraintsPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 ReadCurves ConstraintsPlot::readCurves() const {
     ReadCurves curves;
     const auto add = [&](const auto& drawn, const QString& name) {

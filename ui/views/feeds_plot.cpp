@@ -11,7 +11,7 @@
 
 namespace sparkout {
 
-FeedsPlot::FeedsPlot(QWidget* parent) : QCustomPlot(parent) {
+FeedsPlot::FeedsPlot(QWidget* parent) : ViewPlot(parent) {
     setPlottingHints(QCP::phFastPolylines);
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
@@ -25,6 +25,7 @@ FeedsPlot::FeedsPlot(QWidget* parent) : QCustomPlot(parent) {
             emit timeClicked(m_scale.time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
         }
     });
+    setBuilt();
 }
 
 const FeedSeries& FeedsPlot::series() const {
@@ -64,13 +65,6 @@ void FeedsPlot::setAxis(CycleAxis axis) {
     setMoment(m_moment_s);
     labelAxes();
     showTimes(m_from_s, m_to_s);
-}
-
-void FeedsPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
 }
 
 void FeedsPlot::setMoment(std::optional<double> time_s) {
@@ -199,15 +193,13 @@ void FeedsPlot::onMouse(QMouseEvent* event) {
             return;
         }
     }
-    m_hairLine->setAt({});
-    emit pointed({});
-    emit pointedBand({});
+    pointAway();
 }
 
-void FeedsPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
+void FeedsPlot::pointAway() {
     m_hairLine->setAt({});
-    emit pointed({});
+    ViewPlot::pointAway();
+    emit pointedBand({});
 }
 
 void FeedsPlot::resizeEvent(QResizeEvent* event) {

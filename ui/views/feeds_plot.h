@@ -7,8 +7,7 @@
 #include "ui/views/legend_drawing.h"
 #include "ui/views/plot_history.h"
 #include "ui/views/read_curves.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <array>
 #include <optional>
@@ -24,7 +23,7 @@ struct Band;
 /// The grid of plots of the view "Feeds by stage": a column a zone or section; rows of feed,
 /// accumulated feed with radii, and axial feed with normal force. All columns are linked in x, each
 /// row in y.
-class FeedsPlot : public QCustomPlot {
+class FeedsPlot : public ViewPlot {
     Q_OBJECT
 public:
     /// What a point of the curves stands for, by how much is in sight.
@@ -37,15 +36,13 @@ public:
     /// Shows columns of a run; the visible range is kept unless it lies outside. No replot.
     void setRun(OutcomePtr outcome, const std::vector<int>& shown);
     void setAxis(CycleAxis axis);
-    void setDimmed(bool dim);
     void setMoment(std::optional<double> time_s); ///< where the cycle stands; nothing: at its end
     void showTimes(double from_s, double to_s);   ///< no replot
     void fitValues() { m_values = {}; }           ///< from the next showTimes() on
     void showAll() { showTimes(0, series().end_s); }
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     /// What is in sight, for the history.
     [[nodiscard]] PlotHistory::State sight() const;
@@ -75,17 +72,16 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
 
 signals:
-    void timesChanged();               ///< other times are in sight
-    void gridBuilt();                  ///< all axes are new
-    void contentChanged();             ///< detail, bands or curves, hence the legend
-    void pointed(const QString& text); ///< values under the mouse, empty outside
+    void timesChanged(); ///< other times are in sight
+    void gridBuilt();    ///< all axes are new
     void timeClicked(double time_s);
     void pointedBand(const QString& text); ///< full name of the band under the mouse
 
 protected:
-    void changeEvent(QEvent* event) override;
+    void setTexts() override;
+    void takeLook(bool font) override;
+    void pointAway() override;
     void resizeEvent(QResizeEvent* event) override;
-    void leaveEvent(QEvent* event) override;
 
 private:
     struct Curve {
@@ -160,7 +156,6 @@ private:
     double m_from_s = 0, m_to_s = 0;
     Detail m_detail = Detail::stroke;
     std::vector<std::pair<Zone, Step>> m_steps; ///< in sight, one of each colour
-    bool m_dim = false;
     bool m_linking = false;
     std::array<RowValues, rowCount> m_values{};
 };

@@ -189,10 +189,7 @@ void FeedsPlot::linkAxes() {
     }
 }
 
-void FeedsPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void FeedsPlot::setTexts() {
     labelAxes();
     if (m_outcome) {
         fillBands();

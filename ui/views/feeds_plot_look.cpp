@@ -46,7 +46,7 @@ QColor FeedsPlot::stepColour(Zone zone, Step step, const QPalette& palette) {
 
 void FeedsPlot::stylePens(Column& column) {
     for (const Curve& c : column.curves) {
-        const QColor colour = style::dimmed(colourOf(c.quantity), m_dim);
+        const QColor colour = style::dimmed(colourOf(c.quantity), isDimmed());
         if (c.edge != Edge::mean) {
             QColor fill = colour;
             fill.setAlphaF(fill.alphaF() * 0.25F);
@@ -86,14 +86,10 @@ void FeedsPlot::restyle() {
     }
 }
 
-void FeedsPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (look && m_timeLabel) {
+void FeedsPlot::takeLook(bool) {
+    if (m_timeLabel) {
         restyle();
         fitColumns();
-        replot(rpQueuedReplot);
-        emit contentChanged();
     }
 }
 
@@ -104,8 +100,8 @@ LegendEntries FeedsPlot::legendEntries() const {
     }
     const auto line = [&](Quantity q, Qt::PenStyle pen) {
         const int key = keyOf(q);
-        entries.push_back(
-            {style::dimmed(colourOf(q), m_dim), pen, quantityName(q), key, m_choice.shows(key)});
+        entries.push_back({style::dimmed(colourOf(q), isDimmed()), pen, quantityName(q), key,
+                           m_choice.shows(key)});
     };
     line(Quantity::programmed, Qt::DashLine);
     line(Quantity::actual, Qt::SolidLine);

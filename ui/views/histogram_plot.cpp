@@ -5,7 +5,6 @@
 #include "ui/views/batch_text.h"
 #include "ui/views/plot_style.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QMouseEvent>
 
@@ -25,11 +24,12 @@ constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room
 
 } // namespace
 
-HistogramPlot::HistogramPlot(QWidget* parent) : QCustomPlot(parent) {
+HistogramPlot::HistogramPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     plotLayout()->clear();
     retranslate();
     connect(this, &QCustomPlot::mouseMove, this, &HistogramPlot::onMouse);
+    setBuilt();
 }
 
 void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
@@ -230,24 +230,12 @@ void HistogramPlot::onMouse(QMouseEvent* event) {
     emit pointed({});
 }
 
-void HistogramPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- look and words -----------------------------------------------------------------------------
-
-void HistogramPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
-}
 
 void HistogramPlot::restyle() {
     style::applyPalette(*this, palette());
     const auto colour = [this](style::Hue hue) {
-        return style::dimmed(style::colour(hue, palette()), m_dim);
+        return style::dimmed(style::colour(hue, palette()), isDimmed());
     };
     for (const Cell& cell : m_cells) {
         cell.header->setFont(font());
@@ -276,10 +264,7 @@ QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
     return named ? QStringLiteral("%1, Cpk %2").arg(where, BatchText::brief(*summary.cpk)) : where;
 }
 
-void HistogramPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void HistogramPlot::setTexts() {
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Cell& cell = m_cells[i];
         const Characteristic& of = cell.summary.characteristic;
@@ -287,15 +272,6 @@ void HistogramPlot::retranslate() {
         cell.rect->axis(QCPAxis::atBottom)
             ->setLabel(m_cells.size() <= mostNamed ? BatchText::axis(of) : unitText(of.unit));
         cell.rect->axis(QCPAxis::atLeft)->setLabel(i == 0 ? tr("Parts") : QString());
-    }
-}
-
-void HistogramPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
     }
 }
 

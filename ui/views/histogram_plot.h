@@ -4,8 +4,7 @@
 #include "core/batch/batch_summary.h"
 #include "ui/session/csv_table.h"
 #include "ui/views/legend_drawing.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace sparkout {
 
 /// One characteristic of a batch, zone beside zone: how many parts came out where, against the
 /// limits of the drawing, with the mean. All cells have the same axes.
-class HistogramPlot : public QCustomPlot {
+class HistogramPlot : public ViewPlot {
     Q_OBJECT
 public:
     enum Key { partsKey, limitsKey, meanKey }; ///< of the legend
@@ -22,12 +21,10 @@ public:
 
     /// Of one characteristic; no replot. What was in sight stays while it is the same one.
     void setSummaries(std::vector<CharacteristicSummary> summaries);
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
     [[nodiscard]] QCPBars* bars(int cell) const { return at(cell).bars; }
@@ -44,15 +41,8 @@ public:
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const; ///< the bars in sight
 
-signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< empty: at nothing
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     struct Cell {
         CharacteristicSummary summary;
         QCPTextElement* header = nullptr;
@@ -74,7 +64,6 @@ private:
     std::vector<Cell> m_cells;
     CurveChoice m_choice;
     QCPRange m_fitted; ///< of the values, as they were fitted last
-    bool m_dim = false;
     bool m_linking = false;
 };
 

@@ -42,7 +42,7 @@ void setSteps(QCPGraph& graph, const LayerSeries& series, ValueOf valueOf) {
 
 } // namespace
 
-LayersPlot::LayersPlot(QWidget* parent) : QCustomPlot(parent) {
+LayersPlot::LayersPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     build();
     restyle();
@@ -53,6 +53,7 @@ LayersPlot::LayersPlot(QWidget* parent) : QCustomPlot(parent) {
             emit strokeClicked(m_series.spans[hit->span].last);
         }
     });
+    setBuilt();
 }
 
 void LayersPlot::build() {
@@ -90,13 +91,6 @@ void LayersPlot::setDone(LayersDone done) {
 double LayersPlot::radiusAfter_mm(std::size_t column, std::size_t count) const {
     return m_series.columns[column].blank_mm
            - m_series.removalSign * sumDone_mm(m_series, m_done, column, count);
-}
-
-void LayersPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
 }
 
 void LayersPlot::fill() {
@@ -213,14 +207,9 @@ void LayersPlot::onMouse(QMouseEvent* event) {
     emit pointed(hit ? LayersLook::values(m_series, m_done, hit->column, hit->span) : QString());
 }
 
-void LayersPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- look and words -----------------------------------------------------------------------------
 
-void LayersPlot::retranslate() {
+void LayersPlot::setTexts() {
     namePartCell(*m_rect);
     fillBands();
 }
@@ -230,7 +219,7 @@ void LayersPlot::restyle() {
     fillBands();
     const auto line = [this](QCPGraph& graph, const QColor& colour, double width,
                              Qt::PenStyle pen) {
-        graph.setPen(QPen(style::dimmed(colour, m_dim), width, pen));
+        graph.setPen(QPen(style::dimmed(colour, isDimmed()), width, pen));
     };
     const QColor text = palette().color(QPalette::Text);
     QColor field = style::colour(Hue::green, palette());
@@ -240,17 +229,7 @@ void LayersPlot::restyle() {
     line(*m_blank, text, 1.5, Qt::DashLine);
     line(*m_final, text, 2, Qt::SolidLine);
     field.setAlpha(fieldAlpha);
-    m_upper->setBrush(style::dimmed(field, m_dim));
-}
-
-void LayersPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (m_final && look) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
-    }
+    m_upper->setBrush(style::dimmed(field, isDimmed()));
 }
 
 CsvTable LayersPlot::table() const {

@@ -3,8 +3,7 @@
 
 #include "ui/session/csv_table.h"
 #include "ui/views/layers_look.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 
@@ -15,7 +14,7 @@ class LayerStack;
 
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final
 /// radius, with the tolerance field; what the cycle has not cut yet is still metal.
-class LayersPlot : public QCustomPlot {
+class LayersPlot : public ViewPlot {
     Q_OBJECT
 public:
     /// Keys of the legend beside the numbers of the stages.
@@ -25,15 +24,12 @@ public:
 
     void setSeries(LayerSeries series); ///< no replot
     void setDone(LayersDone done);      ///< up to where the cycle stands; no replot
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] const LayerSeries& series() const { return m_series; }
-    [[nodiscard]] bool isDimmed() const { return m_dim; }
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the field the upper limit
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
@@ -46,15 +42,10 @@ public:
     [[nodiscard]] CsvTable table() const;
 
 signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< empty: at nothing
-    void strokeClicked(int stroke);    ///< the last of the layer
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    void strokeClicked(int stroke); ///< the last of the layer
 
 private:
+    void setTexts() override;
     struct Hit {
         std::size_t column, span;
     };
@@ -73,7 +64,6 @@ private:
     QCPGraph *m_lower = nullptr, *m_upper = nullptr;
     QCPGraph *m_target = nullptr, *m_blank = nullptr, *m_final = nullptr;
     LayersDone m_done;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

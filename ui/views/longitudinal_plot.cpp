@@ -29,7 +29,7 @@ QVector<QCPGraphData> toData(const std::vector<ProfilePoint>& line, double facto
 
 } // namespace
 
-LongitudinalPlot::LongitudinalPlot(QWidget* parent) : QCustomPlot(parent) {
+LongitudinalPlot::LongitudinalPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
@@ -41,6 +41,7 @@ LongitudinalPlot::LongitudinalPlot(QWidget* parent) : QCustomPlot(parent) {
             emit profileClicked(profile);
         }
     });
+    setBuilt();
 }
 
 void LongitudinalPlot::setSeries(ProfileSeries series, std::vector<ShaftStep> shaft,
@@ -75,13 +76,6 @@ void LongitudinalPlot::setToScale(bool toScale) {
 void LongitudinalPlot::setHidden(ProfileLines hidden) {
     m_hidden = std::move(hidden);
     fit();
-}
-
-void LongitudinalPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
 }
 
 void LongitudinalPlot::fit() {
@@ -274,11 +268,6 @@ void LongitudinalPlot::pointAt(int profile) {
     emit pointed(ProfilesText::stretch(m_series,
                                        m_series.profiles[static_cast<std::size_t>(profile)],
                                        !m_hidden.contains(ProfileLine::blank)));
-}
-
-void LongitudinalPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    pointAt(-1);
 }
 
 void LongitudinalPlot::keyPressEvent(QKeyEvent* event) {

@@ -4,8 +4,7 @@
 #include "ui/views/longitudinal_series.h"
 #include "ui/views/profiles_look.h"
 #include "ui/views/read_curves.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 #include <vector>
@@ -18,7 +17,7 @@ class ShaftLayer;
 
 /// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
 /// against the tolerance field; exaggerated, or the shaft drawn to scale.
-class LongitudinalPlot : public QCustomPlot {
+class LongitudinalPlot : public ViewPlot {
     Q_OBJECT
 public:
     explicit LongitudinalPlot(QWidget* parent = nullptr);
@@ -28,13 +27,11 @@ public:
     void setDiameters(bool diameters); ///< D − d in place of R − R_t
     void setToScale(bool toScale);
     void setHidden(ProfileLines hidden);
-    void setDimmed(bool dim);
     void fit();
     /// What the user has moved to: left, bottom, width and height; empty: all.
     [[nodiscard]] std::vector<double> sight() const;
     void setSight(const std::vector<double>& sight);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] bool toScale() const { return m_toScale; }
@@ -46,13 +43,12 @@ public:
     [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
 
 signals:
-    void pointed(const QString& text); ///< empty: at nothing
-    void profileClicked(int profile);  ///< index of the zone or section
+    void profileClicked(int profile); ///< index of the zone or section
 
 protected:
-    void leaveEvent(QEvent* event) override;
+    void setTexts() override;
+    void pointAway() override { pointAt(-1); }
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Curve {
@@ -90,7 +86,6 @@ private:
     ProfileLines m_hidden;
     bool m_diameters = false;
     bool m_toScale = false;
-    bool m_dim = false;
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointed = -1;

@@ -181,10 +181,7 @@ void LongitudinalPlot::showScale() {
     m_rect->axis(QCPAxis::atBottom)->setLabel(line);
 }
 
-void LongitudinalPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void LongitudinalPlot::setTexts() {
     label();
     fillBands();
 }
@@ -197,27 +194,18 @@ void LongitudinalPlot::restyle() {
     }
     for (const Curve& curve : m_curves) {
         const ProfileLine look = lookOf(curve.line);
-        curve.graph->setPen(ProfileLook::pen(look, palette(), m_dim));
+        curve.graph->setPen(ProfileLook::pen(look, palette(), isDimmed()));
         const bool top = curve.line == LengthLine::upperLimit || curve.line == LengthLine::blankMax
                          || curve.line == LengthLine::max;
         curve.graph->setBrush(top && !curve.mirrored && !m_toScale
-                                  ? QBrush(ProfileLook::fill(look, palette(), m_dim))
+                                  ? QBrush(ProfileLook::fill(look, palette(), isDimmed()))
                                   : QBrush(Qt::NoBrush));
     }
-    const QPen gauge = ProfileLook::pen(ProfileLine::gauge, palette(), m_dim);
+    const QPen gauge = ProfileLook::pen(ProfileLine::gauge, palette(), isDimmed());
     m_gaugeLine->setPen(gauge);
     m_gaugeName->setColor(gauge.color());
     m_gaugeName->setFont(font());
     fillBands();
-}
-
-void LongitudinalPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (m_gaugeName && look) {
-        restyle();
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

@@ -30,11 +30,12 @@ QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
 
 } // namespace
 
-ProfilesPlot::ProfilesPlot(QWidget* parent) : QCustomPlot(parent) {
+ProfilesPlot::ProfilesPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
     addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
     connect(this, &QCustomPlot::afterLayout, this, &ProfilesPlot::keepScales);
     connect(this, &QCustomPlot::mouseMove, this, &ProfilesPlot::onMouse);
+    setBuilt();
 }
 
 void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
@@ -76,13 +77,6 @@ void ProfilesPlot::setCircles(ReferenceCircles circles) {
 void ProfilesPlot::addZones() {
     if (m_circles == ReferenceCircles::minimumZone) {
         addMinimumZones(m_series, m_shown);
-    }
-}
-
-void ProfilesPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
     }
 }
 
@@ -261,7 +255,7 @@ void ProfilesPlot::onMouse(QMouseEvent* event) {
             return;
         }
     }
-    pointAtNothing();
+    pointAway();
 }
 
 void ProfilesPlot::pointAt(int cell, int k) {
@@ -281,7 +275,7 @@ void ProfilesPlot::pointAt(int cell, int k) {
                                       m_pointedRadius, visible(ProfileLine::blank)));
 }
 
-void ProfilesPlot::pointAtNothing() {
+void ProfilesPlot::pointAway() {
     if (m_pointedRadius < 0) {
         return;
     }
@@ -293,11 +287,6 @@ void ProfilesPlot::pointAtNothing() {
     emit pointed({});
 }
 
-void ProfilesPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    pointAtNothing();
-}
-
 // Arrows alone move the plot; with Ctrl they walk from sample to sample.
 void ProfilesPlot::keyPressEvent(QKeyEvent* event) {
     const int key = event->key();
@@ -307,7 +296,7 @@ void ProfilesPlot::keyPressEvent(QKeyEvent* event) {
     if (m_cells.empty() || (!sideways && !upDown && key != Qt::Key_Escape)) {
         QCustomPlot::keyPressEvent(event);
     } else if (key == Qt::Key_Escape) {
-        pointAtNothing();
+        pointAway();
     } else if (m_pointedRadius < 0) {
         pointAt(m_pointedCell, 0);
     } else if (sideways) {

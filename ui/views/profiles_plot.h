@@ -3,8 +3,7 @@
 
 #include "ui/views/profiles_look.h"
 #include "ui/views/profiles_series.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 #include <vector>
@@ -18,7 +17,7 @@ class PolarRing;
 
 /// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
 /// scale and magnification and moved together. Samples are joined by straight lines.
-class ProfilesPlot : public QCustomPlot {
+class ProfilesPlot : public ViewPlot {
     Q_OBJECT
 public:
     explicit ProfilesPlot(QWidget* parent = nullptr);
@@ -29,13 +28,11 @@ public:
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
     void setHidden(ProfileLines hidden);
     void setCircles(ReferenceCircles circles);
-    void setDimmed(bool dim);
     void fit(); ///< all of the cells in sight
     /// What the user has moved to: left, bottom, width and height; empty: all.
     [[nodiscard]] std::vector<double> sight() const;
     void setSight(const std::vector<double>& sight);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] const ProfileSeries& series() const { return m_series; }
     [[nodiscard]] const std::vector<int>& shown() const { return m_shown; }
@@ -56,14 +53,11 @@ public:
     [[nodiscard]] PolarPointer* pointer(int index) const { return at(index).pointer; }
     [[nodiscard]] QString numbers(int index) const;
 
-signals:
-    void pointed(const QString& text); ///< empty: at nothing
-
 protected:
+    void takeLook(bool font) override;
+    void pointAway() override;
     void resizeEvent(QResizeEvent* event) override;
-    void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     struct Cell {
@@ -106,14 +100,13 @@ private:
     void fill();
     void fillCell(std::size_t index);
     void fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale);
-    void setTexts();
+    void setTexts() override;
     [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
     [[nodiscard]] QString headerOf(const Profile& p, int room) const;
     void keepScales();
     void onRangeChanged(QCPAxisRect* rect);
     void onMouse(QMouseEvent* event);
     void pointAt(int cell, int k);
-    void pointAtNothing();
 
     ProfileSeries m_series;
     std::vector<int> m_shown;
@@ -126,7 +119,6 @@ private:
     double m_reach = 1; ///< radius of the drawing
     ProfileLines m_hidden;
     ReferenceCircles m_circles = ReferenceCircles::leastSquares;
-    bool m_dim = false;
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointedCell = 0;

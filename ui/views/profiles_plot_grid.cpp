@@ -204,11 +204,12 @@ QString ProfilesPlot::caption() const {
     return tr("%1; straight lines between the %2 radii").arg(scale).arg(m_series.radii());
 }
 
-void ProfilesPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
-    setTexts();
+void ProfilesPlot::takeLook(bool font) {
+    if (font && !m_cells.empty()) {
+        rebuild();
+    } else {
+        restyle();
+    }
 }
 
 void ProfilesPlot::restyle() {
@@ -220,10 +221,10 @@ void ProfilesPlot::restyle() {
             element->setTextColor(text);
         }
         const auto pen = [this](ProfileLine line) {
-            return ProfileLook::pen(line, palette(), m_dim);
+            return ProfileLook::pen(line, palette(), isDimmed());
         };
         cell.field->setLook(pen(ProfileLine::field),
-                            ProfileLook::fill(ProfileLine::field, palette(), m_dim));
+                            ProfileLook::fill(ProfileLine::field, palette(), isDimmed()));
         cell.target->setPen(pen(ProfileLine::target));
         cell.blank->setPen(pen(ProfileLine::blank));
         cell.leastSquares->setPen(pen(ProfileLine::leastSquares));
@@ -252,16 +253,6 @@ void ProfilesPlot::resizeEvent(QResizeEvent* event) {
         }
     }
     QCustomPlot::resizeEvent(event);
-}
-
-void ProfilesPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::FontChange && !m_cells.empty()) {
-        rebuild();
-    } else if (event->type() == QEvent::PaletteChange) {
-        restyle(); // here, because a parent learns of a new palette before its children
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

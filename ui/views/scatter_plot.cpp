@@ -46,7 +46,7 @@ double quantityOf(const BatchOutcome& outcome, std::size_t row, BatchQuantity qu
                : outcome.result.statistics.rows[row].values[quantity - outcome.factors.size()];
 }
 
-ScatterPlot::ScatterPlot(QWidget* parent) : QCustomPlot(parent) {
+ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
     m_rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(0, 0, m_rect);
@@ -63,6 +63,7 @@ ScatterPlot::ScatterPlot(QWidget* parent) : QCustomPlot(parent) {
     connect(this, &QCustomPlot::mouseMove, this, &ScatterPlot::onMouse);
     restyle();
     retranslate();
+    setBuilt();
 }
 
 void ScatterPlot::setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up) {
@@ -269,20 +270,7 @@ void ScatterPlot::onMouse(QMouseEvent* event) {
                      .arg(value(m_across), value(m_up)));
 }
 
-void ScatterPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- look and words -----------------------------------------------------------------------------
-
-void ScatterPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-        emit contentChanged();
-    }
-}
 
 void ScatterPlot::restyle() {
     style::applyPalette(*this, palette());
@@ -291,7 +279,7 @@ void ScatterPlot::restyle() {
         axis->setLabelFont(font());
     }
     const auto colour = [this](Hue hue) {
-        return style::dimmed(style::colour(hue, palette()), m_dim);
+        return style::dimmed(style::colour(hue, palette()), isDimmed());
     };
     const auto dots = [](QCPGraph& graph, const QColor& of) {
         graph.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, pointSize));
@@ -305,23 +293,10 @@ void ScatterPlot::restyle() {
     }
 }
 
-void ScatterPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void ScatterPlot::setTexts() {
     if (m_outcome && quantityCount(*m_outcome) > 0) {
         m_rect->axis(QCPAxis::atBottom)->setLabel(quantityName(*m_outcome, m_across));
         m_rect->axis(QCPAxis::atLeft)->setLabel(quantityName(*m_outcome, m_up));
-    }
-}
-
-void ScatterPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (m_worst
-        && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
     }
 }
 

@@ -4,8 +4,7 @@
 #include "ui/session/batch_runner.h"
 #include "ui/session/csv_table.h"
 #include "ui/views/legend_drawing.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 
@@ -22,7 +21,7 @@ using BatchQuantity = std::size_t;
 
 /// Any two quantities of a batch against each other: a point a part that is kept one by one, those
 /// beyond a limit of either and the worst part marked, with the limits.
-class ScatterPlot : public QCustomPlot {
+class ScatterPlot : public ViewPlot {
     Q_OBJECT
 public:
     enum Key { goodKey, outsideKey, worstKey, limitsKey }; ///< of the legend
@@ -30,27 +29,18 @@ public:
     explicit ScatterPlot(QWidget* parent = nullptr);
 
     void setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up); ///< no replot
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the points
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const; ///< the points in sight
 
-signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< empty: at nothing
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     void fill();
     void addLimits(BatchQuantity quantity, QCPAxis::AxisType axis);
     void show();
@@ -64,7 +54,6 @@ private:
     QCPAxisRect* m_rect = nullptr;
     QCPGraph *m_good = nullptr, *m_outside = nullptr, *m_worst = nullptr;
     std::vector<QCPItemStraightLine*> m_limits;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

@@ -27,7 +27,7 @@ constexpr int outerAlpha = 90;
 
 } // namespace
 
-SensitivityPlot::SensitivityPlot(QWidget* parent) : QCustomPlot(parent) {
+SensitivityPlot::SensitivityPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     plotLayout()->clear();
     m_rect = new QCPAxisRect(this, true);
@@ -42,6 +42,7 @@ SensitivityPlot::SensitivityPlot(QWidget* parent) : QCustomPlot(parent) {
     connect(this, &QCustomPlot::mouseMove, this, &SensitivityPlot::onMouse);
     restyle();
     retranslate();
+    setBuilt();
 }
 
 void SensitivityPlot::setBatch(BatchOutcomePtr outcome, const std::string& name) {
@@ -242,20 +243,7 @@ void SensitivityPlot::onMouse(QMouseEvent* event) {
     emit pointed({});
 }
 
-void SensitivityPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- look and words -----------------------------------------------------------------------------
-
-void SensitivityPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-        emit contentChanged();
-    }
-}
 
 void SensitivityPlot::restyle() {
     style::applyPalette(*this, palette());
@@ -264,7 +252,7 @@ void SensitivityPlot::restyle() {
         axis->setLabelFont(font());
     }
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
-        QColor colour = style::dimmed(style::colour(placeHues[i], palette()), m_dim);
+        QColor colour = style::dimmed(style::colour(placeHues[i], palette()), isDimmed());
         m_bars[i].innerBars->setPen(Qt::NoPen);
         m_bars[i].innerBars->setBrush(colour);
         if (m_bars[i].outerBars) {
@@ -275,24 +263,12 @@ void SensitivityPlot::restyle() {
     }
 }
 
-void SensitivityPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void SensitivityPlot::setTexts() {
     m_rect->axis(QCPAxis::atBottom)
         ->setLabel(m_kind == SensitivityKind::ranks
                        ? tr("Coefficient of the standardised rank regression")
                        : tr("Share of the variance: full alone, pale with interactions"));
     nameFactors();
-}
-
-void SensitivityPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (m_rect && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

@@ -4,8 +4,7 @@
 #include "ui/session/batch_runner.h"
 #include "ui/session/csv_table.h"
 #include "ui/views/legend_drawing.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <string>
 #include <vector>
@@ -18,7 +17,7 @@ enum class SensitivityKind { ranks, sobol };
 /// Which factor matters most for one characteristic of a batch: a row a factor, a bar a zone or
 /// section. Coefficients of the standardised rank regression with their signs, or Sobol indices,
 /// the first-order one within the total one.
-class SensitivityPlot : public QCustomPlot {
+class SensitivityPlot : public ViewPlot {
     Q_OBJECT
 public:
     explicit SensitivityPlot(QWidget* parent = nullptr);
@@ -26,12 +25,10 @@ public:
     void setBatch(BatchOutcomePtr outcome, const std::string& name); ///< no replot
     void setIndices(SobolIndicesPtr indices);                        ///< of the same batch, or null
     void setKind(SensitivityKind kind);
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key); ///< keys are the places in their order
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] SensitivityKind kind() const { return m_kind; }
     [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be told
@@ -41,15 +38,8 @@ public:
     /// The weight that is drawn, of a place in the drawn order: the coefficient, or the total.
     [[nodiscard]] double weight(std::size_t place, std::size_t factor) const;
 
-signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< empty: at nothing
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     /// What is told of one place.
     struct Bars {
         std::size_t characteristic;       ///< of the summary
@@ -74,7 +64,6 @@ private:
     CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     std::vector<Bars> m_bars;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

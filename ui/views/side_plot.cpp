@@ -20,12 +20,13 @@ constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< of the heights; the whe
 constexpr double endRoom = 0.02;                    ///< of the length
 } // namespace
 
-SidePlot::SidePlot(QWidget* parent) : QCustomPlot(parent) {
+SidePlot::SidePlot(QWidget* parent) : ViewPlot(parent) {
     m_rect = addPartCell(*this);
     m_bands = new BandLayer(m_rect, true);
     m_painted = new SideScene(*this);
     restyle();
     retranslate();
+    setBuilt();
 }
 
 // --- contents -----------------------------------------------------------------------------------
@@ -119,7 +120,7 @@ QColor SidePlot::colourOf(Key key) const {
     const QColor colour = key == wheelKey   ? style::colour(Hue::orange, palette())
                           : key == fieldKey ? style::colour(Hue::green, palette())
                                             : palette().color(QPalette::Text);
-    return style::dimmed(colour, m_dim);
+    return style::dimmed(colour, isDimmed());
 }
 
 LegendEntries SidePlot::legendEntries() const {
@@ -171,7 +172,7 @@ CsvTable SidePlot::table() const {
 
 // --- look and words -----------------------------------------------------------------------------
 
-void SidePlot::retranslate() {
+void SidePlot::setTexts() {
     namePartCell(*m_rect);
     fillBands();
 }
@@ -179,16 +180,6 @@ void SidePlot::retranslate() {
 void SidePlot::restyle() {
     stylePartCell(*m_rect);
     fillBands();
-}
-
-void SidePlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (m_painted && look) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

@@ -5,8 +5,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/session/outcome.h"
 #include "ui/views/legend_drawing.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 namespace sparkout {
 
@@ -15,7 +14,7 @@ class SideScene;
 
 /// Wheel and part from the side at a moment of the cycle, heights exaggerated: the surface that the
 /// wheel meets, how far it gives way, the tolerance field and the gauge.
-class SidePlot : public QCustomPlot {
+class SidePlot : public ViewPlot {
     Q_OBJECT
 public:
     /// Keys of the legend.
@@ -25,16 +24,13 @@ public:
 
     void setRun(OutcomePtr outcome);    ///< no replot
     void setScene(GrindingScene scene); ///< no replot
-    void setDimmed(bool dim) { m_dim = dim; }
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] const GrindingScene& scene() const { return m_scene; }
     [[nodiscard]] const LayerSeries& limits() const; ///< of the run: target and field
-    [[nodiscard]] bool isDimmed() const { return m_dim; }
     [[nodiscard]] bool shows(Key key) const { return m_choice.shows(key); }
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] QColor colourOf(Key key) const;
@@ -47,13 +43,8 @@ public:
     [[nodiscard]] QString values() const; ///< the balance under the wheel in one sentence
     [[nodiscard]] CsvTable table() const; ///< one row a zone or section
 
-signals:
-    void contentChanged(); ///< of the legend
-
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     void fillBands();
 
     OutcomePtr m_outcome;
@@ -62,7 +53,6 @@ private:
     QCPAxisRect* m_rect = nullptr;
     BandLayer* m_bands = nullptr;
     SideScene* m_painted = nullptr;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

@@ -6,7 +6,6 @@
 #include "ui/views/number_ticker.h"
 #include "ui/views/plot_style.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -45,11 +44,12 @@ double highestOf(const QCPBars& bars) {
 
 } // namespace
 
-SpectrumPlot::SpectrumPlot(QWidget* parent) : QCustomPlot(parent) {
+SpectrumPlot::SpectrumPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     plotLayout()->clear();
     connect(this, &QCustomPlot::mouseMove, this, &SpectrumPlot::onMouse);
     retranslate();
+    setBuilt();
 }
 
 void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>& shown) {
@@ -222,13 +222,6 @@ void SpectrumPlot::setLogarithmic(bool on) {
     fit();
 }
 
-void SpectrumPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-    }
-}
-
 void SpectrumPlot::restyle() {
     style::applyPalette(*this, palette());
     if (m_caption) {
@@ -244,17 +237,14 @@ void SpectrumPlot::restyle() {
         }
         for (const ProfileLine line : {ProfileLine::blank, ProfileLine::profile}) {
             QCPBars* bars = line == ProfileLine::blank ? cell.blank : cell.profile;
-            const QColor colour = ProfileLook::pen(line, palette(), m_dim).color();
+            const QColor colour = ProfileLook::pen(line, palette(), isDimmed()).color();
             bars->setPen(QPen(colour, 1));
             bars->setBrush(colour);
         }
     }
 }
 
-void SpectrumPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void SpectrumPlot::setTexts() {
     for (Cell& cell : m_cells) {
         cell.name = Names::zone(cell.zone, cell.section);
         cell.header->setText(cell.name);
@@ -263,14 +253,6 @@ void SpectrumPlot::retranslate() {
     }
     if (m_caption) {
         m_caption->setText(tr("Undulations per revolution"));
-    }
-}
-
-void SpectrumPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
-        restyle();
-        replot(QCustomPlot::rpQueuedReplot);
     }
 }
 
@@ -297,11 +279,6 @@ void SpectrumPlot::onMouse(QMouseEvent* event) {
             return;
         }
     }
-    emit pointed({});
-}
-
-void SpectrumPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
     emit pointed({});
 }
 

@@ -5,8 +5,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/views/profiles_look.h"
 #include "ui/views/profiles_series.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace sparkout {
 
 /// Amplitudes of a profile over the undulations per revolution: 1 is the eccentricity, 2 an oval.
 /// One axis rect a zone or section side by side, blank and profile as bars, all moved together.
-class SpectrumPlot : public QCustomPlot {
+class SpectrumPlot : public ViewPlot {
     Q_OBJECT
 public:
     explicit SpectrumPlot(QWidget* parent = nullptr);
@@ -22,24 +21,16 @@ public:
     void setSeries(const ProfileSeries& series, const std::vector<int>& shown); ///< no replot
     void setHidden(ProfileLines hidden);
     void setLogarithmic(bool on);
-    void setDimmed(bool dim);
     void fit();
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
     [[nodiscard]] QCPBars* bars(int index, ProfileLine line) const;
     [[nodiscard]] CsvTable table() const;
 
-signals:
-    void pointed(const QString& text); ///< empty: at nothing
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     struct Cell {
         QString name;
         QCPTextElement* header = nullptr;
@@ -70,7 +61,6 @@ private:
     QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
     ProfileLines m_hidden;
     bool m_logarithmic = true;
-    bool m_dim = false;
     bool m_linking = false;
 };
 

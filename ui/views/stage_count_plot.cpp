@@ -27,7 +27,7 @@ double inMinutes(double time_s) {
 
 } // namespace
 
-StageCountPlot::StageCountPlot(QWidget* parent) : QCustomPlot(parent) {
+StageCountPlot::StageCountPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     setAntialiasedElements(QCP::aePlottables | QCP::aeScatters);
     plotLayout()->clear();
@@ -48,6 +48,7 @@ StageCountPlot::StageCountPlot(QWidget* parent) : QCustomPlot(parent) {
     connect(this, &QCustomPlot::mouseMove, this, &StageCountPlot::onMouse);
     restyle();
     retranslate();
+    setBuilt();
 }
 
 void StageCountPlot::setSearch(SearchOutcomePtr outcome, std::optional<double> present_s) {
@@ -139,7 +140,7 @@ LegendEntries StageCountPlot::legendEntries() const {
     LegendEntries entries;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i]->data()->isEmpty()) {
-            const QColor colour = style::dimmed(style::colour(countHues[i], palette()), m_dim);
+            const QColor colour = style::dimmed(style::colour(countHues[i], palette()), isDimmed());
             entries.push_back({colour, countPens[i], name(static_cast<Key>(i)), static_cast<int>(i),
                                m_choice.shows(static_cast<int>(i))});
         }
@@ -184,20 +185,7 @@ void StageCountPlot::onMouse(QMouseEvent* event) {
     emit pointed({});
 }
 
-void StageCountPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- look and words -----------------------------------------------------------------------------
-
-void StageCountPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-        emit contentChanged();
-    }
-}
 
 void StageCountPlot::restyle() {
     style::applyPalette(*this, palette());
@@ -207,7 +195,7 @@ void StageCountPlot::restyle() {
     }
     constexpr double thick = 2, point = 8;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QColor colour = style::dimmed(style::colour(countHues[i], palette()), m_dim);
+        const QColor colour = style::dimmed(style::colour(countHues[i], palette()), isDimmed());
         m_curves[i]->setPen(QPen(colour, thick, countPens[i]));
     }
     const auto scatter = [&](Key key, QCPScatterStyle::ScatterShape shape) {
@@ -218,22 +206,10 @@ void StageCountPlot::restyle() {
     scatter(proven, QCPScatterStyle::ssTriangle);
 }
 
-void StageCountPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void StageCountPlot::setTexts() {
     m_rect->axis(QCPAxis::atBottom)->setLabel(tr("Number of stages"));
     m_rect->axis(QCPAxis::atLeft)->setLabel(tr("Machining time, min"));
     emit contentChanged();
-}
-
-void StageCountPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (m_rect && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

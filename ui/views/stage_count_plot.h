@@ -4,8 +4,7 @@
 #include "ui/session/csv_table.h"
 #include "ui/session/search_runner.h"
 #include "ui/views/legend_drawing.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 
@@ -13,7 +12,7 @@ namespace sparkout {
 
 /// The time of the quickest cycle over its number of stages, above the stepless limit and beside
 /// the time of the present cycle. Where a search was stopped also the time that none is below.
-class StageCountPlot : public QCustomPlot {
+class StageCountPlot : public ViewPlot {
     Q_OBJECT
 public:
     enum Key { quickest, proven, present, limit };
@@ -22,26 +21,17 @@ public:
 
     /// No replot.
     void setSearch(SearchOutcomePtr outcome, std::optional<double> present_s);
-    void setDimmed(bool dim);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const;
     [[nodiscard]] QCPGraph* curve(Key key) const { return m_curves[key]; }
 
-signals:
-    void contentChanged();             ///< of the legend
-    void pointed(const QString& text); ///< empty: at nothing
-
-protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
-
 private:
+    void setTexts() override;
     void fill();
     void show();
     void onMouse(QMouseEvent* event);
@@ -52,7 +42,6 @@ private:
     CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     std::array<QCPGraph*, 4> m_curves{}; ///< by Key
-    bool m_dim = false;
 };
 
 } // namespace sparkout

@@ -255,7 +255,7 @@ void SweepCurves::colour() {
         band->setPen(Qt::NoPen);
         band->setBrush(of);
     }
-    const QColor text = style::dimmed(palette().color(QPalette::Text), dim());
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     m_present->setPen(QPen(text, 1.5, Qt::DotLine));
     m_refused->setScatterStyle(QCPScatterStyle(
         QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, footSize));

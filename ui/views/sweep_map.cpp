@@ -223,13 +223,13 @@ void SweepMap::colour() {
     axis.setTickLabelFont(font());
     axis.setLabelFont(font());
     axis.setNumberFormat(QStringLiteral("g"));
-    m_map->setGradient(sweepColours(dim()));
+    m_map->setGradient(sweepColours(isDimmed()));
     for (QCPCurve* halo : {m_limitHalo, m_holdsHalo}) {
-        halo->setPen(QPen(style::dimmed(onMap::dark, dim()), 4));
+        halo->setPen(QPen(style::dimmed(onMap::dark, isDimmed()), 4));
     }
-    m_limit->setPen(QPen(style::dimmed(onMap::light, dim()), 2));
-    m_holds->setPen(QPen(style::dimmed(onMap::accent, dim()), 2));
-    const QColor text = style::dimmed(palette().color(QPalette::Text), dim());
+    m_limit->setPen(QPen(style::dimmed(onMap::light, isDimmed()), 2));
+    m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     m_refused->setScatterStyle(QCPScatterStyle(
         QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, mapSignSize));
     const QColor stuck = toned(Hue::orange);

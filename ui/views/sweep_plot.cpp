@@ -4,7 +4,6 @@
 #include "ui/views/number_ticker.h"
 #include "ui/views/plot_click.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QMouseEvent>
 
@@ -17,7 +16,7 @@ namespace sparkout {
 
 using style::Hue;
 
-SweepPlot::SweepPlot(QWidget* parent) : QCustomPlot(parent) {
+SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
     m_rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(0, 0, m_rect);
@@ -40,7 +39,7 @@ SweepPlot::SweepPlot(QWidget* parent) : QCustomPlot(parent) {
 }
 
 void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) {
-    m_ready = true;
+    setBuilt();
     m_sweep = std::move(sweep);
     m_entry = std::move(entry);
     m_margins = margins;
@@ -62,7 +61,7 @@ void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) 
 void SweepPlot::setPresent(std::vector<std::optional<double>> values) {
     if (m_present != values) {
         m_present = std::move(values);
-        if (m_ready) {
+        if (isBuilt()) {
             fillMarks();
             showChoice();
             emit contentChanged();
@@ -72,17 +71,9 @@ void SweepPlot::setPresent(std::vector<std::optional<double>> values) {
 
 void SweepPlot::setChosen(std::optional<std::size_t> point) {
     m_chosen = point;
-    if (m_ready) {
+    if (isBuilt()) {
         fillMarks();
         showChoice();
-    }
-}
-
-void SweepPlot::setDimmed(bool dim) {
-    if (m_dim != dim) {
-        m_dim = dim;
-        restyle();
-        emit contentChanged();
     }
 }
 
@@ -127,7 +118,7 @@ bool SweepPlot::any(SweepStatus status) const {
 }
 
 QColor SweepPlot::toned(Hue hue) const {
-    return style::dimmed(style::colour(hue, palette()), m_dim);
+    return style::dimmed(style::colour(hue, palette()), isDimmed());
 }
 
 QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
@@ -180,11 +171,6 @@ void SweepPlot::onMouse(const QPointF& at) {
     emit pointed(point ? SweepText::point(sweep(), *point, m_entry) : QString());
 }
 
-void SweepPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    emit pointed({});
-}
-
 // --- table, look and words ----------------------------------------------------------------------
 
 CsvTable SweepPlot::table() const {
@@ -223,7 +209,7 @@ CsvTable SweepPlot::table() const {
 }
 
 void SweepPlot::restyle() {
-    if (!m_ready) {
+    if (!isBuilt()) {
         return;
     }
     style::applyPalette(*this, palette());
@@ -234,23 +220,10 @@ void SweepPlot::restyle() {
     colour();
 }
 
-void SweepPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+void SweepPlot::setTexts() {
     if (!empty()) {
         across()->setLabel(SweepText::inputAxis(sweep().inputs[0]));
         label();
-    }
-}
-
-void SweepPlot::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    if (m_ready
-        && (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
     }
 }
 

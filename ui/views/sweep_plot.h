@@ -6,8 +6,7 @@
 #include "ui/views/plot_style.h"
 #include "ui/views/sweep_scale.h"
 #include "ui/views/sweep_text.h"
-
-#include <qcustomplot.h>
+#include "ui/views/view_plot.h"
 
 #include <optional>
 
@@ -15,7 +14,7 @@ namespace sparkout {
 
 /// What the two plots of a sweep share: one axis rect over the varied inputs, the point under the
 /// mouse, the point chosen, the marks of points without numbers.
-class SweepPlot : public QCustomPlot {
+class SweepPlot : public ViewPlot {
     Q_OBJECT
 public:
     enum Key { presentKey = 1000, chosenKey, limitKey, holdsKey, refusedKey, notReachedKey };
@@ -26,12 +25,10 @@ public:
     /// The present values of the inputs, as far as they are given.
     void setPresent(std::vector<std::optional<double>> values);
     void setChosen(std::optional<std::size_t> point);
-    void setDimmed(bool dim);
     virtual void fit() = 0;
     void toggleCurve(int key);
     void showOnly(int key);
-    void retranslate();
-    void restyle();
+    void restyle() override;
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its marks
@@ -39,13 +36,10 @@ public:
     [[nodiscard]] CsvTable table() const; ///< the points in sight
 
 signals:
-    void contentChanged();               ///< of the legend
-    void pointed(const QString& text);   ///< empty: at nothing
     void pointChosen(std::size_t point); ///< by a click, of the right button too
 
 protected:
-    void leaveEvent(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    void setTexts() override;
 
     virtual void fill() = 0;       ///< from what was set
     virtual void fillMarks() = 0;  ///< present and chosen point
@@ -57,7 +51,6 @@ protected:
     [[nodiscard]] const SweepResult& sweep() const { return m_sweep->result; }
     [[nodiscard]] const SweepEntry& entry() const { return m_entry; }
     [[nodiscard]] bool margins() const { return m_margins; }
-    [[nodiscard]] bool dim() const { return m_dim; }
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
     [[nodiscard]] SweepScale scaleOf(std::size_t input) const;
     /// Of the present values; nothing where one is not given, or not positive over ratios.
@@ -80,12 +73,11 @@ private:
 
     SweepOutcomePtr m_sweep;
     SweepEntry m_entry;
-    bool m_margins = false, m_dim = false;
+    bool m_margins = false;
     std::vector<std::optional<double>> m_present;
     std::optional<std::size_t> m_chosen;
     CurveChoice m_choice;
     QCPAxisRect* m_rect;
-    bool m_ready = false;
 };
 
 } // namespace sparkout
