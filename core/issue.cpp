@@ -94,6 +94,13 @@ const char* issueTemplate(IssueCode code) {
         return SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
                                       "nothing, and the deflection did not give back its stock of "
                                       "{limit}");
+    case IssueCode::stageIdle:
+        return SPARKOUT_NOOP("Issue",
+                             "stage {value} of {limit} makes no step: those before it have "
+                             "already removed its stock");
+    case IssueCode::dwellRounded:
+        return SPARKOUT_NOOP("Issue",
+                             "a dwell of {value} is made as {limit}, in whole revolutions");
     case IssueCode::noSuchNumber:
         return SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "
                                       "{limit}");

@@ -44,6 +44,8 @@ enum class IssueCode {
     shaftTooShort,
     targetOutsideField,
     sparkOutLeaves,
+    stageIdle,
+    dwellRounded,
     noSuchNumber,
     variedTwice,
     sourceMissing, ///< in catalogues

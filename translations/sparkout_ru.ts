@@ -3342,6 +3342,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>{value} is varied twice; needed: {limit}</source>
             <translation>{value} варьируется дважды; нужно: {limit}</translation>
         </message>
+        <message>
+            <source>stage {value} of {limit} makes no step: those before it have already removed its stock</source>
+            <translation>ступень {value} из {limit} не делает ни одного шага: её припуск уже снят ступенями до неё</translation>
+        </message>
+        <message>
+            <source>a dwell of {value} is made as {limit}, in whole revolutions</source>
+            <translation>выстой {value} выполняется как {limit}, целыми оборотами</translation>
+        </message>
     </context>
     <context>
         <name>KeptRuns</name>
@@ -6031,6 +6039,10 @@ target, µm</source>
         <message>
             <source>m/min</source>
             <translation>м/мин</translation>
+        </message>
+        <message>
+            <source>1/h</source>
+            <translation>1/ч</translation>
         </message>
     </context>
     <context>
@@ -10689,6 +10701,10 @@ target, µm</source>
             <source>Take diameter and limits from the tolerance class</source>
             <translation>Взять диаметр и отклонения по полю допуска</translation>
         </message>
+        <message>
+            <source>e.g. %1</source>
+            <translation>напр. %1</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::SparkOutEditor</name>
@@ -11369,6 +11385,14 @@ target, µm</source>
         <message>
             <source>Between the cylinders of the minimum zone, MZCY (ISO 12180)</source>
             <translation>По цилиндрам минимальной зоны (ISO 12180)</translation>
+        </message>
+        <message>
+            <source>Without a calibration of the wheel Ra comes out too small.</source>
+            <translation>Без калибровки круга Ra получается заниженным.</translation>
+        </message>
+        <message>
+            <source>Ra, estimate</source>
+            <translation>Ra, оценка</translation>
         </message>
     </context>
     <context>

@@ -18,7 +18,7 @@ template <>
 const StructInfo& tableOf<Cost>() {
     static const std::array rows{
         SPARKOUT_FIELD(Cost, machine_per_h, .label = SPARKOUT_NOOP("Input", "Machine and operator"),
-                       .symbol = "C_m", .unit = "1/h", .hard = {0, 1e9},
+                       .symbol = "C_m", .unit = SPARKOUT_NOOP("Unit", "1/h"), .hard = {0, 1e9},
                        .required = conditions::always, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "What an hour costs, in any currency."),
                        .formula = "C = C_m·(T + t_h + t_d/N) + C_d/N", .source = "GILBERT1950"),

@@ -3,9 +3,12 @@
 
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
+#include "core/simulation/cycle_steps.h"
 #include "core/units.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace sparkout {
 
@@ -25,21 +28,60 @@ std::string shortMm(double value) {
     return numberText(std::round(value * 1e5) / 1e5) + " mm";
 }
 
+/// A spark-out that leaves a stock which the deflection did not give back.
+void addSparkOut(const SimulationResult& result, Issues& found) {
+    const auto& stages = result.project.cycle.stages;
+    const Stage& last = stages.back();
+    const bool leaves = last.spark_out.mode == SparkOut::Mode::count && last.stock_mm > 0;
+    if (leaves && endsOversize(result)) {
+        found.push_back({IssueCode::sparkOutLeaves, Severity::warning,
+                         "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm",
+                         shortMm(result.remainingStock_mm), shortMm(last.stock_mm)});
+    }
+}
+
+void addIdleStages(const SimulationResult& result, Issues& found) {
+    const auto& stages = result.project.cycle.stages;
+    for (std::size_t z = 0; z < stages.size(); ++z) {
+        if (result.countsByStage[z] == 0 && stages[z].spark_out.mode == SparkOut::Mode::none) {
+            found.push_back({IssueCode::stageIdle, Severity::warning,
+                             "/cycle/stages/" + std::to_string(z) + "/stock_mm",
+                             std::to_string(z + 1), std::to_string(stages.size())});
+        }
+    }
+}
+
+void addDwells(const Project& project, Issues& found) {
+    if (project.operation != Operation::traverse) {
+        return;
+    }
+    constexpr double noticed = 0.02; // of the dwell
+    const Machine& machine = project.machine;
+    const std::pair<const char*, double> dwells[] = {{"entry", machine.dwell_entry_s},
+                                                     {"exit", machine.dwell_exit_s}};
+    for (const auto& [name, dwell_s] : dwells) {
+        const double made_s = dwellRevolutions(dwell_s, machine.work_speed_rpm)
+                              * units::secondsPerMinute / machine.work_speed_rpm;
+        if (std::abs(made_s - dwell_s) > noticed * dwell_s) {
+            found.push_back({IssueCode::dwellRounded, Severity::warning,
+                             std::string("/machine/dwell_") + name + "_s",
+                             numberText(dwell_s) + " s",
+                             numberText(std::round(made_s * 1e3) / 1e3) + " s"});
+        }
+    }
+}
+
 } // namespace
 
 Issues remarksOn(const SimulationResult& result) {
-    const auto& stages = result.project.cycle.stages;
-    if (result.status != RunStatus::completed || stages.empty()) {
+    if (result.status != RunStatus::completed || result.project.cycle.stages.empty()) {
         return {};
     }
-    const Stage& last = stages.back();
-    const bool leaves = last.spark_out.mode == SparkOut::Mode::count && last.stock_mm > 0;
-    if (!leaves || !endsOversize(result)) {
-        return {};
-    }
-    return {{IssueCode::sparkOutLeaves, Severity::warning,
-             "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm",
-             shortMm(result.remainingStock_mm), shortMm(last.stock_mm)}};
+    Issues found;
+    addSparkOut(result, found);
+    addIdleStages(result, found);
+    addDwells(result.project, found);
+    return found;
 }
 
 } // namespace sparkout

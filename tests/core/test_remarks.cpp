@@ -77,6 +77,35 @@ private slots:
         QVERIFY(remarksOn(result).empty());
     }
 
+    // A first stage that feeds far beyond the stock of the second leaves it nothing.
+    void aStageWhoseStockIsGoneBeforeItBeginsIsNamed() {
+        Project project = example("shaft-30h6-factory.sparkout");
+        auto& stages = project.cycle.stages;
+        stages[0].radial_feed_mm = 0.04;
+        stages[0].stock_mm += 0.035;
+        stages[1].stock_mm -= 0.035;
+        const SimulationResult result = simulate(project);
+        QCOMPARE(result.countsByStage[1], 0);
+        const Issues remarks = remarksOn(result);
+        QCOMPARE(remarks.size(), 1u);
+        QCOMPARE(remarks[0].code, IssueCode::stageIdle);
+        QCOMPARE(remarks[0].path, std::string("/cycle/stages/1/stock_mm"));
+        QCOMPARE(remarks[0].value, std::string("2"));
+    }
+
+    // 0.05 s at 180 revolutions a minute are 0.15 revolutions, made as one: 1/3 s.
+    void aDwellThatBecomesAnotherIsNamedAsItIsMade() {
+        Project project = example("shaft-30h6-factory.sparkout");
+        QVERIFY(project.machine.work_speed_rpm == 180);
+        project.machine.dwell_entry_s = 0.05;
+        const Issues remarks = remarksOn(simulate(project));
+        QCOMPARE(remarks.size(), 1u);
+        QCOMPARE(remarks[0].code, IssueCode::dwellRounded);
+        QCOMPARE(remarks[0].path, std::string("/machine/dwell_entry_s"));
+        QCOMPARE(remarks[0].value, std::string("0.05 s"));
+        QCOMPARE(remarks[0].limit, std::string("0.333 s"));
+    }
+
     void theExamplesHaveNoneToMake() {
         for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
                                  "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {

@@ -237,9 +237,9 @@ void SizeHelper::fill() {
 
 void SizeHelper::retranslate() {
     m_label->setText(tr("Tolerance class"));
-    m_size->setPlaceholderText(m_document.project().part.surface == Surface::internal
-                                   ? QStringLiteral("30H7")
-                                   : QStringLiteral("30h6"));
+    m_size->setPlaceholderText(tr("e.g. %1").arg(
+        m_document.project().part.surface == Surface::internal ? QStringLiteral("30H7")
+                                                               : QStringLiteral("30h6")));
     m_size->setAccessibleName(tr("Size with its tolerance class"));
     m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
     m_meaning->setAccessibleName(tr("What the tolerance class means"));

@@ -136,7 +136,8 @@ void StageDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setFont(item.font);
     painter->setPen(ink);
     painter->drawText(inside.adjusted(0, 0, 0, -bar.height()),
-                      int(Qt::AlignRight | Qt::AlignVCenter), text);
+                      int(Qt::AlignRight | Qt::AlignVCenter),
+                      item.fontMetrics.elidedText(text, Qt::ElideRight, inside.width()));
     drawShare(*painter, bar, share.toDouble(), ink, item, stale);
     painter->restore();
 }

@@ -76,7 +76,8 @@ void StageTable::addRow() {
         applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
         return;
     }
-    added.stock_mm = tidy(stages[at].stock_mm / 2);
+    const double micrometres = std::round(stages[at].stock_mm * 500); // of half the stock
+    added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidy(stages[at].stock_mm / 2);
     stages[at].stock_mm = tidy(stages[at].stock_mm - added.stock_mm);
     stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(at) + 1, added);
     applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")},

@@ -19,7 +19,7 @@ QString sizeWords(const char* text) {
 }
 
 QString signedNumber(double value_um) {
-    const QString digits = showNumber(value_um, QLocale());
+    const QString digits = showNumber(value_um, QLocale()).replace(u'-', u'−');
     return value_um > 0 ? u'+' + digits : digits;
 }
 

@@ -76,7 +76,11 @@ QString CursorModel::cell(const Row& row, int column) const {
     if (row.place) {
         return toldPlace(*value);
     }
-    return difference ? toldDifference(*value, row.digits) : told(*value, row.digits);
+    if (!difference) {
+        return told(*value, row.digits);
+    }
+    const std::optional<double>& beside = row.values[static_cast<std::size_t>(column) - 1];
+    return toldDifference(*value, row.digits, beside.value_or(*value));
 }
 
 QVariant CursorModel::data(const QModelIndex& index, int role) const {

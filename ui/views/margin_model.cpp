@@ -104,8 +104,8 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     case usage: return LimitNames::percent(usageOf(c));
     case value:
         return QStringLiteral("%1 / %2 %3")
-            .arg(Names::amount(c.kind, c.value, deviation),
-                 Names::amount(c.kind, c.limit, deviation), unitText(constraintUnit(c.kind)))
+            .arg(Names::amount(c.kind, c.value, deviation), Names::limit(c),
+                 unitText(constraintUnit(c.kind)))
             .trimmed();
     default: return {};
     }

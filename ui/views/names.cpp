@@ -158,6 +158,22 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     return (withSign && value > 0 ? QStringLiteral("+") : QString()) + text;
 }
 
+QString Names::limit(const ConstraintResult& c) {
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    const QString text = amount(c.kind, c.limit, deviation);
+    switch (c.kind) {
+    case ConstraintKind::rangeRadialFeed:
+    case ConstraintKind::rangeAxialFeed:
+    case ConstraintKind::rangePlungeFeed:
+    case ConstraintKind::rangeWorkSpeed: { // the end that is nearer
+        const bool isLeast = (c.limit < c.value) == (c.margin > 0);
+        return (isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text;
+    }
+    default: return text;
+    }
+}
+
 QString Names::issue(const Issue& issue) {
     const QString text = issueText(issue);
     return issue.path.empty() ? text : locationText(issue.path) + QStringLiteral(": ") + text;

@@ -29,7 +29,8 @@ public:
     static QString where(const ConstraintResult& constraint);
     /// A value, limit or margin in the unit of its kind, which constraintUnit() names.
     static QString amount(ConstraintKind kind, double value, bool withSign);
-    static QString issue(const Issue& issue); ///< the sentence after its place in words
+    static QString limit(const ConstraintResult& c); ///< of a range "≥50" or "≤500"
+    static QString issue(const Issue& issue);        ///< the sentence after its place in words
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
 

@@ -185,17 +185,17 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
     } else if (outcome.refines) {
         lines << tr("Between the levels nothing quicker was found.");
     }
+    const double least_s = outcome.refined() ? outcome.refined()->time_s : best->time_s;
     if (present_s && *present_s > 0) {
         constexpr double noticed = 5e-4;
-        const double change = best->time_s / *present_s - 1;
+        const double change = least_s / *present_s - 1;
         lines << (change < -noticed
                       ? tr("That is %1 % less than the present cycle takes.").arg(percent(-change))
                       : tr("The present cycle takes %1 min.").arg(minutes(*present_s)));
     }
     if (outcome.limit_s > 0 && std::isfinite(outcome.limit_s)) {
         lines << tr("The stepless limit is %1 min, %2 % below it.")
-                     .arg(minutes(outcome.limit_s),
-                          percent(gapToLimit(best->time_s, outcome.limit_s)));
+                     .arg(minutes(outcome.limit_s), percent(gapToLimit(least_s, outcome.limit_s)));
     }
     if (!outcome.binding.empty()) {
         lines << tr("What keeps it from being quicker: %1.").arg(names(outcome.binding));

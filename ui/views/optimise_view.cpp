@@ -182,13 +182,24 @@ void OptimiseView::showCurves() {
         }
     }
     m_curves->setRuns(std::move(runs));
-    m_curves->setDimmed(m_stale && m_trial);
-    m_times->setDimmed(m_stale);
+    dim();
     for (const PlotPages::Page& page : m_pages->all()) {
         page.tools->navigation().amendView();
         page.plot->replot(QCustomPlot::rpQueuedReplot);
     }
     m_pages->showLegend();
+}
+
+/// What was found before, while another search runs or after an edit.
+void OptimiseView::dim() {
+    const bool old = m_stale || busy();
+    const std::pair<ViewPlot*, bool> plots[] = {{m_curves, old && m_trial}, {m_times, old}};
+    for (const auto& [plot, isOld] : plots) {
+        if (plot->isDimmed() != isOld) {
+            plot->setDimmed(isOld);
+            plot->replot(QCustomPlot::rpQueuedReplot);
+        }
+    }
 }
 
 void OptimiseView::showState() {
@@ -212,6 +223,7 @@ void OptimiseView::showState() {
     const bool found = m_search && m_search->best();
     m_table->setVisible(found);
     m_take->setEnabled(chosen() && !m_stale && !busy());
+    dim();
     const bool drawn = m_pages->page().plot == m_times ? found : !m_curves->runs().empty();
     for (QWidget* part : std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values}) {
         part->setVisible(drawn && (given || found));

@@ -85,6 +85,7 @@ private:
     void showSearch();
     void showCurves();
     void showState();
+    void dim();
     [[nodiscard]] QString notice() const;
     [[nodiscard]] QStringList heading() const;
 

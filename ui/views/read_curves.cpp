@@ -93,11 +93,16 @@ QString told(double value, Digits digits) {
     return Names::significant(value);
 }
 
-QString toldDifference(double value, Digits digits) {
+QString toldDifference(double value, Digits digits, double beside) {
     if (digits == Digits::hundredths || digits == Digits::signedHundredths) {
         return Names::signedMicrometres(value);
     }
-    return (value > 0 ? QStringLiteral("+") : QString()) + told(value, digits);
+    const QString other = told(beside, digits);
+    const auto point = other.lastIndexOf(QLocale().decimalPoint());
+    const auto decimals = point < 0 ? 0 : other.size() - point - QLocale().decimalPoint().size();
+    const bool rises = value >= 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+    return (rises ? QStringLiteral("+") : QString())
+           + Names::fixed(value, static_cast<int>(decimals));
 }
 
 double plainPlace(double x) {

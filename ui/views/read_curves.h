@@ -36,7 +36,8 @@ using ReadCurves = std::vector<ReadCurve>;
 [[nodiscard]] std::optional<double> valueAt(const QCPCurve& curve, double x);
 
 [[nodiscard]] QString told(double value, Digits digits);
-[[nodiscard]] QString toldDifference(double value, Digits digits); ///< with its sign
+/// With its sign; as far as the value it is a difference of is told.
+[[nodiscard]] QString toldDifference(double value, Digits digits, double beside);
 
 /// A place on the axis with no more digits than a double holds for sure.
 [[nodiscard]] double plainPlace(double x);

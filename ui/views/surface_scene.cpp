@@ -44,7 +44,8 @@ std::vector<SurfaceScene::Facet> SurfaceScene::facets(const SurfaceGrid& grid) c
         facet.colour = sheet.colour(i, j);
         facet.line = sheet.newest ? sheet.line : facet.colour.darker(130);
         facet.newest = sheet.newest;
-        for (const auto& [row, column] : {std::pair{i, j}, {i, j + 1}, {i + 1, j + 1}, {i + 1, j}}) {
+        for (const auto& [row, column] :
+             {std::pair{i, j}, {i, j + 1}, {i + 1, j + 1}, {i + 1, j}}) {
             const double x = share(0, sheet.lengths_mm[column]);
             const double y = share(1, sheet.numbers[row]);
             const double z = share(2, sheet.feed_um(row, column));

@@ -3,6 +3,7 @@
 
 #include "ui/theme.h"
 #include "ui/views/contour_lines.h"
+#include "ui/views/number_ticker.h"
 
 #include <algorithm>
 #include <array>
@@ -73,6 +74,7 @@ SweepMap::SweepMap(QWidget* parent)
     plotLayout()->addElement(0, 1, m_scale);
     m_scale->setType(QCPAxis::atRight);
     m_scale->setBarWidth(scaleWidth);
+    m_scale->axis()->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
     m_scale->setRangeDrag(false);
     m_scale->setRangeZoom(false);
     m_map->setColorScale(m_scale);

@@ -172,7 +172,7 @@ QString VerdictModel::text(const ConstraintResult& c, int column) const {
     switch (column) {
     case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
     case value: return number(c.value);
-    case limit: return number(c.limit);
+    case limit: return Names::limit(c);
     case margin: return Names::amount(c.kind, c.margin, true);
     default: return {};
     }
@@ -211,9 +211,13 @@ QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
 QVariant VerdictModel::requirementData(const Row& row, int column, int role) const {
     const bool first = column == requirement;
     const Light light = lightOf(*row.constraint);
-    const QString shown = first ? requirementName(*row.constraint, briefName(row.constraint->kind),
-                                                  tr("stage %1").arg(row.constraint->stage))
-                                : text(*row.constraint, column);
+    const ConstraintKind kind = row.constraint->kind;
+    const bool guessed =
+        kind == ConstraintKind::roughness && m_outcome->result.project.wheel.roughness_factor == 1;
+    const QString name = guessed ? tr("Ra, estimate") : briefName(kind);
+    const QString shown =
+        first ? requirementName(*row.constraint, name, tr("stage %1").arg(row.constraint->stage))
+              : text(*row.constraint, column);
     switch (role) {
     case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
         return first && light != Light::holds ? shown + QLatin1Char('\n') + lightName(light)
@@ -229,8 +233,9 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         if (role == Qt::AccessibleTextRole) {
             return told;
         }
-        QStringList lines{told, measuredBy(row.constraint->kind),
-                          EstimateNames::behind(row.constraint->kind)};
+        QStringList lines{told, measuredBy(kind), EstimateNames::behind(kind),
+                          guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
+                                  : QString()};
         lines.removeAll(QString());
         return lines.join(u'\n');
     }
