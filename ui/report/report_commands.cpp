@@ -110,6 +110,9 @@ void ReportCommands::preview(report::Kind kind) {
     QPrinter printer(QPrinter::HighResolution);
     setUp(printer, *report);
     QPrintPreviewDialog dialog(&printer, m_window);
+    if (printer.outputFormat() != QPrinter::NativeFormat) {
+        hidePageSetup(dialog); // it is the printer's, and there is none; now, by its present name
+    }
     dialog.setWindowTitle(tr("Print preview: %1").arg(report->title));
     setHelpTopic(dialog, QStringLiteral("reports#print"));
     std::optional<report::Pages> pages;
@@ -122,9 +125,6 @@ void ReportCommands::preview(report::Kind kind) {
         }
         (void)report::printPages(*pages, *target);
     });
-    if (printer.outputFormat() != QPrinter::NativeFormat) {
-        hidePageSetup(dialog); // it is the printer's, and there is none
-    }
     dialog.resize(m_window->size() * 0.9);
     dialog.exec();
 }
