@@ -17,7 +17,8 @@
 
 /// Answers the dialogs that come up, one after the other, with real clicks and keys: the object
 /// name of a button, "Yes", "Escape", "Enter", or "file:PATH" for a file dialog. A dialog that
-/// nobody expected, or that does not go away, is an error.
+/// nobody expected, or that does not go away, is an error. The progress of a long work, which shows
+/// on a slow machine alone, is waited for, unless the next answer is its "stopWork".
 class DialogAnswers : public QObject {
 public:
     explicit DialogAnswers(QStringList answers) : m_answers(std::move(answers)) {
@@ -42,6 +43,10 @@ private:
     void look() {
         auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         if (!dialog || !dialog->isVisible() || m_beingAnswered.contains(dialog)) {
+            return;
+        }
+        const QString stop = QStringLiteral("stopWork");
+        if (dialog->findChild<QAbstractButton*>(stop) && m_answers.value(m_next) != stop) {
             return;
         }
         if (const auto* box = qobject_cast<QMessageBox*>(dialog)) {

@@ -9,6 +9,7 @@
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
 #include "tests/ui/xlsx_reader.h"
+#include "ui/dialogs/watched_work.h"
 #include "ui/export/export_dialog.h"
 #include "ui/export/export_file.h"
 #include "ui/view_tabs.h"
@@ -18,15 +19,20 @@
 
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QDeadlineTimer>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
 
+#include <atomic>
 #include <bit>
 
 namespace test_export {
@@ -306,6 +312,29 @@ private slots:
         QCOMPARE(answers.fault(), QString());
         QVERIFY2(clock.elapsed() < 400, qPrintable(QString::number(clock.elapsed())));
         QVERIFY(!QFile::exists(path));
+    }
+
+    /// Its progress is shown, and asks nothing: the question after it gets the answer.
+    void aLongWorkEndsByItself() {
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        std::atomic<bool> progressSeen = false;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, &watch,
+                [&] { progressSeen = QApplication::activeModalWidget() != nullptr; });
+        watch.start(10);
+        const QDeadlineTimer tooLong(10'000);
+        QVERIFY(runWatched(nullptr, QStringLiteral("work"), [&](const KeepGoing& keepGoing) {
+            while (!progressSeen && !tooLong.hasExpired() && keepGoing(0.5)) {
+                QThread::msleep(10);
+            }
+            QThread::msleep(50); // time for a wrong answer to it
+        }));
+        watch.stop();
+        QVERIFY(progressSeen);
+        QMessageBox question(QMessageBox::Warning, {}, QStringLiteral("after it"));
+        question.exec();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(answers.text(), QStringLiteral("after it"));
     }
 
     void withoutAResultItSaysWhy() {
