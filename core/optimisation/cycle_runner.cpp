@@ -38,10 +38,10 @@ std::shared_ptr<const CycleSteps> CycleRunner::begin(std::size_t stages) const {
     return m_starts[stages].steps;
 }
 
-SimulationResult CycleRunner::finish(const GridCycle& cycle, const CycleSteps& steps,
+SimulationResult CycleRunner::finish(const GridCycle& cycle, CycleSteps& steps,
                                      const std::vector<int>& stepsByStage) {
     m_starts[cycle.size()].project->cycle = m_grid->cycle(cycle);
-    return steps.copy()->finish(stepsByStage);
+    return steps.finish(stepsByStage);
 }
 
 // Cycles of a grid neither spark out nor retract: none of their stages waits.

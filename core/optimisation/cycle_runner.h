@@ -38,7 +38,7 @@ public:
     /// The steps of a cycle with so many stages before the first, to copy.
     [[nodiscard]] std::shared_ptr<const CycleSteps> begin(std::size_t stages) const;
     /// Closes the books of a run of this cycle, begun by a copy of begin().
-    [[nodiscard]] SimulationResult finish(const GridCycle& cycle, const CycleSteps& steps,
+    [[nodiscard]] SimulationResult finish(const GridCycle& cycle, CycleSteps& steps,
                                           const std::vector<int>& stepsByStage);
     [[nodiscard]] const PassCuts& cuts() const { return m_cuts; }
     [[nodiscard]] bool isGauged() const { return m_gauged; }

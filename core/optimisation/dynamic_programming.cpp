@@ -36,7 +36,7 @@ public:
         , m_keepsSetting(rule == LabelRule::quickest || project.optimisation->non_increasing)
         , m_judge(grid, options)
         , m_runner(project, grid)
-        , m_runs(project, grid, m_runner.cuts(), StageRuns::Bounds::yes) {}
+        , m_runs(project, grid, m_runner, StageRuns::Bounds::yes) {}
 
     SearchSummary run() {
         bool ended = true;
@@ -59,8 +59,8 @@ private:
     bool search(std::size_t stages) {
         StageStates states;
         Label blank;
-        blank.prefix.steps = m_runner.begin(stages);
         blank.prefix.stages = stages;
+        blank.prefix.keep(m_runner.begin(stages));
         states[{0, 0}].push_back(std::move(blank));
         for (std::size_t stage = 0; stage < stages; ++stage) {
             StageStates next;
@@ -138,7 +138,7 @@ private:
             std::erase_if(state, [&](const Label& other) { return isBeaten(other, label); });
             state.push_back(label);
             state.back().prefix = m_runs.after(from, setting, end, taken);
-            state.back().prefix.steps = steps;
+            state.back().prefix.keep(steps);
         }
     }
 

@@ -73,17 +73,45 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
                         : merged; // the first comes first in grid order
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
-        if (const auto least = leastMargin(found.cycle, *margin)) {
-            found.leastRelativeMargin = *least;
-            const bool far = !m_options.beyondMargin || *least > *m_options.beyondMargin;
-            best |= far && (!m_best || isBetter(found, *m_best, m_grid)) && !isChallenged(found)
-                    && offer(found);
+        found.leastRelativeMargin = *margin;
+        if (isWorthIt(found)) {
+            best = true;
+            if (m_options.challenge) {
+                m_waiting.push_back(found);
+            } else {
+                offer(found);
+            }
         }
         if (more < all) {
             ++found.cycle[cycle.size() - 2].steps;
         }
     }
     return best;
+}
+
+bool Judge::isWorthIt(FeasibleCycle& found) {
+    const auto least = leastMargin(found.cycle, found.leastRelativeMargin);
+    if (!least || (m_options.beyondMargin && *least <= *m_options.beyondMargin)) {
+        return false;
+    }
+    found.leastRelativeMargin = *least;
+    return !m_best || isBetter(found, *m_best, m_grid);
+}
+
+void Judge::settle(double time_s) {
+    while (!m_waiting.empty() && !m_stale) {
+        const auto first =
+            std::min_element(m_waiting.begin(), m_waiting.end(),
+                             [&](const auto& a, const auto& b) { return isBetter(a, b, m_grid); });
+        if (static_cast<double>(first->time_us) * 1e-6 > time_s) {
+            return;
+        }
+        FeasibleCycle found = *first;
+        m_waiting.erase(first);
+        if (isWorthIt(found) && !isChallenged(found)) {
+            offer(found);
+        }
+    }
 }
 
 bool Judge::isHopeless(GridCycle cycle, int merged) {
@@ -111,7 +139,7 @@ bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
     return false;
 }
 
-void Judge::decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleRunner& runner,
+void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
                        int merged) {
     const std::int64_t time_us = comparedTime_us(steps.run().time_s());
     if (time_us > bestTime_us()) {

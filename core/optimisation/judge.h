@@ -14,19 +14,22 @@ class Judge {
 public:
     Judge(const Grid& grid, const SearchOptions& options);
 
-    /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is.
-    /// On the part itself so many further cycles, with one step of stock more in the stage before
-    /// the last each, came out the same.
+    /// A cycle of the grid as it was run, on the scenarios too if it can be the best. True: it is,
+    /// or waits for its challenge. On the part itself so many further cycles, with one step of
+    /// stock more in the stage before the last each, came out the same.
     bool judge(const GridCycle& cycle, const SimulationResult& result, int merged = 0);
     /// Runs and judges a cycle.
     bool decide(const GridCycle& cycle, CycleRunner& runner);
     /// The same of one whose steps are done; under position control it is run again as the project
     /// states it.
-    void decideDone(const CyclePrefix& whole, const CycleSteps& steps, CycleRunner& runner,
+    void decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
                     int merged = 0);
     /// Whether a cycle and each of the `merged` further ones is told to break a requirement in a
     /// scenario, before the last stage is run; then it is decided.
     bool isHopeless(GridCycle cycle, int merged);
+    /// Challenges those of the waiting cycles that take no longer than this [s], the best first,
+    /// until one is not to be beaten.
+    void settle(double time_s);
     /// A best cycle found elsewhere.
     bool offer(const FeasibleCycle& found);
 
@@ -46,6 +49,8 @@ public:
 private:
     [[nodiscard]] std::unique_ptr<ScenarioRunner> runner(const Project& scenario,
                                                          std::size_t among) const;
+    /// Whether it holds on the scenarios, its margin then the least, and would be the best.
+    bool isWorthIt(FeasibleCycle& found);
     bool isChallenged(const FeasibleCycle& found);
     /// The least relative margin; nothing when a requirement fails.
     std::optional<double> leastMargin(const SimulationResult& result);
@@ -56,6 +61,7 @@ private:
     const SearchOptions& m_options;
     std::vector<std::unique_ptr<ScenarioRunner>> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
+    std::vector<FeasibleCycle> m_waiting; ///< for their challenge
     std::vector<Project> m_added;
     bool m_stale = false;
 };

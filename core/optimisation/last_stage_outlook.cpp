@@ -7,32 +7,43 @@ namespace {
 constexpr double followedRounding_mm = 1e-9; ///< of depths, generously
 }
 
-LastStageOutlook outlook(const CycleSteps& steps, const LastStage& stage, const PassCuts& cuts) {
-    const RadiusFollower* follower = steps.follower();
-    if (!follower) {
-        return {};
-    }
-    const Run& run = steps.run();
-    const auto [lane, opposite] = run.deepestDiameter();
-    FollowedRadii followed = follower->follow({run.deepestLane(steps.gaugePoint()), lane, opposite},
-                                              stage.axialFeed_mm_min);
-    const auto& [gauged, one, other] = followed.radii;
+FollowedRadii tellingRadii(const CycleSteps& steps) {
+    const auto [lane, opposite] = steps.run().deepestDiameter();
+    return steps.follower()->follow({steps.run().deepestLane(steps.gaugePoint()), lane, opposite});
+}
+
+LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
+                         const LastStage& stage, const PassCuts& cuts) {
+    const RadiusFollower& follower = *part.follower();
+    const Run& run = part.run();
     const double size_mm = run.blank().totalInfeed_mm - stageSlack_mm - followedRounding_mm;
-    const auto ended = [&](int made) {
-        return stage.sparkOut > 0 ? made >= stage.sparkOut
-                                  : gauged.depth_mm >= size_mm && (stage.begun || made > 0);
+    const auto isTooDeep = [&](const FollowedRadii& at) {
+        return cuts.isTooDeep(run.diameterDeviation(at.radii[1].depth_mm, at.radii[2].depth_mm));
+    };
+    LastStageOutlook told;
+    FollowedRadii strokes = telling;
+    const auto ended = [&] {
+        return stage.sparkOut > 0
+                   ? told.leastSteps >= stage.sparkOut
+                   : strokes.radii[0].depth_mm >= size_mm && (stage.begun || told.leastSteps > 0);
     };
     const long long mostPasses = maxVisits / run.radii(); // the run itself makes no more
-    LastStageOutlook told;
-    while (true) {
-        told.cutsTooDeep = cuts.isTooDeep(run.diameterDeviation(one.depth_mm, other.depth_mm));
-        if (told.cutsTooDeep || ended(told.leastSteps) || told.leastSteps >= stage.mostSteps
-            || followed.passes > mostPasses) {
+    while (!(told.cutsTooDeep = isTooDeep(strokes)) && !ended()) {
+        if (told.leastSteps >= stage.mostSteps || strokes.passes > mostPasses) {
             return told;
         }
-        follower->stepAlone(followed, stage.infeed_mm);
+        follower.strokesAlone(strokes, stage.feed);
         ++told.leastSteps;
     }
+    if (told.cutsTooDeep) {
+        return told;
+    }
+    FollowedRadii all = telling;
+    for (int made = 0; made < told.leastSteps && !told.cutsTooDeep; ++made) {
+        follower.stepAlone(all, stage.feed);
+        told.cutsTooDeep = isTooDeep(all);
+    }
+    return told;
 }
 
 } // namespace sparkout

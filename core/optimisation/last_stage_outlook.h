@@ -10,12 +10,15 @@ namespace sparkout {
 
 /// How the last stage of a cycle is tried on a few radii before it is run.
 struct LastStage {
-    double infeed_mm = 0;        ///< of a step
-    double axialFeed_mm_min = 0; ///< traverse
-    int sparkOut = 0;            ///< > 0: it ends after so many steps
-    bool begun = true;           ///< steps were made before it
+    FollowedFeed feed; ///< of a step
+    int sparkOut = 0;  ///< > 0: it ends after so many steps
+    bool begun = true; ///< steps were made before it
     int mostSteps = std::numeric_limits<int>::max();
 };
+
+/// The radii that tell of a last stage: the deepest of the gauge's zone, and the two opposite ones
+/// that are the deepest together. Of a state with a follower.
+[[nodiscard]] FollowedRadii tellingRadii(const CycleSteps& steps);
 
 /// What is proved of a last stage by three of the part's radii.
 struct LastStageOutlook {
@@ -31,9 +34,13 @@ struct LastStageOutlook {
 /// alike, and depth + a(t_П − depth) rises with depth, as a rises by no more than its infeed does:
 /// so the one that is the deepest now stays so, and it alone tells a number of steps before which
 /// the stage does not end. Radii only grow deeper: a diameter of two others beyond the field after
-/// that many steps is beyond it at the end. Taken are the two that are the deepest now. Where radii
-/// depend on each other, or the gauge stands elsewhere, nothing is told.
-[[nodiscard]] LastStageOutlook outlook(const CycleSteps& steps, const LastStage& stage,
-                                       const PassCuts& cuts);
+/// that many steps is beyond it at the end. Taken are the two that are the deepest now. For the
+/// same reason the strokes alone make none deeper than all passes do: mostly they tell already that
+/// it is too deep, and only where they do not are the other passes followed. Where radii depend on
+/// each other, or the gauge stands elsewhere, nothing is told.
+///
+/// @param part  any steps of the part, with a follower
+[[nodiscard]] LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
+                                       const LastStage& stage, const PassCuts& cuts);
 
 } // namespace sparkout

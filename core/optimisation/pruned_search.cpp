@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <queue>
 #include <utility>
 
 namespace sparkout {
@@ -41,7 +40,7 @@ public:
         , m_options(options)
         , m_judge(grid, options)
         , m_runner(project, grid)
-        , m_runs(project, grid, m_runner.cuts(), StageRuns::Bounds::yes)
+        , m_runs(project, grid, m_runner, StageRuns::Bounds::yes)
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
         , m_mayMerge(options.scenarios.empty() && !options.challenge
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
@@ -52,16 +51,23 @@ public:
     SearchSummary run() {
         begin();
         SearchSummary summary;
-        while (const auto branch = take()) {
+        for (auto branch = take(); branch; branch = take()) {
+            settleBefore(branch->bound_s);
             if (m_options.stop.stop_requested() || m_judge.isStale()) {
                 summary.status = SearchStatus::stopped;
                 break;
+            }
+            if (isSlower(branch->bound_s)) {
+                continue;
             }
             push(branch->prefix, branch->index + 1);
             explore(*branch->prefix, branch->prefix->next[branch->index].second, branch->bound_s);
             if (m_options.onProgress) {
                 m_options.onProgress({m_judge.best(), m_least_s, m_judge.counts.evaluations, 0});
             }
+        }
+        if (summary.status != SearchStatus::stopped) {
+            m_judge.settle(std::numeric_limits<double>::infinity());
         }
         summary.bound_s = m_least_s;
         summary.best = m_judge.best();
@@ -83,14 +89,35 @@ private:
                > static_cast<double>(m_judge.bestTime_us());
     }
 
+    /// A challenge is dear, so cycles wait for theirs until no branch can be quicker, or some work
+    /// was done since: often a better one is found meanwhile. Where there is no more room for
+    /// branches a best cycle is needed, to drop some.
+    void settleBefore(double bound_s) {
+        constexpr long long patience = 1 << 12; // branches: some challenges' worth of work
+        const bool isFull = !m_newest.empty();
+        if (isFull && m_options.challenge && !std::exchange(m_seeded, true)) {
+            seed();
+        }
+        const bool now = isFull || ++m_taken % patience == 0;
+        m_judge.settle(now ? std::numeric_limits<double>::infinity() : bound_s);
+    }
+
     void begin() {
+        if (!m_options.challenge) {
+            seed();
+        }
         for (const std::size_t stages : m_grid.stageCounts()) {
-            seed(stages);
             const auto steps = m_runner.begin(stages);
             Prefix root;
-            root.done.steps = steps;
             root.done.stages = stages;
+            root.done.keep(steps);
             add(std::move(root), 0, *steps);
+        }
+    }
+
+    void seed() {
+        for (const std::size_t stages : m_grid.stageCounts()) {
+            seed(stages);
         }
     }
 
@@ -115,25 +142,29 @@ private:
         }
     }
 
-    /// Whether a shorter cycle of the grid makes the same passes as those that go on with this
-    /// setting: point 5 of the header.
-    [[nodiscard]] bool isToldShorter(const CyclePrefix& prefix, std::size_t setting) const {
+    /// The setting with which to go on makes the passes of a shorter cycle of the grid: point 5 of
+    /// the header.
+    [[nodiscard]] std::optional<std::size_t> toldShorter(const CyclePrefix& prefix) const {
         const std::vector<std::size_t>& counts = m_grid.stageCounts();
         const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
-        return m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
-               && prefix.cycle.back().setting == setting && (m_freeLast || !prefix.isBeforeLast())
-               && std::find(counts.begin(), own, prefix.stages - 1) != own;
+        const bool told = m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
+                          && (m_freeLast || !prefix.isBeforeLast())
+                          && std::find(counts.begin(), own, prefix.stages - 1) != own;
+        return told ? std::optional(prefix.cycle.back().setting) : std::nullopt;
     }
 
     /// Keeps a prefix whose steps are these, or go on from them.
     void add(Prefix prefix, double least_s, const CycleSteps& steps) {
         const CyclePrefix& done = prefix.done;
+        const double later_mm = m_grid.remainder(m_runs.leastTaken(done));
+        const std::optional<std::size_t> shorter = toldShorter(done);
+        prefix.next.reserve(m_grid.settings().size());
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (isToldShorter(done, s) || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
+            if (s == shorter || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
                 continue;
             }
             const double bound_s =
-                std::max(least_s, m_runs.bound_s(done, steps.run(), s, m_runs.leastTaken(done)));
+                std::max(least_s, m_runs.bound_s(done, steps.run(), s, later_mm));
             if (!isSlower(bound_s)) {
                 prefix.next.emplace_back(bound_s, s);
             }
@@ -142,7 +173,7 @@ private:
             return;
         }
         if (!done.steps) {
-            prefix.done.steps = steps.copy();
+            prefix.done.keep(steps.copy());
         }
         std::sort(prefix.next.begin(), prefix.next.end());
         push(std::make_shared<const Prefix>(std::move(prefix)), 0);
@@ -154,7 +185,8 @@ private:
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
             Branch branch{prefix->next[index].first, ++m_order, prefix, index};
             if (m_branches.size() < m_most) {
-                m_branches.push(std::move(branch));
+                m_branches.push_back(std::move(branch));
+                std::push_heap(m_branches.begin(), m_branches.end());
             } else {
                 m_newest.push_back(std::move(branch));
             }
@@ -163,31 +195,32 @@ private:
 
     std::optional<Branch> take() {
         while (!m_newest.empty()) {
-            const Branch branch = std::move(m_newest.back());
+            Branch branch = std::move(m_newest.back());
             m_newest.pop_back();
             if (!isSlower(branch.bound_s)) {
                 return branch;
             }
         }
-        if (m_branches.empty() || isSlower(m_branches.top().bound_s)) {
+        if (m_branches.empty() || isSlower(m_branches.front().bound_s)) {
             return std::nullopt;
         }
-        Branch branch = m_branches.top();
-        m_branches.pop();
+        std::pop_heap(m_branches.begin(), m_branches.end());
+        Branch branch = std::move(m_branches.back());
+        m_branches.pop_back();
         m_least_s = std::max(m_least_s, branch.bound_s);
         return branch;
     }
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
         const CyclePrefix& done = from.done;
-        if (done.isBeforeLast() && m_runs.isGauged() && isHopeless(done, setting, from.merged)) {
+        if (done.isBeforeLast() && isHopeless(done, setting, from.merged)) {
             return;
         }
         const bool single = !m_mayMerge && done.cycle.size() + 2 != done.stages;
         m_runs.run(
             done, setting,
             [&](const Run& run, int taken) {
-                return isSlower(m_runs.bound_s(done, run, setting, taken));
+                return isSlower(m_runs.bound_s(done, run, setting, m_grid.remainder(taken)));
             },
             [&](const StageRuns::End& end) {
                 if (done.isBeforeLast()) {
@@ -207,11 +240,11 @@ private:
 
     /// Whether a few radii tell that a last stage takes too long or ends too deep.
     [[nodiscard]] bool isHopeless(const CyclePrefix& done, std::size_t setting, int merged) {
-        if (!done.steps->follower()) {
+        if (!m_runs.canTell()) {
             return false;
         }
         const double step_s = m_runs.bound().step_s(setting);
-        const double begin_s = done.steps->run().time_s();
+        const double begin_s = done.time_s;
         int mostSteps = std::numeric_limits<int>::max();
         if (m_judge.best()) {
             const double left_s = static_cast<double>(m_judge.bestTime_us()) * 1e-6 - begin_s;
@@ -235,12 +268,13 @@ private:
     Judge m_judge;
     CycleRunner m_runner;
     StageRuns m_runs;
-    bool m_freeLast; ///< no bounds of the last stage's stock
-    bool m_mayMerge; ///< ends of stages before the one before the last
-    std::priority_queue<Branch> m_branches;
-    std::vector<Branch> m_newest; ///< beyond the most branches in order
+    bool m_freeLast;                ///< no bounds of the last stage's stock
+    bool m_mayMerge;                ///< ends of stages before the one before the last
+    std::vector<Branch> m_branches; ///< a heap
+    std::vector<Branch> m_newest;   ///< beyond the most branches in order
     std::size_t m_most;
-    long long m_order = 0;
+    long long m_order = 0, m_taken = 0;
+    bool m_seeded = false;
     double m_least_s = 0; ///< no cycle that is left is quicker
 };
 

@@ -5,57 +5,85 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
 
 namespace {
 
-/// The least relative margin of what fails; 0 when all holds.
-double worstFailure(const SimulationResult& result) {
+/// How a cycle does in a scenario.
+struct Trial {
+    bool holds = false;
+    double leastMargin = -std::numeric_limits<double>::infinity(); ///< relative
+};
+
+Trial tried(const Project& scenario, const std::stop_token& stop) {
+    const SimulationResult result = simulate(scenario, nullptr, stop);
     if (result.status != RunStatus::completed) {
-        return -std::numeric_limits<double>::infinity();
+        return {};
     }
-    double worst = 0;
+    Trial trial{true, std::numeric_limits<double>::infinity()};
     for (const ConstraintResult& constraint : evaluateConstraints(result)) {
-        if (!constraint.holds) {
-            worst = std::min(worst, constraint.relativeMargin);
-        }
+        trial.holds &= constraint.holds;
+        trial.leastMargin = std::min(trial.leastMargin, constraint.relativeMargin);
     }
-    return worst;
+    return trial;
 }
 
-/// The scenario in which the project's cycle fails by most.
-std::optional<Project> worstFailing(const Project& best, std::vector<Project> scenarios) {
-    double worst = 0;
-    std::optional<Project> failing;
-    for (Project& scenario : scenarios) {
-        scenario.cycle = best.cycle;
-        const double failure = worstFailure(simulate(scenario));
-        if (failure < worst) {
-            worst = failure;
-            failing = std::move(scenario);
+/// Tries cycles on scenarios that correspond from draw to draw: those first that were the worst for
+/// the last cycle that was tried on all. So one that fails does so soon, where it fails by most.
+class Trials {
+public:
+    /// A scenario in which the project's cycle fails, or is stopped.
+    std::optional<Project> failing(const Project& best, std::vector<Project> scenarios,
+                                   const std::stop_token& stop) {
+        const bool known = m_order.size() == scenarios.size();
+        if (!known) {
+            m_order.resize(scenarios.size());
+            std::iota(m_order.begin(), m_order.end(), std::size_t{0});
         }
+        std::vector<Trial> trials(scenarios.size());
+        for (const std::size_t i : m_order) {
+            scenarios[i].cycle = best.cycle;
+            trials[i] = tried(scenarios[i], stop);
+            if (known && !trials[i].holds) {
+                return std::move(scenarios[i]);
+            }
+        }
+        std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) {
+            return trials[a].leastMargin < trials[b].leastMargin;
+        });
+        const auto worst = std::find_if(m_order.begin(), m_order.end(),
+                                        [&](std::size_t i) { return !trials[i].holds; });
+        return worst == m_order.end() ? std::nullopt : std::optional(std::move(scenarios[*worst]));
     }
-    return failing;
-}
+
+private:
+    std::vector<std::size_t> m_order;
+};
 
 } // namespace
 
-RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
+RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                const RobustOptions& options) {
+    Project project = asked; // of which each scenario is a copy
+    project.runs.clear();
+    project.notes.clear();
     RobustSummary summary;
     SearchOptions search = options.search;
     const Variants variants(project);
     int draws = 0; // from the source
+    Trials trials;
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
         best.cycle = variants.grid(found.variant).cycle(found.cycle);
-        return worstFailing(best, source(best, draws++));
+        return trials.failing(best, source(best, draws++), options.search.stop);
     };
     while (summary.rounds < options.mostRounds) {
         summary.search = optimise(project, search);

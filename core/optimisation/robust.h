@@ -26,16 +26,19 @@ struct RobustSummary {
     std::int64_t nominalTime_us = 0; ///< of the first round's best; 0: none
 };
 
-/// Optimises, tests the best cycle on the source's scenarios, adds the one that fails by most to
-/// those it must hold in, and again, until none fails [MODEL-8]. The answer is the best of the
-/// grid for the scenarios in the set; that it holds in others is shown for the last sample alone.
+/// Optimises, tests the best cycle on the source's scenarios, adds one in which it fails to those
+/// it must hold in, and again, until none fails [MODEL-8]. Added is the one that fails by most;
+/// where draws correspond they are tried in the order of the last cycle that was tried on all, the
+/// worst first, and added is the first that fails. The answer is the best of the grid for the
+/// scenarios in the set; that it holds in others is shown for the last sample alone.
 ///
 /// The pruned search is made twice: once for the part, then with the first scenario added. There
-/// every cycle that would be the best is tested at once, on scenarios drawn for it, and what it
-/// fails in joins the set. What was dropped before failed in a part of the final set or is slower
-/// than a cycle that was the best then; as long as that one holds in all scenarios that joined
-/// later, nothing is lost. Where it does not, the search is made again with the set as it is.
-/// Cycles quicker than the best without further scenarios were judged before: none of them holds.
+/// a cycle that would be the best is tested before it counts, on scenarios drawn for it, and what
+/// it fails in joins the set. What was dropped before failed in a part of the final set or is
+/// slower than a cycle that was the best then; as long as that one holds in all scenarios that
+/// joined later, nothing is lost. Where it does not, the search is made again with the set as it
+/// is. Cycles quicker than the best without further scenarios were judged before: none of them
+/// holds.
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 

@@ -16,7 +16,7 @@ bool ScenarioRunner::Before::operator()(const GridCycle& a, const GridCycle& b) 
 ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes)
     : m_runner(scenario, grid), m_mostKept(memory_bytes / prefixBytes(scenario)) {
     if (memory_bytes > 0 && m_runner.isGauged()) {
-        m_runs.emplace(scenario, grid, m_runner.cuts(), StageRuns::Bounds::no);
+        m_runs.emplace(scenario, grid, m_runner, StageRuns::Bounds::no);
     }
 }
 
@@ -29,7 +29,7 @@ const CyclePrefix* ScenarioRunner::hopeful(const GridCycle& cycle, SearchCounts&
     if (!done.steps) {
         return nullptr;
     }
-    if (m_runs->outlook(done, cycle.back().setting).cutsTooDeep) {
+    if (m_runs->canTell() && m_runs->outlook(done, cycle.back().setting).cutsTooDeep) {
         ++counts.cuts[static_cast<std::size_t>(m_runner.cuts().tooDeep())];
         return nullptr;
     }
@@ -49,19 +49,16 @@ std::optional<SimulationResult> ScenarioRunner::run(const GridCycle& cycle, Sear
         return std::nullopt;
     }
     const std::size_t setting = cycle.back().setting;
-    std::optional<SimulationResult> result;
-    m_runs->runTo(
-        0, *done, setting,
-        [&](const StageRuns::End& end) {
-            if (const auto broken = m_runner.cuts().brokenAtEnd(end.steps.run())) {
-                ++counts.cuts[static_cast<std::size_t>(*broken)];
-                return;
-            }
-            const CyclePrefix whole = m_runs->after(*done, setting, end, 0);
-            result = m_runner.finish(cycle, end.steps, whole.counts);
-        },
-        counts);
-    return result;
+    const std::unique_ptr<CycleSteps> steps = done->steps->copy();
+    const auto end = m_runs->runTo(0, *done, *steps, setting, counts);
+    if (!end) {
+        return std::nullopt;
+    }
+    if (const auto broken = m_runner.cuts().brokenAtEnd(steps->run())) {
+        ++counts.cuts[static_cast<std::size_t>(*broken)];
+        return std::nullopt;
+    }
+    return m_runner.finish(cycle, *steps, m_runs->after(*done, setting, *end, 0).counts);
 }
 
 /// The first stages of the cycle, run now unless they were before.
@@ -76,8 +73,8 @@ const CyclePrefix& ScenarioRunner::prefix(const GridCycle& cycle, std::size_t st
     ++m_kept;
     CyclePrefix done;
     if (stages == 0) {
-        done.steps = m_runner.begin(cycle.size());
         done.stages = cycle.size();
+        done.keep(m_runner.begin(cycle.size()));
     } else if (const CyclePrefix& before = prefix(cycle, stages - 1, counts); before.steps) {
         done = goOn(before, first, known, counts);
     }
@@ -97,19 +94,18 @@ CyclePrefix ScenarioRunner::goOn(const CyclePrefix& before, const GridCycle& wan
             return {}; // what was cut there is cut further on
         }
         if (cycle == same) {
-            from.steps = done.steps;
+            from.keep(done.steps);
             from.running = done.counts.back();
         }
     }
-    CyclePrefix next;
     const int taken = before.taken + stage.steps;
-    m_runs->runTo(
-        taken, from, stage.setting,
-        [&](const StageRuns::End& end) {
-            next = m_runs->after(before, stage.setting, end, taken);
-            next.steps = end.steps.copy();
-        },
-        counts);
+    std::unique_ptr<CycleSteps> steps = from.steps->copy();
+    const auto end = m_runs->runTo(taken, from, *steps, stage.setting, counts);
+    if (!end) {
+        return {};
+    }
+    CyclePrefix next = m_runs->after(before, stage.setting, *end, taken);
+    next.keep(std::move(steps));
     return next;
 }
 

@@ -12,13 +12,28 @@ std::size_t prefixBytes(const Project& project) {
     return lanes * numbersPerLane * sizeof(double) + rest;
 }
 
-StageRuns::StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts, Bounds bounds)
+void CyclePrefix::keep(std::shared_ptr<const CycleSteps> done) {
+    steps = std::move(done);
+    time_s = steps->run().time_s();
+    if (isBeforeLast() && steps->follower()) {
+        telling = tellingRadii(*steps);
+    }
+}
+
+StageRuns::StageRuns(const Project& project, const Grid& grid, const CycleRunner& runner,
+                     Bounds bounds)
     : m_grid(grid)
-    , m_cuts(cuts)
-    , m_total(makeBlank(project.part).totalInfeed_mm)
+    , m_cuts(runner.cuts())
+    , m_part(runner.begin(grid.stageCounts().front()))
+    , m_total(m_part->run().blank().totalInfeed_mm)
     , m_gauge(project.gauge.control == Control::gauge) {
     for (const StageSetting& setting : grid.settings()) {
         m_infeeds_mm.push_back(infeedOf(project, setting));
+    }
+    if (const RadiusFollower* follower = m_gauge ? m_part->follower() : nullptr) {
+        for (std::size_t s = 0; s < m_infeeds_mm.size(); ++s) {
+            m_feeds.push_back(follower->feed(m_infeeds_mm[s], grid.settings()[s].axialFeed_mm_min));
+        }
     }
     if (bounds == Bounds::yes) {
         m_bound.emplace(project, grid, m_total);
@@ -36,11 +51,10 @@ int StageRuns::mostTaken(const CyclePrefix& prefix) const {
 }
 
 double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                          int taken) const {
-    double rest_s =
-        m_bound->rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
+                          double later_mm) const {
+    double rest_s = m_bound->rest_s(setting, run.fed_mm, later_mm, prefix.isBeforeLast());
     if (const double sparkOut_s = m_bound->sparkOut_s(setting); sparkOut_s > 0) {
-        const double since_s = prefix.steps ? run.time_s() - prefix.steps->run().time_s() : 0;
+        const double since_s = prefix.steps ? run.time_s() - prefix.time_s : 0;
         rest_s = std::max(sparkOut_s - since_s, 0.0) * (1 - 1e-9);
     }
     return run.time_s() * (1 - 1e-12) + rest_s;
@@ -48,36 +62,41 @@ double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t
 
 void StageRuns::run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
                     const AtEnd& atEnd, SearchCounts& counts) const {
+    const auto runThrough = [&](Ends ends) {
+        runTo(ends, from, *from.steps->copy(), setting, useless, atEnd, counts);
+    };
     if (from.isBeforeLast()) {
-        runTo({0, 0}, from, setting, useless, atEnd, counts);
+        runThrough({0, 0});
     } else if (m_gauge) {
-        runTo({leastTaken(from), mostTaken(from)}, from, setting, useless, atEnd, counts);
+        runThrough({leastTaken(from), mostTaken(from)});
     } else {
         for (int taken = leastTaken(from); taken <= mostTaken(from); ++taken) {
-            runTo({taken, taken}, from, setting, useless, atEnd, counts);
+            runThrough({taken, taken});
         }
     }
 }
 
-void StageRuns::runTo(int taken, const CyclePrefix& from, std::size_t setting, const AtEnd& atEnd,
-                      SearchCounts& counts) const {
+std::optional<StageRuns::End> StageRuns::runTo(int taken, const CyclePrefix& from,
+                                               CycleSteps& steps, std::size_t setting,
+                                               SearchCounts& counts) const {
+    std::optional<End> reached;
     runTo(
-        {taken, taken}, from, setting, [](const Run&, int) { return false; }, atEnd, counts);
+        {taken, taken}, from, steps, setting, [](const Run&, int) { return false; },
+        [&](const End& end) { reached.emplace(end); }, counts);
+    return reached;
 }
 
 LastStageOutlook StageRuns::outlook(const CyclePrefix& from, std::size_t setting,
                                     int mostSteps) const {
-    const StageSetting& feeds = m_grid.settings()[setting];
     return sparkout::outlook(
-        *from.steps,
-        {m_infeeds_mm[setting], feeds.axialFeed_mm_min, feeds.sparkOut, from.hasSteps(), mostSteps},
+        *m_part, from.telling,
+        {m_feeds[setting], m_grid.settings()[setting].sparkOut, from.hasSteps(), mostSteps},
         m_cuts);
 }
 
-void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
+void StageRuns::runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
                       const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const {
-    const std::unique_ptr<CycleSteps> steps = from.steps->copy();
-    Run& run = steps->run();
+    Run& run = steps.run();
     const long long visitsBefore = run.visits();
     const std::size_t stage = from.cycle.size();
     const bool last = from.isBeforeLast();
@@ -86,15 +105,15 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
     for (int count = from.running;; ++count) {
         const int first = ends.taken;
         while ((begun || count > 0) && ends.taken <= ends.last
-               && (sparkOut > 0 ? count >= sparkOut : ended(*steps, later(last, ends.taken)))) {
+               && (sparkOut > 0 ? count >= sparkOut : ended(steps, later(last, ends.taken)))) {
             ++ends.taken;
         }
         if (ends.taken > first) {
-            atEnd({*steps, count, first, ends.taken - 1});
+            atEnd({steps, count, first, ends.taken - 1});
         }
         if (ends.taken > ends.last || useless(run, ends.taken) || run.mustEnd()
-            || !steps->step({nextInfeed(later(last, ends.taken), setting, run.fed_mm), stage,
-                             m_grid.settings()[setting].axialFeed_mm_min})) {
+            || !steps.step({nextInfeed(later(last, ends.taken), setting, run.fed_mm), stage,
+                            m_grid.settings()[setting].axialFeed_mm_min})) {
             break;
         }
         if (const auto kind = m_cuts.broken(run, stage)) {
@@ -107,7 +126,11 @@ void StageRuns::runTo(Ends ends, const CyclePrefix& from, std::size_t setting,
 
 CyclePrefix StageRuns::after(const CyclePrefix& from, std::size_t setting, const End& end,
                              int taken) const {
-    CyclePrefix prefix{nullptr, from.stages, from.cycle, from.counts, taken, 0};
+    CyclePrefix prefix;
+    prefix.stages = from.stages;
+    prefix.cycle = from.cycle;
+    prefix.counts = from.counts;
+    prefix.taken = taken;
     prefix.counts.push_back(end.count);
     prefix.cycle.push_back({setting, from.isBeforeLast() ? 0 : taken - from.taken});
     return prefix;

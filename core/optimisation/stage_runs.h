@@ -17,11 +17,15 @@ namespace sparkout {
 /// A cycle up to the end of a stage.
 struct CyclePrefix {
     std::shared_ptr<const CycleSteps> steps;
+    double time_s = 0;       ///< of the steps
+    FollowedRadii telling;   ///< of a last stage
     std::size_t stages = 0;  ///< of the whole cycle
     GridCycle cycle;         ///< so far
     std::vector<int> counts; ///< steps of each stage
     int taken = 0;           ///< steps of stock
     int running = 0;         ///< steps already made of the next stage
+    /// Its steps, to go on from.
+    void keep(std::shared_ptr<const CycleSteps> done);
     [[nodiscard]] bool isBeforeLast() const { return cycle.size() + 1 == stages; }
     [[nodiscard]] bool hasSteps() const {
         return std::any_of(counts.begin(), counts.end(), [](int each) { return each > 0; });
@@ -37,13 +41,13 @@ public:
     /// Without bounds bound_s() and bound() are not to be called; they take the square of the
     /// settings to make.
     enum class Bounds { no, yes };
-    StageRuns(const Project& project, const Grid& grid, const PassCuts& cuts, Bounds bounds);
+    StageRuns(const Project& project, const Grid& grid, const CycleRunner& runner, Bounds bounds);
 
     /// Ends that fall on one step: steps of stock behind the stage from `first` to `last`; of the
     /// last stage both are 0.
     struct End {
-        const CycleSteps& steps;
-        int count = 0; ///< of steps in the stage
+        CycleSteps& steps; ///< of the last stage they may be finished
+        int count = 0;     ///< of steps in the stage
         int first = 0, last = 0;
     };
     /// Whether it is no use to run on to the end with so many steps of stock behind it.
@@ -53,11 +57,13 @@ public:
     /// that breaks a requirement counts as cut and ends.
     void run(const CyclePrefix& from, std::size_t setting, const Useless& useless,
              const AtEnd& atEnd, SearchCounts& counts) const;
-    /// To the end with so many steps of stock behind the stage.
-    void runTo(int taken, const CyclePrefix& from, std::size_t setting, const AtEnd& atEnd,
-               SearchCounts& counts) const;
-    /// What a few radii tell of a last stage with this setting, or of its first steps; under gauge
-    /// control.
+    /// To the end with so many steps of stock behind the stage, with a copy of the prefix's steps;
+    /// nothing: it is not reached.
+    [[nodiscard]] std::optional<End> runTo(int taken, const CyclePrefix& from, CycleSteps& steps,
+                                           std::size_t setting, SearchCounts& counts) const;
+    /// Whether a few radii tell of last stages: under gauge control.
+    [[nodiscard]] bool canTell() const { return !m_feeds.empty(); }
+    /// What they tell of one with this setting, or of its first steps.
     [[nodiscard]] LastStageOutlook outlook(const CyclePrefix& from, std::size_t setting,
                                            int mostSteps = std::numeric_limits<int>::max()) const;
     /// The prefix behind the stage, without steps.
@@ -67,9 +73,10 @@ public:
     /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
-    /// Least time [s] of all cycles that go on with this setting.
+    /// Least time [s] of all cycles that go on with this setting and leave at least so much stock
+    /// [mm] behind its stage.
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                                 int taken) const;
+                                 double later_mm) const;
     [[nodiscard]] const TimeBound& bound() const { return *m_bound; }
     [[nodiscard]] bool isGauged() const { return m_gauge; }
     [[nodiscard]] double totalInfeed_mm() const { return m_total; }
@@ -78,16 +85,18 @@ private:
     struct Ends {
         int taken = 0, last = 0;
     };
-    void runTo(Ends ends, const CyclePrefix& from, std::size_t setting, const Useless& useless,
-               const AtEnd& atEnd, SearchCounts& counts) const;
+    void runTo(Ends ends, const CyclePrefix& from, CycleSteps& steps, std::size_t setting,
+               const Useless& useless, const AtEnd& atEnd, SearchCounts& counts) const;
     [[nodiscard]] double later(bool last, int taken) const;
     [[nodiscard]] double nextInfeed(double later_mm, std::size_t setting, double fed_mm) const;
     [[nodiscard]] bool ended(const CycleSteps& steps, double later_mm) const;
 
     const Grid& m_grid;
     const PassCuts& m_cuts;
-    double m_total;                   ///< |R_first − R_t| [mm]
-    std::vector<double> m_infeeds_mm; ///< of a step, by setting
+    std::shared_ptr<const CycleSteps> m_part; ///< its first steps
+    double m_total;                           ///< |R_first − R_t| [mm]
+    std::vector<double> m_infeeds_mm;         ///< of a step, by setting
+    std::vector<FollowedFeed> m_feeds;        ///< by setting; empty: no radius can be followed
     std::optional<TimeBound> m_bound;
     bool m_gauge;
 };

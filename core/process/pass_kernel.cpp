@@ -8,12 +8,16 @@
 
 namespace sparkout {
 
-void LaneCoefficients::set(std::size_t lane, double gamma, double bks, double bkr) {
+void LaneCoefficients::set(std::size_t first, double gamma, double bks, double bkr,
+                           std::size_t count) {
     const LaneBalance balance(gamma, bks, bkr);
-    C[lane] = balance.C;
-    C2[lane] = balance.C2;
-    A4[lane] = balance.A4;
-    inverse2A[lane] = balance.inverse2A;
+    const auto put = [&](std::vector<double>& numbers, double number) {
+        std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(first), count, number);
+    };
+    put(C, balance.C);
+    put(C2, balance.C2);
+    put(A4, balance.A4);
+    put(inverse2A, balance.inverse2A);
 }
 
 namespace {

@@ -42,8 +42,8 @@ struct Lanes {
 struct LaneCoefficients {
     explicit LaneCoefficients(std::size_t count)
         : C(count), C2(count), A4(count), inverse2A(count) {}
-    /// Sets one lane: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
-    void set(std::size_t lane, double gamma, double bks, double bkr);
+    /// Sets `count` lanes alike, one by default: γ [mm/N], b·k_s [N/mm], b·k_r [N/√mm].
+    void set(std::size_t first, double gamma, double bks, double bkr, std::size_t count = 1);
 
     std::vector<double> C, C2, A4, inverse2A;
 };

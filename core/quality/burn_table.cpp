@@ -24,21 +24,25 @@ double hermite(const BurnLimitPoint& a, const BurnLimitPoint& b, double stock) {
 class Curve {
 public:
     Curve(const BurnModel& model, double U, double deepest_mm)
-        : m_model(model), m_U(U), m_last(model.limitArgument(U, deepest_mm)) {
+        : m_model(model)
+        , m_U(U)
+        , m_last(model.limitArgument(U, deepest_mm))
+        , m_nodes(std::clamp(std::ceil(nodesPerArgument * m_last), fewestNodes, mostNodes)) {
         m_from = m_to = model.limitPoint(U, 0);
     }
     double at(double stock) {
-        while (m_to.stock_mm < stock && m_node < nodes) {
+        while (m_to.stock_mm < stock && m_node < m_nodes) {
             m_from = m_to;
-            m_to = m_model.limitPoint(m_U, m_last * ++m_node / nodes);
+            m_to = m_model.limitPoint(m_U, m_last * ++m_node / m_nodes);
         }
         return m_to.stock_mm > m_from.stock_mm ? hermite(m_from, m_to, stock) : m_to.root;
     }
 
 private:
-    static constexpr int nodes = 96;
+    // x over which the curve bends is 1.
+    static constexpr double nodesPerArgument = 48, fewestNodes = 8, mostNodes = 96;
     const BurnModel& m_model;
-    double m_U, m_last;
+    double m_U, m_last, m_nodes;
     BurnLimitPoint m_from, m_to;
     int m_node = 0;
 };

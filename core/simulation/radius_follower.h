@@ -11,30 +11,39 @@ namespace sparkout {
 /// A radius that is followed alone.
 struct FollowedRadius {
     double depth_mm = 0;
-    double share = 0;           ///< of the revolution, at which it is visited
-    std::size_t zone = 0;       ///< that it is in
-    LaneBalance plunge, stroke; ///< its balance in plunging and dwelling, and in strokes
+    double share = 0;     ///< of the revolution, at which it is visited
+    std::size_t zone = 0; ///< that it is in
 };
 
 /// A few radii and how far the wheel is fed at them.
 struct FollowedRadii {
     static constexpr std::size_t count = 3;
-    double fed_mm = 0;    ///< t_П
-    long long passes = 0; ///< made so far, each of one zone at least
+    using Lanes = std::array<std::size_t, count>; ///< as the run numbers them
+    double fed_mm = 0;                            ///< t_П
+    long long passes = 0;                         ///< followed so far, each of one zone at least
     std::array<FollowedRadius, count> radii;
 };
 
+/// What a step feeds, and how the zones yield in its strokes.
+struct FollowedFeed {
+    double infeed_mm = 0;
+    std::array<LaneBalance, 3> strokes; ///< by zone
+};
+
 /// Follows a few radii through steps of a cycle without the rest of the part: each is cut as the
-/// whole run would cut it, but for rounding. Where radii depend on each other there is none.
+/// whole run would cut it, but for rounding. Where radii depend on each other there is none. Feeds
+/// and steps are the same for all states of a part.
 class RadiusFollower {
 public:
     virtual ~RadiusFollower() = default;
-    /// From the state of the run on, at an axial feed [mm/min]; lanes as the run numbers them.
-    [[nodiscard]] virtual FollowedRadii
-    follow(const std::array<std::size_t, FollowedRadii::count>& lanes,
-           double axialFeed_mm_min) const = 0;
-    /// One step with this infeed [mm].
-    virtual void stepAlone(FollowedRadii& radii, double infeed_mm) const = 0;
+    /// Radii as they stand now.
+    [[nodiscard]] virtual FollowedRadii follow(const FollowedRadii::Lanes& lanes) const = 0;
+    /// Of a step with an infeed [mm] and an axial feed [mm/min].
+    [[nodiscard]] virtual FollowedFeed feed(double infeed_mm, double axialFeed_mm_min) const = 0;
+    virtual void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
+    /// Of a step the strokes alone, which cut all zones. A radius that no other pass cuts stands as
+    /// after the step, any other one no deeper.
+    virtual void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const = 0;
 };
 
 } // namespace sparkout

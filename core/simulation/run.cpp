@@ -63,8 +63,9 @@ void Run::setWidth(CutWidth& cut, double width_mm) const {
     cut.width_mm = width_mm;
     cut.bks = width_mm * m_law.ks;
     cut.bkr = width_mm * m_law.kr;
-    for (std::size_t lane = 0; lane < m_lanes.depth_mm.size(); ++lane) {
-        cut.coefficients.set(lane, m_points[pointOf(lane)].gamma_mm_n, cut.bks, cut.bkr);
+    const auto K = static_cast<std::size_t>(m_radii);
+    for (std::size_t point = 0; point < m_points.size(); ++point) {
+        cut.coefficients.set(point * K, m_points[point].gamma_mm_n, cut.bks, cut.bkr, K);
     }
 }
 
@@ -255,13 +256,8 @@ std::pair<std::size_t, std::size_t> Run::deepestDiameter() const {
     return {deepest, deepest + K / 2};
 }
 
-FollowedRadius Run::followed(std::size_t lane, double plungeWidth_mm, double strokeWidth_mm) const {
-    const std::size_t point = pointOf(lane);
-    const auto balance = [&](double width_mm) {
-        return LaneBalance(m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr);
-    };
-    return {m_lanes.depth_mm[lane], m_lanes.share[lane], point, balance(plungeWidth_mm),
-            balance(strokeWidth_mm)};
+LaneBalance Run::balance(std::size_t point, double width_mm) const {
+    return {m_points[point].gamma_mm_n, width_mm * m_law.ks, width_mm * m_law.kr};
 }
 
 void keepLargestPeaks(SimulationResult& result) {

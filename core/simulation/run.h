@@ -7,7 +7,6 @@
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
 #include "core/simulation/limit_watch.h"
-#include "core/simulation/radius_follower.h"
 #include "core/simulation/result.h"
 #include "core/simulation/stage_control.h"
 #include "core/simulation/trajectory.h"
@@ -88,9 +87,11 @@ public:
     [[nodiscard]] std::pair<std::size_t, std::size_t> deepestDiameter() const;
     /// Whether each radius is cut by its own balance alone, without a contact in series.
     [[nodiscard]] bool isEachAlone() const { return !m_contact; }
-    /// A lane as it is now, cut at these widths [mm].
-    [[nodiscard]] FollowedRadius followed(std::size_t lane, double plungeWidth_mm,
-                                          double strokeWidth_mm) const;
+    /// How far a lane stands below first touch, and the share of the revolution it is visited at.
+    [[nodiscard]] double depth_mm(std::size_t lane) const { return m_lanes.depth_mm[lane]; }
+    [[nodiscard]] double share(std::size_t lane) const { return m_lanes.share[lane]; }
+    /// The balance of each lane of a point at a width of cut.
+    [[nodiscard]] LaneBalance balance(std::size_t point, double width_mm) const;
     /// Largest P_z·V_k [W] and largest a [mm] of a stage, from 0.
     [[nodiscard]] const StageSums& sumsOf(std::size_t stage) const {
         return m_result.sumsByStage[stage];

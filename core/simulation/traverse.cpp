@@ -33,7 +33,12 @@ public:
         , m_entryDwell(dwellRevolutions(project.machine.dwell_entry_s, rpm()))
         , m_exitDwell(dwellRevolutions(project.machine.dwell_exit_s, rpm()))
         , m_travel_mm(project.part.length_mm - project.wheel.width_mm
-                      + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {}
+                      + project.machine.overrun_entry_mm + project.machine.overrun_exit_mm) {
+        for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+            m_plungeBalances[zone] =
+                m_run.balance(zone, plungeCut(static_cast<Zone>(zone)).width_mm);
+        }
+    }
 
     std::unique_ptr<CycleSteps> copy() const override {
         return std::make_unique<TraverseSteps>(*this);
@@ -62,34 +67,57 @@ public:
         return inMiddle && m_run.isEachAlone() ? this : nullptr;
     }
 
-    FollowedRadii follow(const std::array<std::size_t, FollowedRadii::count>& lanes,
-                         double axialFeed_mm_min) const override {
+    FollowedRadii follow(const FollowedRadii::Lanes& lanes) const override {
         FollowedRadii radii{.fed_mm = m_run.fed_mm, .radii = {}};
         for (std::size_t i = 0; i < lanes.size(); ++i) {
-            const auto zone = static_cast<Zone>(m_run.pointOf(lanes[i]));
-            radii.radii[i] =
-                m_run.followed(lanes[i], plungeCut(zone).width_mm, strokeWidth(axialFeed_mm_min));
+            radii.radii[i] = {m_run.depth_mm(lanes[i]), m_run.share(lanes[i]),
+                              m_run.pointOf(lanes[i])};
         }
         return radii;
     }
 
-    void stepAlone(FollowedRadii& radii, double infeed_mm) const override {
-        doubleStroke(radii.fed_mm, infeed_mm, [&](const Pass& pass) {
+    FollowedFeed feed(double infeed_mm, double axialFeed_mm_min) const override {
+        FollowedFeed feed{.infeed_mm = infeed_mm, .strokes = {}};
+        for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+            feed.strokes[zone] = m_run.balance(zone, strokeWidth(axialFeed_mm_min));
+        }
+        return feed;
+    }
+
+    void stepAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
+        doubleStroke(radii.fed_mm, feed.infeed_mm, [&](const Pass& pass) {
             for (FollowedRadius& radius : radii.radii) {
                 if (pass.isStroke || radius.zone == static_cast<std::size_t>(pass.zone)) {
-                    const LaneBalance& balance = pass.isStroke ? radius.stroke : radius.plunge;
-                    const double root = balance.root(pass.feed.at(radius.share) - radius.depth_mm);
-                    radius.depth_mm += root * root;
+                    cutAlone(radius,
+                             pass.isStroke ? feed.strokes[radius.zone]
+                                           : m_plungeBalances[radius.zone],
+                             pass.feed.at(radius.share));
                 }
             }
             ++radii.passes;
             return true;
         });
-        radii.fed_mm += infeed_mm;
+        radii.fed_mm += feed.infeed_mm;
+    }
+
+    void strokesAlone(FollowedRadii& radii, const FollowedFeed& feed) const override {
+        constexpr int strokes = 2; // of a double stroke
+        radii.fed_mm += feed.infeed_mm;
+        for (FollowedRadius& radius : radii.radii) {
+            for (int i = 0; i < strokes; ++i) {
+                cutAlone(radius, feed.strokes[radius.zone], radii.fed_mm);
+            }
+        }
+        radii.passes += strokes;
     }
 
 private:
     static constexpr std::size_t zoneCount = 3;
+
+    static void cutAlone(FollowedRadius& radius, const LaneBalance& balance, double fed_mm) {
+        const double root = balance.root(fed_mm - radius.depth_mm);
+        radius.depth_mm += root * root;
+    }
 
     std::shared_ptr<const CutWidth> sharedCut(double width_mm) const {
         return std::make_shared<const CutWidth>(m_run.makeCut(width_mm));
@@ -186,6 +214,7 @@ private:
 
     const Project& m_project;
     std::shared_ptr<const CutWidth> m_plunge1, m_plunge2, m_stroke; ///< the same in copies
+    std::array<LaneBalance, zoneCount> m_plungeBalances;
     int m_entryDwell, m_exitDwell;
     double m_travel_mm;
     double m_axialFeed = 0;

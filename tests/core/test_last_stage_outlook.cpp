@@ -58,6 +58,14 @@ struct CycleRun {
     StageControl control;
 };
 
+LastStage lastStage(const CycleRun& run, double infeed_mm) {
+    return {.feed = run.steps->follower()->feed(infeed_mm, run.feed().axialFeed_mm_min)};
+}
+
+LastStageOutlook toldOf(const CycleRun& run, const LastStage& stage) {
+    return outlook(*run.steps, tellingRadii(*run.steps), stage, PassCuts(run.project));
+}
+
 bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
     const std::vector<ConstraintResult> all = evaluateConstraints(result);
     return std::any_of(all.begin(), all.end(),
@@ -70,26 +78,35 @@ class TestLastStageOutlook : public QObject {
     Q_OBJECT
 
 private slots:
-    void aRadiusFollowedAloneStandsWhereTheWholeRunHasIt() {
+    void aRadiusFollowedAloneStandsWhereTheWholeRunHasItAndByStrokesAloneNoDeeper() {
+        int shallower = 0;
         for (unsigned seed = 0; seed < 100; ++seed) {
             const Project p = followable(seed);
             CycleRun whole(p);
             const auto K = static_cast<std::size_t>(p.part.radii_per_section);
-            const std::array<std::size_t, 3> lanes{seed % K, K + seed % K, 2 * K + K - 1};
+            const FollowedRadii::Lanes lanes{seed % K, K + seed % K, 2 * K + K - 1};
             const RadiusFollower* follower = whole.steps->follower();
             QVERIFY(follower);
-            const double axialFeed = whole.feed().axialFeed_mm_min;
-            FollowedRadii alone = follower->follow(lanes, axialFeed);
+            const FollowedFeed feed =
+                follower->feed(whole.feed().infeed_mm, whole.feed().axialFeed_mm_min);
+            FollowedRadii alone = follower->follow(lanes);
+            FollowedRadii strokes = alone;
             while (whole.control.stage() == 0) {
-                follower->stepAlone(alone, whole.feed().infeed_mm);
+                follower->stepAlone(alone, feed);
+                follower->strokesAlone(strokes, feed);
                 whole.step();
-                const FollowedRadii there = follower->follow(lanes, axialFeed);
+                const FollowedRadii there = follower->follow(lanes);
                 QCOMPARE(alone.fed_mm, there.fed_mm);
+                QCOMPARE(strokes.fed_mm, there.fed_mm);
                 for (std::size_t i = 0; i < lanes.size(); ++i) {
                     QVERIFY(std::abs(alone.radii[i].depth_mm - there.radii[i].depth_mm) < 1e-14);
+                    QVERIFY(strokes.radii[i].depth_mm <= alone.radii[i].depth_mm);
                 }
+                QCOMPARE(strokes.radii[1].depth_mm, alone.radii[1].depth_mm); // cut by strokes only
+                shallower += strokes.radii[0].depth_mm < alone.radii[0].depth_mm ? 1 : 0;
             }
         }
+        QVERIFY(shallower > 100); // else the plunge and the dwells were none
     }
 
     void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo() {
@@ -104,9 +121,7 @@ private slots:
             if (run.control.finished()) { // both ended at one reading
                 continue;
             }
-            const StepFeed feed = run.feed();
-            const LastStageOutlook told =
-                outlook(*run.steps, {feed.infeed_mm, feed.axialFeed_mm_min}, cuts);
+            const LastStageOutlook told = toldOf(run, lastStage(run, run.feed().infeed_mm));
             while (!run.control.finished()) {
                 run.step();
             }
@@ -132,20 +147,17 @@ private slots:
         while (run.control.stage() == 0) {
             run.step();
         }
-        const double axialFeed = run.feed().axialFeed_mm_min;
-        LastStage sparkOut{.axialFeed_mm_min = axialFeed, .sparkOut = 7};
-        QCOMPARE(outlook(*run.steps, sparkOut, PassCuts(p)).leastSteps, 7);
+        LastStage sparkOut = lastStage(run, 0);
+        sparkOut.sparkOut = 7;
+        QCOMPARE(toldOf(run, sparkOut).leastSteps, 7);
         sparkOut.mostSteps = 4;
-        QCOMPARE(outlook(*run.steps, sparkOut, PassCuts(p)).leastSteps, 4);
+        QCOMPARE(toldOf(run, sparkOut).leastSteps, 4);
     }
 
     void nothingIsToldWhereRadiiDependOnEachOther() {
         Project p = followable(1);
         p.machine.wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
-        const CycleRun run(p);
-        QVERIFY(!run.steps->follower());
-        const LastStageOutlook told = outlook(*run.steps, {0.005, 1000}, PassCuts(p));
-        QVERIFY(told.leastSteps == 0 && !told.cutsTooDeep);
+        QVERIFY(!CycleRun(p).steps->follower());
         const Project plunge = fixtures::plunge();
         QVERIFY(!plungeSteps(plunge, nullptr, {})->follower());
     }

@@ -146,7 +146,10 @@ private slots:
                 }
                 return parts;
             };
-            const RobustSummary robust = optimiseRobustly(p, source);
+            RobustOptions narrow; // depth first, where there is no room for branches
+            narrow.search.memory_bytes = 1;
+            const RobustSummary robust =
+                optimiseRobustly(p, source, seed % 3 == 0 ? narrow : RobustOptions{});
             SearchOptions options;
             options.method = SearchMethod::full;
             options.threads = 1;
@@ -164,6 +167,28 @@ private slots:
         }
         QVERIFY2(several > 5 && again > 0,
                  QByteArray::number(several) + " " + QByteArray::number(again));
+    }
+
+    void aRobustSearchStopsAmongItsTests() {
+        int stopped = 0;
+        for (unsigned seed = 0; seed < 12; ++seed) {
+            std::stop_source stop;
+            RobustOptions options;
+            options.search.stop = stop.get_token();
+            const RobustSummary robust = optimiseRobustly(
+                smallCase(seed),
+                [&](const Project& best, int) {
+                    stop.request_stop();
+                    return std::vector<Project>(50, best); // in which it holds
+                },
+                options);
+            if (stop.stop_requested()) { // there was a cycle to be tested
+                ++stopped;
+                QVERIFY(robust.search.status == SearchStatus::stopped);
+                QVERIFY(!robust.search.best && !robust.holdsInSample);
+            }
+        }
+        QVERIFY(stopped > 3);
     }
 
     void theRobustCycleHoldsInEveryPhaseOfTheStock() {
