@@ -2,7 +2,6 @@
 #include "ui/main_window.h"
 
 #include "ui/actions.h"
-#include "ui/export/export_commands.h"
 #include "ui/file_commands.h"
 #include "ui/help/help_desk.h"
 #include "ui/inputs/inputs_panel.h"
@@ -11,11 +10,7 @@
 #include "ui/notice_bar.h"
 #include "ui/operation_notice.h"
 #include "ui/playback_bar.h"
-#include "ui/recent_files_menu.h"
-#include "ui/report/report_commands.h"
 #include "ui/run_keeper.h"
-#include "ui/sealed_state.h"
-#include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/texts.h"
 #include "ui/view_tabs.h"
@@ -39,7 +34,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
-#include <QScreen>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -49,11 +43,6 @@
 namespace sparkout {
 
 namespace {
-
-constexpr QSize usualWindow(1366, 768);
-constexpr QSize frameAllowance(8, 40);
-constexpr int verdictWidth = 327;
-constexpr int messagesHeight = 96;
 
 /// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
 void nameQtButtons(const QWidget& window) {
@@ -162,161 +151,8 @@ void MainWindow::putGauge(double position_mm) {
                     {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});
 }
 
-QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(this);
-    dock->setObjectName(name);
-    dock->setWidget(content);
-    addDockWidget(area, dock);
-    return dock;
-}
-
-void MainWindow::buildDocks() {
-    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    m_inputsDock = addDock(m_inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea);
-    m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
-    m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
-    m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
-    QAction* const sheet = m_sheetDock->toggleViewAction();
-    sheet->setIcon(themeIcon(u"formula"));
-    m_playback->addTool(sheet);
-    connect(sheet, &QAction::triggered, this, [this](bool shown) {
-        if (shown) { // below the verdict, if it has not been moved
-            resizeDocks({m_verdictDock, m_sheetDock}, {2, 3}, Qt::Vertical);
-        }
-    });
-    m_actions->addDocks({m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
-                         m_messagesDock->toggleViewAction(), sheet});
-    const QList<QAction*> shows = m_actions->addViews(static_cast<int>(views().size()));
-    for (int i = 0; i < shows.size(); ++i) {
-        View* view = views()[std::size_t(i)];
-        connect(shows[i], &QAction::triggered, this, [this, view] { m_tabs->showView(view); });
-    }
-}
-
 const std::vector<View*>& MainWindow::views() const {
     return m_tabs->views();
-}
-
-bool MainWindow::showView(const QString& name) {
-    int number = 0;
-    for (View* view : views()) {
-        if (name == view->objectName() || name == QString::number(++number)) {
-            m_tabs->showView(view);
-            return true;
-        }
-    }
-    return false;
-}
-
-void MainWindow::resetLayout() {
-    m_tabs->attachAll();
-    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock, m_sheetDock}) {
-        dock->setFloating(false);
-        dock->setVisible(dock != m_sheetDock);
-    }
-    addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
-    addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
-    addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
-    splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
-    resizeDocks({m_inputsDock, m_verdictDock},
-                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
-    resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
-}
-
-void MainWindow::restoreWindow() {
-    // Frame and title bar need room too: on a small screen the status bar must stay in sight.
-    resize(usualWindow.boundedTo(screen()->availableSize() - frameAllowance));
-    resetLayout();
-    if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
-        restoreGeometry(parts->front());
-    }
-    if (const auto parts = unsealed(m_settings.windowState(), 2)) {
-        restoreState(parts->front());
-        m_tabs->restoreState(parts->back());
-    }
-}
-
-void MainWindow::saveWindow() {
-    m_settings.setWindow(sealed({saveGeometry()}), sealed({saveState(), m_tabs->saveState()}));
-}
-
-void MainWindow::connectActions() {
-    m_actions->addRecentFiles(&m_files->recentFiles());
-    const auto on = [this](QAction* action, auto slot) {
-        connect(action, &QAction::triggered, this, slot);
-    };
-    for (QAction* action :
-         {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
-          m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
-          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
-        on(action, [this] { m_inputs->endTyping(); }); // first
-    }
-    on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
-    on(m_actions->newPlunge, [this] { m_files->startNew(Operation::plunge); });
-    on(m_actions->open, [this] { m_files->open(); });
-    on(m_actions->examples, [this] { m_files->openExample(); });
-    on(m_actions->save, [this] { m_files->save(); });
-    on(m_actions->saveAs, [this] { m_files->saveAs(); });
-    on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
-    on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
-    on(m_actions->quit, [this] { close(); });
-    on(m_actions->undo, [this] {
-        if (!m_inputs->dropNewestRefusal()) {
-            m_document.undo();
-        }
-    });
-    on(m_actions->redo, [this] { m_document.redo(); });
-    on(m_actions->keepRun, [this] { m_keeper->keep(); });
-    on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
-    on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
-    for (std::size_t i = 0; i < allThemes.size(); ++i) {
-        on(m_actions->themes[i], [this, i] { setTheme(allThemes[i]); });
-    }
-    for (std::size_t i = 0; i < fontSizes.size(); ++i) {
-        on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
-    }
-    on(m_actions->detach, [this] { toggleDetached(); });
-    on(m_actions->nextPanel, [this] { movePanel(1); });
-    on(m_actions->previousPanel, [this] { movePanel(-1); });
-    on(m_actions->resetLayout, [this] { resetLayout(); });
-    connectReports();
-}
-
-void MainWindow::connectReports() {
-    const auto outcomeOfNow = [this] {
-        OutcomePtr outcome = m_outcome;
-        if (m_runs.running()) { // that one is of the inputs before
-            runAside([&, project = m_document.project()] { outcome = runProject(project, {}); });
-        }
-        return outcome;
-    };
-    auto* commands = new ReportCommands(
-        [this, outcomeOfNow]() -> ReportCommands::Subject {
-            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
-        },
-        m_settings, this);
-    auto* exports = new ExportCommands(outcomeOfNow, m_settings, this);
-    connect(exports, &ExportCommands::told, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
-    const auto on = [this](QAction* action, const std::function<void()>& command) {
-        connect(action, &QAction::triggered, this, [this, command] {
-            m_inputs->endTyping(); // first
-            command();
-        });
-    };
-    on(m_actions->exportResults, [exports] { exports->exportResults(); });
-    for (const ReportActions& report : m_actions->reports) {
-        const report::Kind kind = report.kind;
-        const auto writes = [commands, kind](report::Format format) {
-            return [commands, kind, format] { commands->exportReport(kind, format); };
-        };
-        on(report.preview, [commands, kind] { commands->preview(kind); });
-        on(report.print, [commands, kind] { commands->print(kind); });
-        on(report.pdf, writes(report::Format::pdf));
-        on(report.html, writes(report::Format::html));
-        on(report.markdown, writes(report::Format::markdown));
-    }
 }
 
 void MainWindow::connectDocument() {
@@ -458,28 +294,6 @@ void MainWindow::showTitle() {
     setWindowModified(m_document.modified() || !m_inputs->refusals().empty());
 }
 
-void MainWindow::setLanguage(const QString& code) {
-    m_settings.setLanguage(code);
-    m_language.apply(code);
-    setLocale(QLocale());
-    retranslate();
-}
-
-void MainWindow::setTheme(Theme theme) {
-    m_settings.setTheme(themeCode(theme));
-    applyTheme(theme);
-    m_actions->showTheme(theme);
-}
-
-/// The panels keep their room, the views take what is left.
-void MainWindow::setFontSize(int percent) {
-    m_settings.setFontSize(percent);
-    applyFontSize(percent);
-    m_actions->showFontSize(percent);
-    resizeDocks({m_inputsDock, m_verdictDock},
-                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
-}
-
 /// What was given colours takes those of the palette the window has now.
 void MainWindow::recolour() {
     retranslate(); // with the texts, their marks
@@ -487,21 +301,6 @@ void MainWindow::recolour() {
         QEvent event(QEvent::PaletteChange); // the first came before its parts had their palettes
         QCoreApplication::sendEvent(view, &event);
     }
-}
-
-void MainWindow::movePanel(int by) {
-    QList<QWidget*> panels{m_inputs, m_tabs};
-    for (const View* view : views()) {
-        if (QWidget* window = m_tabs->windowOf(view)) {
-            panels += window;
-        }
-    }
-    sparkout::movePanel(panels + QList<QWidget*>{m_playback, m_verdict, m_sheet, m_messages}, by);
-}
-
-void MainWindow::toggleDetached() {
-    View* view = m_tabs->currentView();
-    m_tabs->isDetached(view) ? m_tabs->attach(view) : m_tabs->detach(view);
 }
 
 void MainWindow::retranslate() {

@@ -74,6 +74,7 @@ private:
     void connectDocument();
     void restoreWindow();
     void resetLayout();
+    void fitPanels(); ///< beside the views, to the width that they need
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
     void setFontSize(int percent);

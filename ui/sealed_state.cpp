@@ -9,7 +9,7 @@ namespace sparkout {
 
 namespace {
 
-QByteArray sumOf(const QByteArray& bytes) {
+QByteArray checksum(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha1);
 }
 
@@ -20,13 +20,13 @@ QByteArray sealed(const QList<QByteArray>& parts) {
     QDataStream stream(&body, QIODevice::WriteOnly);
     stream.setVersion(QDataStream::Qt_6_0);
     stream << parts;
-    return sumOf(body) + body;
+    return checksum(body) + body;
 }
 
 std::optional<QList<QByteArray>> unsealed(const QByteArray& bytes, qsizetype count) {
     const qsizetype length = QCryptographicHash::hashLength(QCryptographicHash::Sha1);
     const QByteArray body = bytes.mid(length);
-    if (body.isEmpty() || sumOf(body) != bytes.left(length)) {
+    if (body.isEmpty() || checksum(body) != bytes.left(length)) {
         return std::nullopt;
     }
     QDataStream stream(body);

@@ -28,7 +28,8 @@ struct ShownText {
 [[nodiscard]] QString englishIn(QString text);
 
 /// Visible texts that have no room: cut by their widget or by what it stands in, or elided. What
-/// can be scrolled into sight has room.
+/// can be scrolled into sight has room. A busy machine lays out after a while: for a second it is
+/// looked at again.
 [[nodiscard]] QStringList textsWithoutRoom(const QWidget& window);
 
 /// Widgets one can use, by mouse or keyboard; without the parts Qt makes widgets of.

@@ -17,6 +17,7 @@
 #include <QSpinBox>
 #include <QStyleOption>
 #include <QTabBar>
+#include <QTest>
 #include <QTextDocument>
 #include <QToolButton>
 
@@ -248,9 +249,7 @@ bool ownTextFits(const QWidget* widget, QString& text) {
     return true;
 }
 
-} // namespace
-
-QStringList textsWithoutRoom(const QWidget& window) {
+QStringList withoutRoomNow(const QWidget& window) {
     QStringList without;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
         const QString name = widget->objectName();
@@ -273,6 +272,18 @@ QStringList textsWithoutRoom(const QWidget& window) {
         } else if (const auto* view = qobject_cast<const QAbstractItemView*>(widget)) {
             checkItems(without, *view);
         }
+    }
+    return without;
+}
+
+} // namespace
+
+QStringList textsWithoutRoom(const QWidget& window) {
+    constexpr int tries = 20, wait_ms = 50;
+    QStringList without = withoutRoomNow(window);
+    for (int i = 0; i < tries && !without.isEmpty(); ++i) {
+        QTest::qWait(wait_ms);
+        without = withoutRoomNow(window);
     }
     return without;
 }

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a project file is named, all at once, with path, value and what is allowed.
+#include "tests/core/project_places.h"
+#include "tests/registry.h"
+
+namespace test_project_faults {
+
+using namespace sparkout;
+using namespace project_places;
+
+class TestProjectFaults : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { setRapidcheckRuns(1000); }
+
+    // --- required keys --------------------------------------------------------------------------
+
+    void missingRequiredKeyIsNamed_data() { sampleRows(); }
+
+    void missingRequiredKeyIsNamed() {
+        QFETCH(QString, name);
+        const json whole = samples::sample(name.toStdString());
+        Project project = samples::project(name.toStdString());
+        int removed = 0;
+        for (const samples::Spot& spot : samples::spots(project)) {
+            const json::json_pointer pointer(spot.path);
+            if (!whole.contains(pointer) || spot.field->kind == Kind::object) {
+                continue;
+            }
+            json file = whole;
+            file[pointer.parent_pointer()].erase(pointer.back());
+            const Issues issues = samples::faults(file);
+            const bool required = spot.field->required && spot.field->required(project, spot.owner);
+            QVERIFY2(holds(issues, IssueCode::missingKey, spot.path) == required,
+                     spot.path.c_str());
+            removed += required ? 1 : 0;
+            if (required) {
+                QVERIFY2(!samples::find(issues, spot.path)->limit.empty(), spot.path.c_str());
+            }
+        }
+        QVERIFY(removed >= 13);
+    }
+
+    void missingObjectNamesItsRequiredMembers() {
+        json file = samples::sample("smallest-traverse");
+        file.erase("wheel");
+        const Issues issues = samples::faults(file);
+        for (const char* path : {"/wheel/diameter_mm", "/wheel/width_mm", "/wheel/dullness"}) {
+            QVERIFY(holds(issues, IssueCode::missingKey, path));
+        }
+        QCOMPARE(issues.size(), std::size_t{3});
+    }
+
+    void traverseKeysAreNotAskedOfAPlungeCycle() {
+        QVERIFY(readProject(samples::text("smallest-plunge")).issues.empty());
+        json file = samples::sample("smallest-traverse");
+        for (const char* key : {"plunge_feed_mm_min", "overrun_entry_mm", "overrun_exit_mm",
+                                "dwell_entry_s", "dwell_exit_s"}) {
+            file["machine"].erase(key);
+            QVERIFY(holds(samples::faults(file), IssueCode::missingKey,
+                          std::string("/machine/") + key));
+        }
+    }
+
+    void withoutAnOperationOnlyCertainFaultsAreNamed() {
+        for (const json& operation : {json(nullptr), json(1), json("drilling")}) {
+            json file = samples::sample("smallest-plunge");
+            file["operation"] = operation;
+            file["wheel"]["width_mm"] = -1;
+            const Issues issues = samples::faults(file);
+            QVERIFY2(issues.size() == 2, samples::listed(issues).c_str());
+            QCOMPARE(issues[0].path, std::string("/operation"));
+            QCOMPARE(issues[1].path, std::string("/wheel/width_mm"));
+        }
+    }
+
+    // --- wrong types, ranges, keys --------------------------------------------------------------
+
+    void wrongTypesAreRefused_data() { placeRows(); }
+
+    void wrongTypesAreRefused() {
+        QFETCH(int, index);
+        const samples::Place& place = samples::places()[static_cast<std::size_t>(index)];
+        const std::string path = pathInEverything(place);
+        const auto wrong = wrongValues(place.field->kind);
+        QCOMPARE(wrong.size(), std::size_t{8});
+        const auto step = static_cast<std::size_t>(samples::sized(1, 4, 1));
+        for (std::size_t i = static_cast<std::size_t>(index) % step; i < wrong.size(); i += step) {
+            const json& value = wrong[i];
+            json file = samples::sample("everything");
+            file[json::json_pointer(path)] = value;
+            const ReadResult read = readProject(file.dump());
+            QVERIFY2(!read.project, value.dump().c_str());
+            const bool named =
+                std::any_of(read.issues.begin(), read.issues.end(), [&](const Issue& issue) {
+                    return issue.severity == Severity::error && issue.path.starts_with(path);
+                });
+            QVERIFY2(named, (value.dump() + "\n" + samples::listed(read.issues)).c_str());
+        }
+    }
+
+    void rangesHoldAtTheirLimits_data() { placeRows(); }
+
+    void rangesHoldAtTheirLimits() {
+        QFETCH(int, index);
+        const samples::Place& place = samples::places()[static_cast<std::size_t>(index)];
+        const Range& hard = place.field->hard;
+        const bool whole = place.field->kind == Kind::integer || place.field->kind == Kind::sparkOut
+                           || place.field->kind == Kind::optionalInteger;
+        const double infinity = std::numeric_limits<double>::infinity();
+        const auto above = [&](double x) { return whole ? x + 1 : std::nextafter(x, infinity); };
+        const auto below = [&](double x) { return whole ? x - 1 : std::nextafter(x, -infinity); };
+        for (const auto& [item, around] : numbersOf(*place.field)) {
+            const std::string path = pathInEverything(place);
+            const auto refuses = [&, put = around, at = path + item](double x) {
+                json file = samples::sample("everything");
+                file[json::json_pointer(path)] = put(x);
+                const Issues issues = samples::faults(file);
+                return std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
+                    return issue.code == IssueCode::outOfRange && issue.path == at
+                           && issue.limit == rangeText(hard, place.field->unit)
+                           && issue.value.starts_with(numberText(x));
+                });
+            };
+            QVERIFY(!refuses(hard.high));
+            QVERIFY(refuses(above(hard.high)));
+            QVERIFY(refuses(1e300));
+            QVERIFY(refuses(-1e300));
+            QCOMPARE(refuses(hard.low), hard.lowOpen);
+            QVERIFY(refuses(below(hard.low)));
+            QVERIFY(!refuses(above(hard.low)));
+        }
+    }
+
+    void unusualValuesWarnAndDoNotRefuse_data() { placeRows(); }
+
+    void unusualValuesWarnAndDoNotRefuse() {
+        QFETCH(int, index);
+        const samples::Place& place = samples::places()[static_cast<std::size_t>(index)];
+        if (place.field->soft.unbounded()) {
+            return;
+        }
+        const std::string path = pathInEverything(place);
+        const Range& soft = place.field->soft;
+        Project project = samples::project("everything");
+        const auto all = samples::spots(project);
+        const auto spot =
+            std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.path == path; });
+        const bool used = !place.field->relevant || place.field->relevant(project, spot->owner);
+        const auto numbers = numbersOf(*place.field);
+        for (const auto& [item, around] : numbers) {
+            const auto faultAt = [&, put = around, at = path + item](double x) {
+                json file = samples::sample("everything");
+                file[json::json_pointer(path)] = put(x);
+                const Issues issues = samples::faults(file);
+                const Issue* issue = samples::find(issues, at);
+                return issue ? std::optional(*issue) : std::nullopt;
+            };
+            for (const double limit : {soft.low, soft.high}) {
+                const auto fault = faultAt(limit);
+                QVERIFY(!fault || fault->code != IssueCode::unusual);
+            }
+            const double beyond = (soft.high + place.field->hard.high) / 2;
+            if (beyond > soft.high && used && place.field->kind != Kind::integer) {
+                const auto fault = faultAt(beyond);
+                QVERIFY2(fault, "a value beyond the usual range passes in silence");
+            }
+        }
+    }
+
+    void unknownKeyIsNamedAtEveryLevel() {
+        const json whole = samples::sample("everything");
+        Project project = samples::project("everything");
+        std::set<std::string> objects{""};
+        for (const samples::Spot& spot : samples::spots(project)) {
+            if (spot.path.find("/runs/0/") == std::string::npos) {
+                objects.insert(json::json_pointer(spot.path).parent_pointer().to_string());
+            }
+        }
+        objects.insert("/machine/compliance_mm_per_n");
+        for (const std::string& path : objects) {
+            json file = whole;
+            file[json::json_pointer(path)]["colour"] = "white";
+            const Issues issues = samples::faults(file);
+            QVERIFY2(holds(issues, IssueCode::unknownKey, path + "/colour"), path.c_str());
+            const Issue issue = *samples::find(issues, path + "/colour");
+            QCOMPARE(issue.value, std::string("\"colour\""));
+            QVERIFY2(!issue.limit.empty(), path.c_str());
+        }
+        QVERIFY(objects.size() > 20);
+    }
+
+    void hostileKeysAreEscapedInThePath() {
+        json file = samples::sample("smallest-plunge");
+        file["part"]["a/b~c\x1b[2J\u202e"] = 1;
+        file["part"][std::string(60'000, 'k')] = 1;
+        const Issues issues = samples::faults(file);
+        QCOMPARE(issues.size(), std::size_t{2});
+        QCOMPARE(issues[0].path, std::string("/part/a~1b~0c\\u001B[2J\\u202E"));
+        QVERIFY(issues[1].path.size() < 100);
+        QVERIFY(issues[1].value.size() < 100);
+    }
+
+    // --- all faults at once ---------------------------------------------------------------------
+
+    void allFaultsAreNamedAtOnce() {
+        std::string text = samples::text("smallest-traverse");
+        json file = json::parse(text);
+        file["colour"] = 1;
+        file["title"] = 1;
+        file["part"]["length_mm"] = -1;
+        file["part"]["profile"] = "square";
+        file["part"].erase("stock_mm");
+        file["part"]["lower_deviation_um"] = 5;
+        file["machine"]["overrun_entry_mm"] = 50;
+        file["gauge"] = {{"commands", 9}};
+        file["cycle"]["stages"][0]["radial_feed_mm"] = 0;
+        text = file.dump();
+        text.insert(text.rfind('}'), R"(,"author":"a","author":"b")");
+        const Issues issues = readProject(text).issues;
+        const std::vector<std::pair<IssueCode, std::string>> expected{
+            {IssueCode::duplicateKey, "/author"},
+            {IssueCode::unknownKey, "/colour"},
+            {IssueCode::wrongType, "/title"},
+            {IssueCode::notOneOf, "/part/profile"},
+            {IssueCode::missingKey, "/part/stock_mm"},
+            {IssueCode::outOfRange, "/part/length_mm"},
+            {IssueCode::outOfRange, "/gauge/commands"},
+            {IssueCode::deviationsReversed, "/part/lower_deviation_um"},
+            {IssueCode::outOfRange, "/machine/overrun_entry_mm"},
+            {IssueCode::feedMissing, "/cycle/stages/0/radial_feed_mm"}};
+        for (const auto& [code, path] : expected) {
+            QVERIFY2(holds(issues, code, path), (path + "\n" + samples::listed(issues)).c_str());
+        }
+    }
+
+    void oneFaultIsNamedOnce() {
+        json file = samples::sample("smallest-traverse");
+        file["cycle"]["stages"][0]["radial_feed_mm"] = -1;
+        file["part"]["radii_per_section"] = 361;
+        const Issues issues = samples::faults(file);
+        QVERIFY2(issues.size() == 2, samples::listed(issues).c_str());
+    }
+
+    void errorsAreNotLostBehindWarnings() {
+        json file = samples::sample("smallest-traverse");
+        json stage = file["cycle"]["stages"][0];
+        stage["radial_feed_mm"] = 0.9; // unusual
+        stage["stock_mm"] = 0.001;
+        file["cycle"]["stages"] = std::vector<json>(900, stage);
+        file["cycle"]["stages"][899]["radial_feed_mm"] = 0;
+        const ReadResult read = readProject(file.dump());
+        QVERIFY(!read.project);
+        QVERIFY(holds(read.issues, IssueCode::feedMissing, "/cycle/stages/899/radial_feed_mm"));
+        QCOMPARE(read.issues.size(), limits::issues);
+    }
+
+    void faultsOfAKeptRunCarryItsPath() {
+        json file = samples::sample("everything");
+        file["runs"][0]["inputs"]["wheel"]["width_mm"] = -1;
+        file["runs"][0]["inputs"]["part"].erase("length_mm");
+        file["runs"].push_back(file["runs"][0]);
+        file["runs"][1]["inputs"] = json::object();
+        const Issues issues = samples::faults(file);
+        QVERIFY(holds(issues, IssueCode::outOfRange, "/runs/0/inputs/wheel/width_mm"));
+        QVERIFY(holds(issues, IssueCode::missingKey, "/runs/0/inputs/part/length_mm"));
+        QVERIFY(holds(issues, IssueCode::missingKey, "/runs/1/inputs/format"));
+    }
+};
+
+} // namespace test_project_faults
+
+SPARKOUT_TEST(test_project_faults, TestProjectFaults)
+#include "test_project_faults.moc"

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the panels and views of the window stand, and how that is kept.
+#include "ui/main_window.h"
+
+#include "ui/actions.h"
+#include "ui/font_size.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/inputs/messages_panel.h"
+#include "ui/keyboard.h"
+#include "ui/playback_bar.h"
+#include "ui/sealed_state.h"
+#include "ui/view_tabs.h"
+#include "ui/views/step_sheet.h"
+#include "ui/views/verdict_panel.h"
+#include "ui/views/view.h"
+
+#include <QDockWidget>
+#include <QScreen>
+
+namespace sparkout {
+
+namespace {
+
+constexpr QSize usualWindow(1366, 768);
+constexpr QSize frameAllowance(8, 40);
+constexpr int verdictWidth = 327;
+constexpr int messagesHeight = 96;
+
+} // namespace
+
+QDockWidget* MainWindow::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+void MainWindow::buildDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_inputsDock = addDock(m_inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea);
+    m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
+    m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
+    m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
+    QAction* const sheet = m_sheetDock->toggleViewAction();
+    sheet->setIcon(themeIcon(u"formula"));
+    m_playback->addTool(sheet);
+    connect(sheet, &QAction::triggered, this, [this](bool shown) {
+        if (shown) { // below the verdict, if it has not been moved
+            resizeDocks({m_verdictDock, m_sheetDock}, {2, 3}, Qt::Vertical);
+        }
+    });
+    m_actions->addDocks({m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
+                         m_messagesDock->toggleViewAction(), sheet});
+    const QList<QAction*> shows = m_actions->addViews(static_cast<int>(views().size()));
+    for (int i = 0; i < shows.size(); ++i) {
+        View* view = views()[std::size_t(i)];
+        connect(shows[i], &QAction::triggered, this, [this, view] { m_tabs->showView(view); });
+    }
+}
+
+bool MainWindow::showView(const QString& name) {
+    int number = 0;
+    for (View* view : views()) {
+        if (name == view->objectName() || name == QString::number(++number)) {
+            m_tabs->showView(view);
+            return true;
+        }
+    }
+    return false;
+}
+
+void MainWindow::resetLayout() {
+    m_tabs->attachAll();
+    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock, m_sheetDock}) {
+        dock->setFloating(false);
+        dock->setVisible(dock != m_sheetDock);
+    }
+    addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
+    splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
+    fitPanels();
+    resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
+}
+
+void MainWindow::fitPanels() {
+    resizeDocks({m_inputsDock, m_verdictDock},
+                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
+}
+
+void MainWindow::restoreWindow() {
+    // Frame and title bar need room too: on a small screen the status bar must stay in sight.
+    resize(usualWindow.boundedTo(screen()->availableSize() - frameAllowance));
+    resetLayout();
+    if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
+        restoreGeometry(parts->front());
+    }
+    if (const auto parts = unsealed(m_settings.windowState(), 2)) {
+        restoreState(parts->front());
+        m_tabs->restoreState(parts->back());
+    }
+}
+
+void MainWindow::saveWindow() {
+    m_settings.setWindow(sealed({saveGeometry()}), sealed({saveState(), m_tabs->saveState()}));
+}
+
+void MainWindow::movePanel(int by) {
+    QList<QWidget*> panels{m_inputs, m_tabs};
+    for (const View* view : views()) {
+        if (QWidget* window = m_tabs->windowOf(view)) {
+            panels += window;
+        }
+    }
+    sparkout::movePanel(panels + QList<QWidget*>{m_playback, m_verdict, m_sheet, m_messages}, by);
+}
+
+void MainWindow::toggleDetached() {
+    View* view = m_tabs->currentView();
+    m_tabs->isDetached(view) ? m_tabs->attach(view) : m_tabs->detach(view);
+}
+
+} // namespace sparkout
