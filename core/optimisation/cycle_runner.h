@@ -16,6 +16,9 @@ inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max
 
 /// The time that cycles are compared by.
 [[nodiscard]] std::int64_t comparedTime_us(double time_s);
+[[nodiscard]] inline double seconds(std::int64_t time_us) {
+    return static_cast<double>(time_us) * 1e-6;
+}
 
 /// What a search adds up beside the best cycle.
 struct SearchCounts {

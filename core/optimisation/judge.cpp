@@ -71,16 +71,15 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     const int all = m_scenarios.empty() && !m_options.challenge
                         ? 0
                         : merged; // the first comes first in grid order
+    const bool waits = m_options.challenge && m_options.method == SearchMethod::pruned;
     bool best = false;
     for (int more = 0; margin && more <= all; ++more) {
         found.leastRelativeMargin = *margin;
-        if (isWorthIt(found)) {
-            best = true;
-            if (m_options.challenge) {
+        if (holdsOnScenarios(found)) {
+            if (waits) {
                 m_waiting.push_back(found);
-            } else {
-                offer(found);
             }
+            best |= waits || offer(found);
         }
         if (more < all) {
             ++found.cycle[cycle.size() - 2].steps;
@@ -89,29 +88,51 @@ bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int me
     return best;
 }
 
-bool Judge::isWorthIt(FeasibleCycle& found) {
+bool Judge::holdsOnScenarios(FeasibleCycle& found) {
     const auto least = leastMargin(found.cycle, found.leastRelativeMargin);
-    if (!least || (m_options.beyondMargin && *least <= *m_options.beyondMargin)) {
-        return false;
-    }
-    found.leastRelativeMargin = *least;
-    return !m_best || isBetter(found, *m_best, m_grid);
+    found.leastRelativeMargin = least.value_or(0);
+    return least && (!m_options.beyondMargin || *least > *m_options.beyondMargin);
 }
 
 void Judge::settle(double time_s) {
-    while (!m_waiting.empty() && !m_stale) {
-        const auto first =
-            std::min_element(m_waiting.begin(), m_waiting.end(),
-                             [&](const auto& a, const auto& b) { return isBetter(a, b, m_grid); });
-        if (static_cast<double>(first->time_us) * 1e-6 > time_s) {
+    const auto before = [&](const FeasibleCycle& a, const FeasibleCycle& b) {
+        return isBetter(a, b, m_grid);
+    };
+    while (!m_waiting.empty() && !m_stale && !m_options.stop.stop_requested()) {
+        const auto first = std::min_element(m_waiting.begin(), m_waiting.end(), before);
+        if (seconds(first->time_us) > time_s || (m_best && !before(*first, *m_best))) {
             return;
         }
         FeasibleCycle found = *first;
-        m_waiting.erase(first);
-        if (isWorthIt(found) && !isChallenged(found)) {
-            offer(found);
+        if (!holdsOnScenarios(found)) {
+            m_waiting.erase(first);
+        } else if (found.leastRelativeMargin < first->leastRelativeMargin) {
+            *first = found; // another may be better now
+        } else if (!isChallenged(found)) {
+            m_waiting.erase(first);
+            put(found);
+        } else if (!m_options.stop.stop_requested()) {
+            m_waiting.erase(first);
         }
     }
+}
+
+double Judge::leastWaiting_s() const {
+    std::int64_t least_us = noTime_us;
+    for (const FeasibleCycle& each : m_waiting) {
+        least_us = std::min(least_us, each.time_us);
+    }
+    return seconds(least_us);
+}
+
+/// In the place of the best, which waits on where it took as long.
+void Judge::put(const FeasibleCycle& found) {
+    const bool tie = m_best && m_best->time_us == found.time_us;
+    if (tie && m_best->variant == found.variant) {
+        m_waiting.push_back(*m_best);
+    }
+    m_beatOther = tie && (m_beatOther || m_best->variant != found.variant);
+    offer(found);
 }
 
 bool Judge::isHopeless(GridCycle cycle, int merged) {
@@ -158,7 +179,10 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
 
 /// Whether it fails on a part that the challenge has; the best so far must hold there, too.
 bool Judge::isChallenged(const FeasibleCycle& found) {
-    auto scenario = m_options.challenge ? m_options.challenge(found) : std::nullopt;
+    auto scenario = m_options.challenge(found);
+    if (m_options.stop.stop_requested()) {
+        return true; // a test that is stopped tells nothing
+    }
     if (!scenario) {
         return false;
     }
@@ -167,7 +191,7 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (m_best && m_best->variant == m_options.variant) {
         const auto result = m_scenarios.front()->run(m_best->cycle, counts);
         const auto margin = result ? leastMargin(*result) : std::nullopt;
-        m_stale = m_stale || !margin;
+        m_stale = m_stale || !margin || (m_beatOther && *margin < m_best->leastRelativeMargin);
         m_best->leastRelativeMargin = std::min(m_best->leastRelativeMargin, margin.value_or(0));
     } else {
         m_stale = m_stale || m_best;

@@ -27,9 +27,11 @@ public:
     /// Whether a cycle and each of the `merged` further ones is told to break a requirement in a
     /// scenario, before the last stage is run; then it is decided.
     bool isHopeless(GridCycle cycle, int merged);
-    /// Challenges those of the waiting cycles that take no longer than this [s], the best first,
-    /// until one is not to be beaten.
+    /// Challenges those of the waiting cycles that take no longer than this [s] and would be the
+    /// best, the best first. Not when it is to stop.
     void settle(double time_s);
+    /// The least time [s] of those that wait on.
+    [[nodiscard]] double leastWaiting_s() const;
     /// A best cycle found elsewhere.
     bool offer(const FeasibleCycle& found);
 
@@ -49,9 +51,10 @@ public:
 private:
     [[nodiscard]] std::unique_ptr<ScenarioRunner> runner(const Project& scenario,
                                                          std::size_t among) const;
-    /// Whether it holds on the scenarios, its margin then the least, and would be the best.
-    bool isWorthIt(FeasibleCycle& found);
+    /// Whether it holds on the scenarios, its margin then the least.
+    bool holdsOnScenarios(FeasibleCycle& found);
     bool isChallenged(const FeasibleCycle& found);
+    void put(const FeasibleCycle& found);
     /// The least relative margin; nothing when a requirement fails.
     std::optional<double> leastMargin(const SimulationResult& result);
     /// The same on the scenarios, from that of the part.
@@ -61,7 +64,10 @@ private:
     const SearchOptions& m_options;
     std::vector<std::unique_ptr<ScenarioRunner>> m_scenarios; ///< the one that failed last first
     std::optional<FeasibleCycle> m_best;
-    std::vector<FeasibleCycle> m_waiting; ///< for their challenge
+    /// For their challenge, margins as when they were looked at last, which only fall; and those of
+    /// the best one's time, which are better when its margin falls.
+    std::vector<FeasibleCycle> m_waiting;
+    bool m_beatOther = false; ///< it was of the best one's time, of another variant
     std::vector<Project> m_added;
     bool m_stale = false;
 };

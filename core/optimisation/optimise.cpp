@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/optimise.h"
 
+#include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/dynamic_programming.h"
 #include "core/optimisation/full_search.h"
 #include "core/optimisation/pruned_search.h"
@@ -23,10 +24,6 @@ SearchSummary search(const Project& project, const Grid& grid, const SearchOptio
     case SearchMethod::pruned: break;
     }
     return prunedSearch(project, grid, options);
-}
-
-double seconds(std::int64_t time_us) {
-    return static_cast<double>(time_us) * 1e-6;
 }
 
 /// Searches variant by variant and adds up what comes of them.

@@ -9,7 +9,6 @@
 namespace sparkout {
 
 namespace {
-constexpr double burnTableError = 1e-4; ///< of √a over its limit, generously
 constexpr double peakRounding = 1e-9;
 constexpr double wattsPerKilowatt = 1e3;
 constexpr std::size_t traverseZones = 3;
@@ -22,8 +21,7 @@ PassCuts::PassCuts(const Project& project)
                    : static_cast<std::size_t>(project.sections))
     , m_least_mm(project.part.lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
     , m_most_mm(project.part.upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
-    , m_isBore(project.part.surface == Surface::internal)
-    , m_burn(project.material.burn_rise_k.has_value()) {
+    , m_isBore(project.part.surface == Surface::internal) {
     const Machine& machine = project.machine;
     if (machine.wheel_drive_kw && !isCoupled(project)) {
         m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + peakRounding);
@@ -42,7 +40,7 @@ PassCuts::PassCuts(const Project& project)
 
 std::optional<ConstraintKind> PassCuts::broken(const Run& run, std::size_t stage) const {
     const StageSums& sums = run.sumsOf(stage);
-    if (m_burn && run.burnUsage() > 1 + burnTableError) {
+    if (run.surelyBurned()) {
         return ConstraintKind::burn;
     }
     if (m_depth_mm && sums.depth_mm.value > *m_depth_mm) {

@@ -33,7 +33,6 @@ private:
     std::size_t m_points;         ///< whose diameters count
     double m_least_mm, m_most_mm; ///< of deviations
     bool m_isBore;
-    bool m_burn;
     std::optional<double> m_wheelPower_w, m_workPower_w; ///< P_z·V_k allowed by the two drives
     std::optional<double> m_depth_mm;                    ///< of self-sharpening
 };

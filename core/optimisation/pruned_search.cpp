@@ -54,7 +54,6 @@ public:
         for (auto branch = take(); branch; branch = take()) {
             settleBefore(branch->bound_s);
             if (m_options.stop.stop_requested() || m_judge.isStale()) {
-                summary.status = SearchStatus::stopped;
                 break;
             }
             if (isSlower(branch->bound_s)) {
@@ -66,10 +65,11 @@ public:
                 m_options.onProgress({m_judge.best(), m_least_s, m_judge.counts.evaluations, 0});
             }
         }
-        if (summary.status != SearchStatus::stopped) {
-            m_judge.settle(std::numeric_limits<double>::infinity());
+        m_judge.settle(std::numeric_limits<double>::infinity());
+        if (m_options.stop.stop_requested() || m_judge.isStale()) {
+            summary.status = SearchStatus::stopped;
         }
-        summary.bound_s = m_least_s;
+        summary.bound_s = std::min(m_least_s, m_judge.leastWaiting_s());
         summary.best = m_judge.best();
         if (summary.status != SearchStatus::stopped && summary.best) {
             summary.status = SearchStatus::proved;
@@ -156,15 +156,14 @@ private:
     /// Keeps a prefix whose steps are these, or go on from them.
     void add(Prefix prefix, double least_s, const CycleSteps& steps) {
         const CyclePrefix& done = prefix.done;
-        const double later_mm = m_grid.remainder(m_runs.leastTaken(done));
+        const int taken = m_runs.leastTaken(done);
         const std::optional<std::size_t> shorter = toldShorter(done);
         prefix.next.reserve(m_grid.settings().size());
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
             if (s == shorter || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
                 continue;
             }
-            const double bound_s =
-                std::max(least_s, m_runs.bound_s(done, steps.run(), s, later_mm));
+            const double bound_s = std::max(least_s, m_runs.bound_s(done, steps.run(), s, taken));
             if (!isSlower(bound_s)) {
                 prefix.next.emplace_back(bound_s, s);
             }
@@ -220,7 +219,7 @@ private:
         m_runs.run(
             done, setting,
             [&](const Run& run, int taken) {
-                return isSlower(m_runs.bound_s(done, run, setting, m_grid.remainder(taken)));
+                return isSlower(m_runs.bound_s(done, run, setting, taken));
             },
             [&](const StageRuns::End& end) {
                 if (done.isBeforeLast()) {

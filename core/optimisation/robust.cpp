@@ -96,13 +96,20 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             search.scenarios.push_back(scenario);
             summary.added.push_back(std::move(scenario));
         }
-        if (summary.search.isStale) {
+        if (summary.search.isStale && !options.search.stop.stop_requested()) {
             continue; // with its best in none of them
         }
         if (!summary.search.best || summary.search.status == SearchStatus::stopped) {
+            if (summary.search.isStale) {
+                summary.search.best.reset(); // it fails in a scenario
+            }
             return summary;
         }
         auto failing = search.challenge ? std::nullopt : challenge(*summary.search.best);
+        if (options.search.stop.stop_requested() && !search.challenge) {
+            summary.search.status = SearchStatus::stopped; // within its test
+            return summary;
+        }
         if (!failing) { // a challenge was drawn for this cycle
             summary.holdsInSample = true;
             return summary;

@@ -36,9 +36,9 @@ struct RobustSummary {
 /// a cycle that would be the best is tested before it counts, on scenarios drawn for it, and what
 /// it fails in joins the set. What was dropped before failed in a part of the final set or is
 /// slower than a cycle that was the best then; as long as that one holds in all scenarios that
-/// joined later, nothing is lost. Where it does not, the search is made again with the set as it
-/// is. Cycles quicker than the best without further scenarios were judged before: none of them
-/// holds.
+/// joined later, nothing is lost: cycles of its time are not dropped, they wait, as its margin may
+/// fall. Where it does not hold, the search is made again with the set as it is. Cycles quicker
+/// than the best without further scenarios were judged before: none of them holds.
 [[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 

@@ -51,8 +51,9 @@ int StageRuns::mostTaken(const CyclePrefix& prefix) const {
 }
 
 double StageRuns::bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                          double later_mm) const {
-    double rest_s = m_bound->rest_s(setting, run.fed_mm, later_mm, prefix.isBeforeLast());
+                          int taken) const {
+    double rest_s =
+        m_bound->rest_s(setting, run.fed_mm, m_grid.remainder(taken), prefix.isBeforeLast());
     if (const double sparkOut_s = m_bound->sparkOut_s(setting); sparkOut_s > 0) {
         const double since_s = prefix.steps ? run.time_s() - prefix.time_s : 0;
         rest_s = std::max(sparkOut_s - since_s, 0.0) * (1 - 1e-9);

@@ -73,10 +73,9 @@ public:
     /// Steps of stock that are taken at least and at most behind the next stage of a prefix.
     [[nodiscard]] int leastTaken(const CyclePrefix& prefix) const;
     [[nodiscard]] int mostTaken(const CyclePrefix& prefix) const;
-    /// Least time [s] of all cycles that go on with this setting and leave at least so much stock
-    /// [mm] behind its stage.
+    /// Least time [s] of all cycles that go on with this setting.
     [[nodiscard]] double bound_s(const CyclePrefix& prefix, const Run& run, std::size_t setting,
-                                 double later_mm) const;
+                                 int taken) const;
     [[nodiscard]] const TimeBound& bound() const { return *m_bound; }
     [[nodiscard]] bool isGauged() const { return m_gauge; }
     [[nodiscard]] double totalInfeed_mm() const { return m_total; }

@@ -56,7 +56,9 @@ BurnTable::BurnTable(const BurnModel& model, double U, double deepest_mm) {
     const BurnLimitPoint surface = model.limitPoint(U, 0);
     // The stock over which the curve bends: the reach of heat, or over which √a doubles.
     const double scale = surface.stockSlope_mm * std::min(1.0, surface.root / surface.rootSlope);
-    m_last = std::clamp(std::ceil(stepsPerScale * deepest / scale), fewest, most);
+    const double wanted = std::ceil(stepsPerScale * deepest / scale);
+    m_isResolved = wanted <= most;
+    m_last = std::clamp(wanted, fewest, most);
     m_perStep = deepest > 0 ? m_last / deepest : 0;
     Curve curve(model, U, deepest);
     double inverse = 1 / curve.at(0);

@@ -28,8 +28,8 @@ struct BurnStretch {
 };
 
 /// The limiting √a of burn against the stock left, tabulated for the passes of a run: 1/√a as a
-/// parabola in each of equal steps of the stock, off by less than 1e-6 of √a up to 1 mm of stock.
-/// Made once for a run or a scenario, in some 20 µs.
+/// parabola in each of equal steps of the stock, off by less than 1e-6 of √a where it isResolved().
+/// Made once for a run or a scenario, in some microseconds.
 class BurnTable {
 public:
     /// For stocks from 0 to `deepest`, and U = U_burn.
@@ -45,6 +45,10 @@ public:
         const double f = at - i;
         return root * (piece.inverse + f * (piece.fall + f * piece.bend));
     }
+    /// Whether the steps are as small as the curve asks for. Under a very dull wheel that is to
+    /// take much stock it bends so near the surface that they cannot be: off by some per cent
+    /// there.
+    [[nodiscard]] bool isResolved() const { return m_isResolved; }
     /// The limiting √a, rising with the stock; below 0 as at 0, beyond the deepest as there.
     [[nodiscard]] double limit(double stock_mm) const { return 1 / usage(1, stock_mm); }
 
@@ -60,6 +64,7 @@ private:
     };
 
     double m_perStep, m_last; ///< steps a mm, and in all
+    bool m_isResolved;
     std::vector<Piece> m_pieces;
 };
 

@@ -49,8 +49,11 @@ public:
         m_worst = {};
         m_quietEnd = m_stretchEnd = std::numeric_limits<double>::lowest();
     }
-    /// √a over its limit, of the visit nearest to burning so far; 0 where burn is not asked for.
-    [[nodiscard]] double burnUsage() const { return m_usage; }
+    /// Whether a visit burned beyond doubt: the table of limits is off by less.
+    [[nodiscard]] bool surelyBurned() const {
+        constexpr double generously = 1e-4; // of √a
+        return m_usage > 1 + generously && m_burn->isResolved();
+    }
     /// Puts what was kept into the result, whose sections and counts are there.
     void put(SimulationResult& result, const Lanes& lanes) const;
 

@@ -73,7 +73,7 @@ public:
     /// What a run has reached so far, none of which ever falls: its books show it at the end.
     [[nodiscard]] double time_s() const { return m_result.time_s; }
     [[nodiscard]] long long visits() const { return m_result.visits; }
-    [[nodiscard]] double burnUsage() const { return m_watch.burnUsage(); }
+    [[nodiscard]] bool surelyBurned() const { return m_watch.surelyBurned(); }
     /// Least and most of a point's diameters D_k now, less the nominal one [mm].
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
     /// D_k less the nominal diameter [mm] of two opposite radii at these depths.

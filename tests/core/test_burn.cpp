@@ -338,6 +338,23 @@ private slots:
                 close(table.limit(2 * deepest), std::sqrt(model.limitDepth(U, deepest)), 1e-9));
         }));
     }
+    void tableSaysWhereItsStepsAreTooWide() {
+        Project p = hotSteel();
+        QVERIFY(BurnTable(BurnModel(p), 700, 0.2).isResolved());
+        int wide = 0;
+        for (const double dullness : {0.1, 0.2, 0.4}) {
+            for (const double deepest : {0.2, 0.5, 1.0}) {
+                p.wheel.dullness = dullness;
+                const BurnModel model(p);
+                const BurnTable table(model, 700, deepest);
+                const bool close = fixtures::close(table.limit(1e-4),
+                                                   std::sqrt(model.limitDepth(700, 1e-4)), 1e-6);
+                QVERIFY(close || !table.isResolved());
+                wide += table.isResolved() ? 0 : 1;
+            }
+        }
+        QVERIFY(wide > 0 && wide < 9);
+    }
     void tableOfNoStockIsTheBurnFreeDepth() {
         const BurnModel model(hotSteel());
         const BurnTable table(model, 700, 0);

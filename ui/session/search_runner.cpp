@@ -16,10 +16,6 @@ namespace sparkout {
 
 namespace {
 
-double seconds(std::int64_t time_us) {
-    return static_cast<double>(time_us) * 1e-6;
-}
-
 /// Searches number of stages by number, and gathers what it comes upon.
 class Search {
 public:
