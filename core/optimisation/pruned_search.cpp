@@ -73,7 +73,7 @@ public:
         summary.best = m_judge.best();
         if (summary.status != SearchStatus::stopped && summary.best) {
             summary.status = SearchStatus::proved;
-            summary.bound_s = static_cast<double>(summary.best->time_us) * 1e-6;
+            summary.bound_s = seconds(summary.best->time_us);
         }
         summary.evaluations = m_judge.counts.evaluations;
         summary.visits = m_judge.counts.visits;
@@ -246,7 +246,7 @@ private:
         const double begin_s = done.time_s;
         int mostSteps = std::numeric_limits<int>::max();
         if (m_judge.best()) {
-            const double left_s = static_cast<double>(m_judge.bestTime_us()) * 1e-6 - begin_s;
+            const double left_s = seconds(m_judge.bestTime_us()) - begin_s;
             mostSteps = static_cast<int>(std::min(left_s / step_s, 1e9)) + 2;
         }
         const LastStageOutlook told = m_runs.outlook(done, setting, mostSteps);
