@@ -4,6 +4,8 @@
 #include "ui/session/operation.h"
 #include "ui/session/run_controller.h"
 
+#include <chrono>
+
 namespace sparkout {
 
 Project longProject(int sections) {
@@ -24,15 +26,13 @@ Project longProject(int sections) {
 }
 
 OutcomePtr runForSeconds(const Project& project, const std::stop_token& stop) {
-    constexpr int times = 40;
+    using Clock = std::chrono::steady_clock;
     const bool once = project.operation == Operation::traverse || project.sections < 10;
+    const Clock::time_point end = Clock::now() + std::chrono::seconds(once ? 0 : 3);
     OutcomePtr outcome;
-    for (int i = 0; i < (once ? 1 : times); ++i) {
+    do {
         outcome = runProject(project, stop);
-        if (!outcome) {
-            return nullptr;
-        }
-    }
+    } while (outcome && Clock::now() < end);
     return outcome;
 }
 

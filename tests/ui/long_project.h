@@ -12,7 +12,8 @@ namespace sparkout {
 /// many sections: about a million visits each.
 [[nodiscard]] Project longProject(int sections);
 
-/// Runs the cycle of a plunge of many sections over and over, which takes seconds; others once.
+/// Runs the cycle of a plunge of many sections over and over for three seconds, however quick the
+/// machine is; others once.
 /// A stop is heeded where the engine heeds it.
 [[nodiscard]] OutcomePtr runForSeconds(const Project& project, const std::stop_token& stop);
 
