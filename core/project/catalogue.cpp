@@ -9,6 +9,7 @@
 #include "core/units.h"
 
 #include <algorithm>
+#include <cstring>
 #include <type_traits>
 
 namespace sparkout {
@@ -184,8 +185,9 @@ std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::v
             all.push_back(entry);
         }
     }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Entry& a, const Entry& b) { return a.name < b.name; });
+    std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {
+        return strverscmp(a.name.c_str(), b.name.c_str()) < 0; // 50×… before 400×…
+    });
     return all;
 }
 

@@ -89,6 +89,7 @@ template <class Entry>
                                                           const std::vector<Entry>& entries);
 
 /// The shipped entries and the user's: one of his takes the place of the shipped one of that name.
+/// By name, numbers in it by their value.
 template <class Entry>
 [[nodiscard]] std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped,
                                                const std::vector<Entry>& own);

@@ -351,12 +351,17 @@ private slots:
     void ownEntryTakesThePlaceOfTheShippedOne() {
         MaterialEntry mine = entryOf<MaterialEntry>(fixtures::plunge(), "45");
         MaterialEntry other = mine;
-        other.name = "Сталь заказчика";
-        const auto all = mergedEntries(shipped<MaterialEntry>(), {mine, other});
-        QCOMPARE(all.size(), shipped<MaterialEntry>().size() + 1);
+        other.name = "Сталь 10";
+        MaterialEntry third = mine;
+        third.name = "Сталь 9";
+        const auto all = mergedEntries(shipped<MaterialEntry>(), {mine, other, third});
+        QCOMPARE(all.size(), shipped<MaterialEntry>().size() + 2);
         const auto found = std::ranges::find(all, "45", &MaterialEntry::name);
         QCOMPARE(found->value.flow_stress_mpa, 2000.0);
-        QVERIFY(std::ranges::is_sorted(all, {}, &MaterialEntry::name));
+        QVERIFY(std::ranges::find(all, third.name, &MaterialEntry::name)
+                < std::ranges::find(all, other.name, &MaterialEntry::name));
+        const auto again = mergedEntries(shipped<MaterialEntry>(), {third, mine, other});
+        QVERIFY(std::ranges::equal(all, again, {}, &MaterialEntry::name, &MaterialEntry::name));
     }
 
     void savedAsMineComesBackWhole() {
