@@ -3533,6 +3533,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>&gt;%1 %</source>
             <translation>&gt;%1 %</translation>
         </message>
+        <message>
+            <source>Not checked, for want of an input: %1</source>
+            <translation>Не проверяется, нет исходных данных: %1</translation>
+        </message>
     </context>
     <context>
         <name>Location</name>
@@ -3921,12 +3925,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>%1 мин — лучший найденный; быстрее %2 мин в сетке нет ни одного.</translation>
         </message>
         <message>
-            <source>That is %1 % less than the present cycle takes.</source>
-            <translation>Это на %1 % меньше, чем у текущего цикла.</translation>
+            <source>That is %1 % less than your cycle takes.</source>
+            <translation>Это на %1 % меньше, чем у исходного цикла.</translation>
         </message>
         <message>
-            <source>The present cycle takes %1 min.</source>
-            <translation>Текущий цикл занимает %1 мин.</translation>
+            <source>Your cycle takes %1 min.</source>
+            <translation>Исходный цикл занимает %1 мин.</translation>
         </message>
         <message>
             <source>The stepless limit is %1 min, %2 % below it.</source>
@@ -7674,10 +7678,6 @@ med, µm</source>
             <translation>Подачу ничто не ограничивает: задайте температуру прижога материала или мощность привода. Ссылки внизу ведут к полям.</translation>
         </message>
         <message>
-            <source>Off, for want of an input: %1</source>
-            <translation>Не проверяется, нет исходных данных: %1</translation>
-        </message>
-        <message>
             <source>Actual feed under its limits</source>
             <translation>Фактическая подача и её пределы</translation>
         </message>
@@ -7694,8 +7694,8 @@ med, µm</source>
             <translation>Значения под указателем</translation>
         </message>
         <message>
-            <source>Limits that are off</source>
-            <translation>Пределы, которые не проверяются</translation>
+            <source>Requirements that are not checked</source>
+            <translation>Требования, которые не проверяются</translation>
         </message>
         <message>
             <source>Requirements by how much of their limit they use up</source>
@@ -8613,8 +8613,8 @@ mm/min</source>
             <translation>Время обработки</translation>
         </message>
         <message>
-            <source>Against the time of the present cycle</source>
-            <translation>По сравнению с временем текущего цикла</translation>
+            <source>Against the time of your cycle: the present one, or the one that a cycle found took the place of</source>
+            <translation>По сравнению с временем исходного цикла: текущего или того, который заменил найденный</translation>
         </message>
         <message>
             <source>By how much a stepless cycle might at most be quicker</source>
@@ -9513,16 +9513,16 @@ target, µm</source>
             <translation>Оптимизация</translation>
         </message>
         <message>
-            <source>Present cycle</source>
-            <translation>Текущий цикл</translation>
+            <source>Your cycle</source>
+            <translation>Исходный цикл</translation>
         </message>
         <message>
             <source>Cycle found</source>
             <translation>Найденный цикл</translation>
         </message>
         <message>
-            <source>Point at a curve to read its values beside those of the present cycle.</source>
-            <translation>Наведите указатель на кривую, чтобы прочитать её значения рядом со значениями текущего цикла.</translation>
+            <source>Point at a curve to read its values beside those of your cycle.</source>
+            <translation>Наведите указатель на кривую, чтобы прочитать её значения рядом со значениями исходного цикла.</translation>
         </message>
         <message>
             <source>Point at a number of stages to read its time.</source>
@@ -9557,8 +9557,8 @@ target, µm</source>
             <translation>По данным до последней правки. Для текущих нажмите «Найти».</translation>
         </message>
         <message>
-            <source>Feeds and radii of the present cycle and of the one found</source>
-            <translation>Подачи и радиусы текущего и найденного цикла</translation>
+            <source>Feeds and radii of your cycle and of the one found</source>
+            <translation>Подачи и радиусы исходного и найденного циклов</translation>
         </message>
         <message>
             <source>Machining time over the number of stages</source>
@@ -10694,14 +10694,6 @@ target, µm</source>
             <translation>Что значит поле допуска</translation>
         </message>
         <message>
-            <source>Fill in</source>
-            <translation>Заполнить</translation>
-        </message>
-        <message>
-            <source>Take diameter and limits from the tolerance class</source>
-            <translation>Взять диаметр и отклонения по полю допуска</translation>
-        </message>
-        <message>
             <source>e.g. %1</source>
             <translation>напр. %1</translation>
         </message>
@@ -10775,8 +10767,8 @@ target, µm</source>
             <translation>быстрее нет</translation>
         </message>
         <message>
-            <source>present cycle</source>
-            <translation>текущий цикл</translation>
+            <source>your cycle</source>
+            <translation>исходный цикл</translation>
         </message>
         <message>
             <source>stepless limit</source>
@@ -11448,6 +11440,10 @@ target, µm</source>
         <message>
             <source>Where the value comes from</source>
             <translation>Откуда берётся значение</translation>
+        </message>
+        <message>
+            <source>Requirements that are not checked</source>
+            <translation>Требования, которые не проверяются</translation>
         </message>
     </context>
     <context>

@@ -212,6 +212,7 @@ void MainWindow::connectDocument() {
     };
     connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
     connect(m_verdict, &VerdictPanel::requirementActivated, this, &MainWindow::showRequirement);
+    connect(m_verdict, &VerdictPanel::pathAsked, this, showInput);
     connect(m_constraints, &ConstraintsView::pathAsked, this, showInput);
     connect(m_constraints, &ConstraintsView::requirementEntered, this,
             &MainWindow::showRequirement);

@@ -170,10 +170,8 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     , m_document(document)
     , m_label(new QLabel(this))
     , m_size(new QLineEdit(this))
-    , m_fill(new QPushButton(this))
     , m_meaning(noteLabel(this, "sizeMeaning")) {
     m_size->setObjectName(QStringLiteral("sizeField"));
-    m_fill->setObjectName(QStringLiteral("fillFromSize"));
     setTextWidth(*m_size, metrics::field);
     m_size->setMaxLength(40);
     m_label->setTextFormat(Qt::PlainText);
@@ -189,11 +187,8 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     layout->setSpacing(metrics::row);
     layout->addLayout(row);
     layout->addWidget(m_meaning);
-    layout->addWidget(m_fill);
     connect(m_size, &QLineEdit::textChanged, this, &SizeHelper::showTyped);
-    connect(m_size, &QLineEdit::returnPressed, this, &SizeHelper::fill);
-    connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::showPart);
-    connect(m_fill, &QPushButton::clicked, this, &SizeHelper::fill);
+    connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::fill);
     connect(&document, &Document::replaced, this, [this] { m_size->clear(); });
     connect(&document, &Document::changed, this, &SizeHelper::showPart);
     retranslate();
@@ -208,27 +203,32 @@ void SizeHelper::showPart() {
     showTyped();
 }
 
-void SizeHelper::showTyped() {
+/// The size that is typed, as far as the part has another.
+std::optional<TypedSize> SizeHelper::toFill() const {
     const Part& part = m_document.project().part;
     const TypedSize typed = readSize(m_size->text(), part);
     const bool same = typed.size && typed.size->nominal_mm == part.diameter_mm
                       && typed.deviations.upper_um == part.upper_deviation_um
                       && typed.deviations.lower_um == part.lower_deviation_um;
-    m_meaning->setText(same ? QString() : typed.text);
+    return same ? std::nullopt : std::optional(typed);
+}
+
+void SizeHelper::showTyped() {
+    const auto typed = toFill();
+    m_meaning->setText(typed ? typed->text : QString());
     m_meaning->setVisible(!m_meaning->text().isEmpty());
-    m_fill->setEnabled(typed.size && !same);
-    m_fill->setVisible(m_fill->isEnabled());
 }
 
 void SizeHelper::fill() {
-    Project project = m_document.project();
-    const TypedSize typed = readSize(m_size->text(), project.part);
-    if (!typed.size || !m_fill->isEnabled()) {
+    const auto typed = toFill();
+    if (!typed || !typed->size) {
+        showPart();
         return;
     }
-    project.part.diameter_mm = typed.size->nominal_mm;
-    project.part.upper_deviation_um = typed.deviations.upper_um;
-    project.part.lower_deviation_um = typed.deviations.lower_um;
+    Project project = m_document.project();
+    project.part.diameter_mm = typed->size->nominal_mm;
+    project.part.upper_deviation_um = typed->deviations.upper_um;
+    project.part.lower_deviation_um = typed->deviations.lower_um;
     m_size->setModified(false);
     m_document.endMerge();
     m_document.edit(std::move(project),
@@ -243,7 +243,6 @@ void SizeHelper::retranslate() {
     m_size->setAccessibleName(tr("Size with its tolerance class"));
     m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
     m_meaning->setAccessibleName(tr("What the tolerance class means"));
-    sayWhatIsDone(*m_fill, tr("Fill in"), tr("Take diameter and limits from the tolerance class"));
     showPart();
 }
 

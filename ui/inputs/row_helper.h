@@ -2,10 +2,11 @@
 #pragma once
 
 #include "ui/session/document.h"
+#include "ui/session/size_field.h"
 
 #include <QWidget>
 
-#include <memory>
+#include <optional>
 #include <string>
 
 class QLabel;
@@ -68,7 +69,8 @@ private:
     QPushButton* m_add;
 };
 
-/// Takes a size with its tolerance class, 30h6, and fills diameter and limits from it.
+/// Takes a size with its tolerance class, 30h6, says what it means, and fills diameter and limits
+/// from it when it is left or Enter is pressed.
 class SizeHelper : public RowHelper {
     Q_OBJECT
 
@@ -79,12 +81,12 @@ public:
 private:
     void showPart();
     void showTyped();
+    [[nodiscard]] std::optional<TypedSize> toFill() const;
     void fill();
 
     Document& m_document;
     QLabel* m_label;
     QLineEdit* m_size;
-    QPushButton* m_fill;
     QLabel* m_meaning;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/report/report_values.h"
 #include "ui/session/texts.h"
 #include "ui/views/estimate_names.h"
+#include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_model.h"
 #include "ui/views/verdict_shop_text.h"
@@ -29,6 +30,9 @@ std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
         if (!c.holds) {
             lines << verdict::why(outcome, c);
         }
+    }
+    if (const QString off = LimitNames::notChecked(outcome.result.project); !off.isEmpty()) {
+        lines << off + QLatin1Char('.');
     }
     for (const QString& line : lines) {
         blocks.push_back(Paragraph{line});

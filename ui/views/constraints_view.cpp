@@ -240,7 +240,7 @@ void ConstraintsView::showState() {
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
     m_off->clear(); // links take the palette's colour when the text is another
-    m_off->setText(offText());
+    m_off->setText(m_good ? LimitNames::notCheckedLinks(m_good->result.project) : QString());
     m_off->setVisible(m_good && !m_off->text().isEmpty());
     m_splitter->setVisible(m_good != nullptr);
     for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values}) {
@@ -253,24 +253,13 @@ void ConstraintsView::showState() {
     m_legend->setEntries(m_plot->legendEntries());
 }
 
-QString ConstraintsView::offText() const {
-    QStringList links;
-    for (const OffLimit& off :
-         m_good ? LimitNames::off(m_good->result.project) : std::vector<OffLimit>()) {
-        links << QStringLiteral("<a href=\"%1\">%2</a>")
-                     .arg(QString::fromStdString(off.path),
-                          LimitNames::limit(off.kind).toHtmlEscaped());
-    }
-    return links.isEmpty() ? QString() : tr("Off, for want of an input: %1").arg(links.join(u", "));
-}
-
 void ConstraintsView::nameParts() {
     setAccessibleName(tr("Constraints"));
     m_plot->setAccessibleName(tr("Actual feed under its limits"));
     m_legend->setAccessibleName(tr("Legend of the curves"));
     m_notice->setAccessibleName(tr("State of the curves"));
     m_values->setAccessibleName(tr("Values under the mouse"));
-    m_off->setAccessibleName(tr("Limits that are off"));
+    m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements by how much of their limit they use up"));
     m_sheet->setAccessibleName(tr("How the number came about"));
     m_logarithmic->setText(tr("Logarithmic"));

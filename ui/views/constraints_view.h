@@ -72,7 +72,6 @@ private:
     void showState();
     void showSheet();
     void drawIcons();
-    [[nodiscard]] QString offText() const;
     [[nodiscard]] int wantedGroup() const;
     [[nodiscard]] std::optional<ConstraintResult> chosen() const;
 

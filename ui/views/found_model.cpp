@@ -13,15 +13,15 @@
 
 namespace sparkout {
 
-void FoundModel::show(SearchOutcomePtr outcome, std::optional<double> present_s) {
+void FoundModel::show(SearchOutcomePtr outcome, std::optional<double> before_s) {
     beginResetModel();
     m_outcome = std::move(outcome);
-    m_present_s = present_s;
+    m_before_s = before_s;
     endResetModel();
 }
 
-void FoundModel::setPresent(std::optional<double> present_s) {
-    m_present_s = present_s;
+void FoundModel::setBefore(std::optional<double> before_s) {
+    m_before_s = before_s;
     tellAll();
 }
 
@@ -49,9 +49,8 @@ QString FoundModel::text(const FoundCycle& found, int column) const {
     case stages: return QLocale().toString(qulonglong(found.cycle.stages.size()));
     case time: return OptimiseText::minutes(found.time_s);
     case change:
-        return m_present_s && *m_present_s > 0
-                   ? OptimiseText::percent(found.time_s / *m_present_s - 1)
-                   : QStringLiteral("–");
+        return m_before_s && *m_before_s > 0 ? OptimiseText::percent(found.time_s / *m_before_s - 1)
+                                             : QStringLiteral("–");
     case gap:
         return std::isfinite(m_outcome->limit_s)
                    ? OptimiseText::percent(gapToLimit(found.time_s, m_outcome->limit_s))
@@ -122,7 +121,9 @@ QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int ro
     switch (section) {
     case stages: return tr("Number of stages");
     case time: return tr("Machining time");
-    case change: return tr("Against the time of the present cycle");
+    case change:
+        return tr("Against the time of your cycle: the present one, or the one that a cycle found "
+                  "took the place of");
     case gap: return tr("By how much a stepless cycle might at most be quicker");
     case margin: return tr("The least margin of all requirements, of its limit");
     default:
@@ -138,8 +139,8 @@ CsvTable FoundModel::table() const {
     for (int row = 0; row < rowCount(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
         CsvCell toNow;
-        if (m_present_s && *m_present_s > 0) {
-            toNow = 100 * (found.time_s / *m_present_s - 1);
+        if (m_before_s && *m_before_s > 0) {
+            toNow = 100 * (found.time_s / *m_before_s - 1);
         }
         table.rows.push_back(
             {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toNow,

@@ -18,9 +18,9 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// With the time of the present cycle, if it ends by itself.
-    void show(SearchOutcomePtr outcome, std::optional<double> present_s);
-    void setPresent(std::optional<double> present_s); ///< the choice in the table stays
+    /// With the time of the cycle compared with, if it ends by itself.
+    void show(SearchOutcomePtr outcome, std::optional<double> before_s);
+    void setBefore(std::optional<double> before_s); ///< the choice in the table stays
     void retranslate();
     [[nodiscard]] CsvTable table() const; ///< with all digits
 
@@ -36,7 +36,7 @@ private:
     [[nodiscard]] static QString kindOf(const FoundCycle& found);
 
     SearchOutcomePtr m_outcome;
-    std::optional<double> m_present_s;
+    std::optional<double> m_before_s;
 };
 
 } // namespace sparkout

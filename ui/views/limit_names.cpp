@@ -42,7 +42,7 @@ QString LimitNames::limit(ConstraintKind kind) {
     case ConstraintKind::roughness: return tr("roughness of the last cut");
     default: break;
     }
-    return Names::constraint(kind);
+    return Names::inSentence(Names::constraint(kind));
 }
 
 QString LimitNames::group(const LimitGroup& group) {
@@ -84,6 +84,29 @@ std::vector<OffLimit> LimitNames::off(const Project& project) {
         }
     }
     return off;
+}
+
+QString LimitNames::notChecked(const QStringList& names) {
+    return names.isEmpty()
+               ? QString()
+               : tr("Not checked, for want of an input: %1").arg(names.join(QLatin1String(", ")));
+}
+
+QString LimitNames::notChecked(const Project& project) {
+    QStringList names;
+    for (const OffLimit& each : off(project)) {
+        names << limit(each.kind);
+    }
+    return notChecked(names);
+}
+
+QString LimitNames::notCheckedLinks(const Project& project) {
+    QStringList links;
+    for (const OffLimit& each : off(project)) {
+        links << QStringLiteral("<a href=\"%1\">%2</a>")
+                     .arg(QString::fromStdString(each.path), limit(each.kind).toHtmlEscaped());
+    }
+    return notChecked(links);
 }
 
 } // namespace sparkout

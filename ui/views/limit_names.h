@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 #include <string>
 #include <vector>
@@ -26,6 +27,13 @@ public:
     static QString percent(double share);          ///< "87 %"; ">999 %"
     /// What is off of the limits of the feed and of the drawing's tolerances.
     static std::vector<OffLimit> off(const Project& project);
+    /// What is off in a sentence, plain, and as rich text whose links are the inputs' paths. Empty:
+    /// nothing is off.
+    static QString notChecked(const Project& project);
+    static QString notCheckedLinks(const Project& project);
+
+private:
+    static QString notChecked(const QStringList& names);
 };
 
 } // namespace sparkout

@@ -132,6 +132,13 @@ QString Names::constraint(ConstraintKind kind) {
     return {};
 }
 
+QString Names::inSentence(QString name) {
+    if (name.size() > 1 && name[1].isLower() && name.section(u' ', 0, 0).size() > 2) {
+        name[0] = name[0].toLower();
+    }
+    return name;
+}
+
 QString Names::where(const ConstraintResult& constraint) {
     if (constraint.at || constraint.section >= 0) {
         return zone(constraint.zone, constraint.at ? constraint.at->section : constraint.section);

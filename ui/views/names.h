@@ -25,6 +25,8 @@ public:
     static QString place(const Place& place, Operation operation);
     static QString status(RunStatus status);
     static QString constraint(ConstraintKind kind); ///< "Largest diameter"
+    /// A name as it stands within a sentence; a symbol, as Ra, stays.
+    static QString inSentence(QString name);
     /// What it is held against: "RZ1", "whole part", "stage 2", "cycle".
     static QString where(const ConstraintResult& constraint);
     /// A value, limit or margin in the unit of its kind, which constraintUnit() names.

@@ -15,18 +15,6 @@
 
 namespace sparkout {
 
-namespace {
-
-/// A name as it stands within a sentence; a symbol, as Ra, stays.
-QString inSentence(QString name) {
-    if (name.size() > 1 && name[1].isLower() && name.section(u' ', 0, 0).size() > 2) {
-        name[0] = name[0].toLower();
-    }
-    return name;
-}
-
-} // namespace
-
 QString OptimiseText::minutes(double time_s) {
     return Names::significant(time_s / units::secondsPerMinute, 4);
 }
@@ -85,7 +73,7 @@ QString OptimiseText::cycleHint(Operation operation) {
 QString OptimiseText::names(const std::vector<ConstraintKind>& kinds) {
     QStringList names;
     for (const ConstraintKind kind : kinds) {
-        names << inSentence(Names::constraint(kind));
+        names << Names::inSentence(Names::constraint(kind));
     }
     return names.join(QStringLiteral(", "));
 }
@@ -151,14 +139,14 @@ QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
     QStringList names;
     for (const auto& [count, kind] : cuts) {
         names << tr("%1 (%2 times)")
-                     .arg(inSentence(Names::constraint(kind)),
+                     .arg(Names::inSentence(Names::constraint(kind)),
                           QLocale().toString(qlonglong(count)));
     }
     return names.isEmpty() ? QString()
                            : tr("What cut most: %1.").arg(names.join(QStringLiteral(", ")));
 }
 
-QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> present_s) {
+QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> before_s) {
     QStringList lines;
     const FoundCycle* best = outcome.best();
     if (!best) {
@@ -186,12 +174,12 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << tr("Between the levels nothing quicker was found.");
     }
     const double least_s = outcome.refined() ? outcome.refined()->time_s : best->time_s;
-    if (present_s && *present_s > 0) {
+    if (before_s && *before_s > 0) {
         constexpr double noticed = 5e-4;
-        const double change = least_s / *present_s - 1;
+        const double change = least_s / *before_s - 1;
         lines << (change < -noticed
-                      ? tr("That is %1 % less than the present cycle takes.").arg(percent(-change))
-                      : tr("The present cycle takes %1 min.").arg(minutes(*present_s)));
+                      ? tr("That is %1 % less than your cycle takes.").arg(percent(-change))
+                      : tr("Your cycle takes %1 min.").arg(minutes(*before_s)));
     }
     if (outcome.limit_s > 0 && std::isfinite(outcome.limit_s)) {
         lines << tr("The stepless limit is %1 min, %2 % below it.")

@@ -24,8 +24,8 @@ public:
 
     static QString state(const SearchState& state);
     static QString fault(const SearchOutcome& outcome); ///< why nothing could be searched
-    /// What came out, against the time of the present cycle if that ends by itself.
-    static QString answer(const SearchOutcome& outcome, std::optional<double> present_s);
+    /// What came out, against the time of the cycle before if that ends by itself.
+    static QString answer(const SearchOutcome& outcome, std::optional<double> before_s);
 
 private:
     static QString names(const std::vector<ConstraintKind>& kinds);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/optimise_view.h"
 
+#include "core/project/project_file.h"
 #include "ui/session/search_edits.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
@@ -42,10 +43,20 @@ const FoundCycle* OptimiseView::chosen() const {
                : nullptr;
 }
 
-std::optional<double> OptimiseView::present_s() const {
-    return m_good && m_good->result.status == RunStatus::completed
-               ? std::optional(m_good->result.time_s)
+std::optional<double> OptimiseView::before_s() const {
+    return m_before && m_before->result.status == RunStatus::completed
+               ? std::optional(m_before->result.time_s)
                : std::nullopt;
+}
+
+/// Whether the present cycle is one of those that were found.
+bool OptimiseView::isTaken() const {
+    return !m_stale && std::ranges::any_of(m_search->found, [&](const FoundCycle& found) {
+        Project taken = m_good->result.project;
+        setMachine(taken, found.machine);
+        taken.cycle = found.cycle;
+        return sameProject(taken, m_good->result.project);
+    });
 }
 
 // --- searching ----------------------------------------------------------------------------------
@@ -64,8 +75,9 @@ void OptimiseView::showOutcome() {
             m_runner->drop();
         }
         noteStale();
-        m_found->setPresent(present_s());
-        m_times->setSearch(m_search, present_s());
+        m_before = m_before && isTaken() ? m_before : m_good;
+        m_found->setBefore(before_s());
+        m_times->setSearch(m_search, before_s());
         showCurves();
     }
     showState();
@@ -102,8 +114,9 @@ void OptimiseView::forget() {
 }
 
 void OptimiseView::showSearch() {
-    m_found->show(m_search, present_s());
-    m_times->setSearch(m_search, present_s());
+    m_before = m_good;
+    m_found->show(m_search, before_s());
+    m_times->setSearch(m_search, before_s());
     m_trial.reset();
     if (m_search && m_search->best()) {
         m_table->selectRow(0);
@@ -175,8 +188,8 @@ void OptimiseView::fillZones() {
 
 void OptimiseView::showCurves() {
     std::vector<ComparedFeeds> runs;
-    if (m_good && m_wanted < m_good->feeds.columns.size()) {
-        runs.push_back({tr("Present cycle"), {m_good, &m_good->feeds}, m_wanted});
+    if (m_before && m_wanted < m_before->feeds.columns.size()) {
+        runs.push_back({tr("Your cycle"), {m_before, &m_before->feeds}, m_wanted});
         if (m_trial && m_wanted < m_trial->feeds.columns.size()) {
             runs.push_back({tr("Cycle found"), {m_trial, &m_trial->feeds}, m_wanted, 1});
         }
@@ -234,7 +247,7 @@ void OptimiseView::showState() {
 
 QString OptimiseView::hint() const {
     return m_pages->page().plot == m_curves
-               ? tr("Point at a curve to read its values beside those of the present cycle.")
+               ? tr("Point at a curve to read its values beside those of your cycle.")
                : tr("Point at a number of stages to read its time.");
 }
 
@@ -266,7 +279,7 @@ QString OptimiseView::notice() const {
     if (!m_search->ran()) {
         return OptimiseText::fault(*m_search);
     }
-    return OptimiseText::answer(*m_search, present_s());
+    return OptimiseText::answer(*m_search, before_s());
 }
 
 QStringList OptimiseView::heading() const {

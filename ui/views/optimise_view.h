@@ -80,7 +80,8 @@ private:
     void takeCycle(); ///< into the document
     void noteStale();
     [[nodiscard]] const FoundCycle* chosen() const;
-    [[nodiscard]] std::optional<double> present_s() const;
+    [[nodiscard]] std::optional<double> before_s() const;
+    [[nodiscard]] bool isTaken() const;
 
     void showSearch();
     void showCurves();
@@ -108,6 +109,7 @@ private:
     QLabel* m_notice;
     QLabel* m_values;
     OutcomePtr m_good;         ///< the inputs that were accepted last
+    OutcomePtr m_before;       ///< the same, or what a cycle found took the place of
     SearchOutcomePtr m_search; ///< what is shown
     OutcomePtr m_trial;        ///< the run of the chosen cycle
     std::optional<Project> m_searching;

@@ -186,7 +186,7 @@ void OptimiseView::connectParts() {
 
 void OptimiseView::nameParts() {
     setAccessibleName(title());
-    m_curves->setAccessibleName(tr("Feeds and radii of the present cycle and of the one found"));
+    m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
     m_times->setAccessibleName(tr("Machining time over the number of stages"));
     m_legend->setAccessibleName(tr("Legend of the search"));
     m_notice->setAccessibleName(tr("What the search found"));

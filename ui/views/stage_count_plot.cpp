@@ -51,9 +51,9 @@ StageCountPlot::StageCountPlot(QWidget* parent) : ViewPlot(parent) {
     setBuilt();
 }
 
-void StageCountPlot::setSearch(SearchOutcomePtr outcome, std::optional<double> present_s) {
+void StageCountPlot::setSearch(SearchOutcomePtr outcome, std::optional<double> before_s) {
     m_outcome = std::move(outcome);
-    m_present_s = present_s;
+    m_before_s = before_s;
     fill();
     show();
     fit();
@@ -82,8 +82,8 @@ void StageCountPlot::fill() {
         m_curves[key]->addData(from, inMinutes(time_s));
         m_curves[key]->addData(to, inMinutes(time_s));
     };
-    if (m_present_s) {
-        across(present, *m_present_s);
+    if (m_before_s) {
+        across(before, *m_before_s);
     }
     if (std::isfinite(m_outcome->limit_s) && m_outcome->limit_s > 0) {
         across(limit, m_outcome->limit_s);
@@ -130,7 +130,7 @@ QString StageCountPlot::name(Key key) {
     switch (key) {
     case quickest: return tr("quickest cycle");
     case proven: return tr("none is below");
-    case present: return tr("present cycle");
+    case before: return tr("your cycle");
     case limit: break;
     }
     return tr("stepless limit");

@@ -11,16 +11,17 @@
 namespace sparkout {
 
 /// The time of the quickest cycle over its number of stages, above the stepless limit and beside
-/// the time of the present cycle. Where a search was stopped also the time that none is below.
+/// the time of the cycle compared with. Where a search was stopped also the time that none is
+/// below.
 class StageCountPlot : public ViewPlot {
     Q_OBJECT
 public:
-    enum Key { quickest, proven, present, limit };
+    enum Key { quickest, proven, before, limit };
 
     explicit StageCountPlot(QWidget* parent = nullptr);
 
     /// No replot.
-    void setSearch(SearchOutcomePtr outcome, std::optional<double> present_s);
+    void setSearch(SearchOutcomePtr outcome, std::optional<double> before_s);
     void fit();
     void toggleCurve(int key);
     void showOnly(int key);
@@ -38,7 +39,7 @@ private:
     [[nodiscard]] static QString name(Key key);
 
     SearchOutcomePtr m_outcome;
-    std::optional<double> m_present_s;
+    std::optional<double> m_before_s;
     CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     std::array<QCPGraph*, 4> m_curves{}; ///< by Key

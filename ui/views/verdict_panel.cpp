@@ -6,6 +6,7 @@
 #include "ui/metrics.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/light_icon.h"
+#include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 #include "ui/views/result_tables.h"
 #include "ui/views/verdict_model.h"
@@ -67,6 +68,11 @@ void VerdictPanel::build() {
     m_layout->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::gap);
     m_layout->setSpacing(metrics::gap);
     m_status = addText(m_layout, "status");
+    m_off = addText(m_layout, "notChecked");
+    m_off->setTextFormat(Qt::RichText);
+    m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_off, &QLabel::linkActivated, this,
+            [this](const QString& path) { emit pathAsked(path.toStdString()); });
     m_model = new VerdictModel(this);
     m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
     m_layout->addWidget(m_table);
@@ -170,6 +176,9 @@ void VerdictPanel::showTexts() {
          std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table}) {
         w->setVisible(m_good != nullptr);
     }
+    m_off->clear(); // links take the palette's colour when the text is another
+    m_off->setText(m_good ? LimitNames::notCheckedLinks(m_good->result.project) : QString());
+    m_off->setVisible(!m_off->text().isEmpty());
     m_shop->setVisible(m_good && !m_good->shop.stages.empty());
     const ConstraintResult* about = m_good ? explained() : nullptr;
     m_why->setText(about ? verdict::why(*m_good, *about) : QString());
@@ -217,7 +226,7 @@ void VerdictPanel::grey(bool on) {
     if (on) {
         own.setColor(QPalette::WindowText, colour);
     }
-    for (QLabel* label : {m_time, m_status, m_overall, m_why}) {
+    for (QLabel* label : {m_time, m_status, m_overall, m_why, m_off}) {
         label->setPalette(own);
     }
     m_model->setGreyed(on);
@@ -265,6 +274,7 @@ void VerdictPanel::retranslate() {
     m_status->setAccessibleName(tr("End of the cycle"));
     m_overall->setAccessibleName(tr("Verdict on the drawing"));
     m_why->setAccessibleName(tr("Where the value comes from"));
+    m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements of the drawing"));
     m_table->retranslate();
     m_refused->setAccessibleName(tr("Fields that hold a refused text"));

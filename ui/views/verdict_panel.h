@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <string>
 
 class QLabel;
 class QVBoxLayout;
@@ -39,6 +40,8 @@ public slots:
 signals:
     /// A requirement was clicked, or Enter pressed on it.
     void requirementActivated(const sparkout::ConstraintResult& requirement);
+    /// The input was asked for that turns a requirement on.
+    void pathAsked(const std::string& path);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -65,6 +68,7 @@ private:
     QLabel* m_light = nullptr;
     QLabel* m_overall = nullptr;
     QLabel* m_why = nullptr;
+    QLabel* m_off = nullptr; ///< what is not checked
     QVBoxLayout* m_layout = nullptr;
     CopyTable* m_table = nullptr;
     VerdictModel* m_model = nullptr;
