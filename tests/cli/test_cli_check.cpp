@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exit status of a cycle that misses its size or a requirement.
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
+#include "tests/cli/cli_bench.h"
+#include "tests/registry.h"
+
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+
+namespace test_cli_check {
+
+using namespace sparkout;
+using namespace cli;
+using nlohmann::json;
+
+class TestCliCheck : public FolderTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+        m_stuck = save("stuck.sparkout", stuckProject().dump());
+        m_strict = save("strict.sparkout", strictProject().dump());
+    }
+
+    void cannotReachSizeExits3() {
+        const Outcome outcome = run({"simulate", m_stuck, "--json"});
+        QCOMPARE(outcome.status, 3);
+        QVERIFY(json::parse(outcome.out).at("status") == json("cannot_reach_size"));
+        QVERIFY(outcome.err.find("cannot reach size") != std::string::npos);
+    }
+
+    void checkExits4WhenARequirementFails() {
+        QCOMPARE(run({"simulate", m_strict, "--check"}).status, 4);
+        QCOMPARE(run({"simulate", m_strict}).status, 0);
+        json loose = samples::sample("complete");
+        loose["part"]["lower_deviation_um"] = -200;
+        loose["part"]["upper_deviation_um"] = 200;
+        loose["part"]["tolerance"]["radial_runout_um"] = 900;
+        QCOMPARE(run({"simulate", save("loose.sparkout", loose.dump()), "--check"}).status, 0);
+    }
+
+    void checkExits4ForEachRequirement_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<double>("holds");
+        QTest::addColumn<double>("fails");
+        QStringList named;
+        const auto row = [&named](const char* name, const char* path, double holds, double fails) {
+            QTest::newRow(name) << name << path << holds << fails;
+            named += name;
+        };
+        row("diameter_min", "/part/lower_deviation_um", -200, 100);
+        row("diameter_max", "/part/upper_deviation_um", 200, -100);
+        row("radial_runout", "/part/tolerance/radial_runout_um", 50, 1e-9);
+        row("roundness", "/part/tolerance/roundness_um", 50, 1e-9);
+        row("cylindricity", "/part/tolerance/cylindricity_um", 50, 1e-9);
+        row("total_runout", "/part/tolerance/total_runout_um", 50, 1e-9);
+        row("roughness", "/part/tolerance/roughness_ra_um", 50, 1e-6);
+        row("burn", "/material/burn_rise_k", 3000, 50);
+        row("self_sharpening", "/wheel/grains_per_mm2", 1000, 0.01);
+        row("wheel_power", "/machine/wheel_drive_kw", 100, 0.001);
+        row("work_power", "/machine/work_drive_kw", 100, 0.00001);
+        row("range_radial_feed", "/machine/limits/radial_feed_mm/1", 0.02, 0.002);
+        row("range_axial_feed", "/machine/limits/axial_feed_mm_min/1", 5000, 400);
+        row("range_plunge_feed", "/machine/limits/plunge_feed_mm_min/1", 5, 0.1);
+        row("range_work_speed", "/machine/limits/work_speed_rpm/1", 500, 100);
+        row("gauge_commands", "/gauge/commands", 5, 1);
+        for (int kind = 0; kind < constraintKinds; ++kind) {
+            QVERIFY(named.contains(constraintName(static_cast<ConstraintKind>(kind))));
+        }
+    }
+
+    /// The program's status on either side of a limit, as near to it as a double comes.
+    void checkExits4ForEachRequirement() {
+        QFETCH(QString, name);
+        QFETCH(QString, path);
+        QFETCH(double, holds);
+        QFETCH(double, fails);
+        QVERIFY(requirementHolds(path, holds));
+        QVERIFY(!requirementHolds(path, fails));
+        const bool whole = path == "/gauge/commands";
+        for (double middle = (holds + fails) / 2;
+             middle != holds && middle != fails && !(whole && holds - fails <= 1);
+             middle = (holds + fails) / 2) {
+            middle = whole ? std::floor(middle) : middle;
+            (requirementHolds(path, middle) ? holds : fails) = middle;
+        }
+        for (const double limit : {holds, fails}) {
+            const QString saved = save("one.sparkout", withOneRequirement(path, limit).dump());
+            const Outcome outcome = run({"simulate", saved, "--check", "--json"});
+            QCOMPARE(outcome.status, limit == holds ? 0 : 4);
+            bool listed = false;
+            const json answer = json::parse(outcome.out);
+            for (const json& constraint : answer.at("constraints")) {
+                const bool found = constraint.at("name") == name.toStdString();
+                listed = listed || found;
+                QVERIFY(constraint.at("ok") == (!found || limit == holds));
+            }
+            QVERIFY(listed);
+        }
+    }
+
+private:
+    /// A project in which one requirement may fail, at the limit given.
+    static json withOneRequirement(const QString& path, double limit) {
+        json file = samples::sample("complete");
+        file["part"]["lower_deviation_um"] = -200;
+        file["part"]["upper_deviation_um"] = 200;
+        file["part"]["target_diameter_mm"] = 30;
+        file["part"]["tolerance"] = json::object();
+        file["material"]["burn_rise_k"] = nullptr;
+        file["machine"]["wheel_drive_kw"] = nullptr;
+        const json limits = file["machine"]["limits"];
+        file["machine"]["limits"] = json::object();
+        if (path.startsWith("/machine/limits/")) {
+            const std::string range = path.section('/', 3, 3).toStdString();
+            file["machine"]["limits"][range] = limits.at(range);
+        }
+        if (path.startsWith("/wheel/")) {
+            for (const auto& [key, value] :
+                 {std::pair("grain_surface_energy_j_m2", 20.0),
+                  std::pair("grain_modulus_gpa", 380.0), std::pair("bond_surface_energy_j_m2", 5.0),
+                  std::pair("bond_modulus_gpa", 70.0)}) {
+                file["wheel"][key] = value;
+            }
+        }
+        json& place = file[json::json_pointer(path.toStdString())];
+        if (path == "/gauge/commands") {
+            place = static_cast<int>(limit);
+        } else {
+            place = limit;
+        }
+        return file;
+    }
+
+    static bool requirementHolds(const QString& path, double limit) {
+        const Project project = readProject(withOneRequirement(path, limit).dump()).project.value();
+        const std::vector<ConstraintResult> all = evaluateConstraints(simulate(project));
+        return std::all_of(all.begin(), all.end(),
+                           [](const ConstraintResult& constraint) { return constraint.holds; });
+    }
+
+    QString m_stuck, m_strict;
+};
+
+} // namespace test_cli_check
+
+SPARKOUT_TEST(test_cli_check, TestCliCheck)
+#include "test_cli_check.moc"

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the command line refuses, and in which words: usage, unreadable and faulty files.
+#include "core/project/safe_file.h"
+#include "core/version.h"
+#include "tests/cli/cli_bench.h"
+#include "tests/registry.h"
+
+#include <clocale>
+#include <filesystem>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace test_cli_refusals {
+
+using namespace sparkout;
+using namespace cli;
+
+class TestCliRefusals : public FolderTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+    }
+
+    void usageErrors_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("nothing") << QStringList{};
+        QTest::newRow("empty") << QStringList{""};
+        QTest::newRow("unknown command") << QStringList{"grind", "a"};
+        QTest::newRow("no file") << QStringList{"simulate"};
+        QTest::newRow("no file to validate") << QStringList{"validate"};
+        QTest::newRow("no folder") << QStringList{"examples"};
+        QTest::newRow("empty file name") << QStringList{"simulate", ""};
+        QTest::newRow("two files") << QStringList{"simulate", "a", "b"};
+        QTest::newRow("unknown option") << QStringList{"simulate", "a", "--jsom"};
+        QTest::newRow("option of another command") << QStringList{"validate", "a", "--json"};
+        QTest::newRow("no trace file") << QStringList{"simulate", "a", "--trace"};
+        QTest::newRow("empty trace file") << QStringList{"simulate", "a", "--trace", ""};
+        QTest::newRow("help of a command") << QStringList{"simulate", "--help"};
+    }
+
+    void usageErrors() {
+        QFETCH(QStringList, arguments);
+        const Outcome outcome = run(arguments);
+        QVERIFY2(isUsageError(outcome), outcome.text().c_str());
+    }
+
+    void helpAndVersionSucceed() {
+        const Outcome help = run({"--help"});
+        QCOMPARE(help.status, 0);
+        for (const char* word : {"simulate", "validate", "examples", "--trace", "Exit status"}) {
+            QVERIFY2(help.out.find(word) != std::string::npos, word);
+        }
+        QCOMPARE(run({"--version"}).out, "sparkout-cli " + std::string(version) + "\n");
+    }
+
+    void validFilesPass_data() {
+        QTest::addColumn<QString>("file");
+        for (const std::string& name : samples::names()) {
+            QTest::newRow(name.c_str()) << samplePath(name);
+        }
+    }
+
+    void validFilesPass() {
+        QFETCH(QString, file);
+        const Outcome outcome = run({"validate", file});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(outcome.out.empty());
+        const Issues warnings = readProject(samples::readText(file.toStdString())).issues;
+        QCOMPARE(lines(outcome.err), warnings.size());
+    }
+
+    void refusedFileNamesPathValueAndRange() {
+        json file = samples::sample("smallest-plunge");
+        file["wheel"]["width_mm"] = 2000;
+        file["part"]["profile"] = "square";
+        file["machine"].erase("work_speed_rpm");
+        const QString path = save("three.sparkout", file.dump());
+        for (const char* command : {"validate", "simulate"}) {
+            const Outcome outcome = run({command, path});
+            QCOMPARE(outcome.status, 1);
+            QVERIFY(outcome.out.empty());
+            QCOMPARE(lines(outcome.err), std::size_t{3});
+            for (const char* expected :
+                 {": /wheel/width_mm: 2000 mm is out of range; allowed: 0.5…1000 mm\n",
+                  ": /part/profile: \"square\" is not one of the choices; allowed: \"ellipse\", "
+                  "\"eccentric\", \"lobes\", \"measured\"\n",
+                  ": /machine/work_speed_rpm: this value is required; allowed: 0.1…10000 "
+                  "rev/min\n"}) {
+                QVERIFY2(outcome.err.find(path.toStdString() + expected) != std::string::npos,
+                         outcome.err.c_str());
+            }
+        }
+    }
+
+    void unreadableFilesExit1_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("missing") << m_folder.filePath("no such file");
+        QTest::newRow("no such folder") << m_folder.filePath("no/such/file");
+        QTest::newRow("directory") << m_folder.path();
+        QTest::newRow("device") << "/dev/null";
+        QTest::newRow("endless device") << "/dev/zero";
+        QTest::newRow("name too long") << m_folder.filePath(QString(300, 'x'));
+        QTest::newRow("a dash") << "-";
+        const QString fifo = m_folder.filePath("fifo");
+        mkfifo(fifo.toUtf8(), 0600);
+        QTest::newRow("FIFO") << fifo;
+        if (geteuid() != 0) {
+            const QString locked = save("locked.sparkout", "{}");
+            chmod(locked.toUtf8(), 0);
+            QTest::newRow("not permitted") << locked;
+        }
+    }
+
+    void unreadableFilesExit1() {
+        QFETCH(QString, file);
+        for (const char* command : {"validate", "simulate"}) {
+            const Outcome outcome = run({command, file});
+            QCOMPARE(outcome.status, 1);
+            QCOMPARE(lines(outcome.err), std::size_t{1});
+            QVERIFY2(outcome.err.starts_with(file.toStdString() + ": "), outcome.err.c_str());
+        }
+    }
+
+    void hostileFilesAreRefusedLineByLine_data() {
+        QTest::addColumn<QString>("file");
+        for (const auto& entry :
+             std::filesystem::directory_iterator(samples::sourcePath("tests/data/hostile"))) {
+            QTest::newRow(entry.path().filename().c_str()) << QString::fromStdString(entry.path());
+        }
+        QTest::newRow("10 MB of [") << save("nested.sparkout", std::string(10'000'000, '['));
+        QTest::newRow("32 MB + 1")
+            << save("large.sparkout", std::string(limits::fileBytes + 1, ' '));
+    }
+
+    void hostileFilesAreRefusedLineByLine() {
+        QFETCH(QString, file);
+        const Outcome outcome = run({"validate", file});
+        const std::string content = samples::readText(file.toStdString());
+        const bool accepted = file.contains("/accepted");
+        QCOMPARE(outcome.status, accepted ? 0 : 1);
+        const bool tooLarge = content.size() > limits::fileBytes;
+        QCOMPARE(lines(outcome.err), tooLarge ? 1 : readProject(content).issues.size());
+        for (const std::string& line : split(outcome.err, '\n')) {
+            QVERIFY2(line.starts_with(file.toStdString() + ": "), line.c_str());
+            QVERIFY2(std::none_of(line.begin(), line.end(),
+                                  [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
+                     line.c_str());
+            QVERIFY2(line.find("\u202e") == std::string::npos, line.c_str());
+        }
+    }
+
+    void aFloodOfFaultsIsCutAndSaysSo() {
+        json file = samples::sample("smallest-plunge");
+        for (int i = 0; i < 5000; ++i) {
+            file["k" + std::to_string(i)] = i;
+        }
+        const Outcome outcome = run({"validate", save("flood.sparkout", file.dump())});
+        QCOMPARE(outcome.status, 1);
+        QCOMPARE(lines(outcome.err), limits::issues + 1);
+        QVERIFY(outcome.err.ends_with("no further faults are listed\n"));
+    }
+};
+
+} // namespace test_cli_refusals
+
+SPARKOUT_TEST(test_cli_refusals, TestCliRefusals)
+#include "test_cli_refusals.moc"

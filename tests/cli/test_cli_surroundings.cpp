@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever the program is called with and wherever: outputs, environments, folders, arguments.
+#include "tests/cli/cli_bench.h"
+#include "tests/registry.h"
+
+#include <clocale>
+#include <filesystem>
+#include <map>
+#include <random>
+
+namespace test_cli_surroundings {
+
+using namespace sparkout;
+using namespace cli;
+
+class TestCliSurroundings : public FolderTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+        m_stuck = save("stuck.sparkout", stuckProject().dump());
+        m_strict = save("strict.sparkout", strictProject().dump());
+    }
+
+    void outputThatIsNotTakenExits1() {
+        QProcess full;
+        full.setStandardOutputFile("/dev/full");
+        full.start(SPARKOUT_CLI, {"simulate", samplePath("complete"), "--json"});
+        const Outcome outcome = outcomeOf(full);
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.err.find("standard output cannot be written") != std::string::npos);
+        // A closed pipe: the reader is gone before the program starts.
+        const QString status = m_folder.filePath("status");
+        QProcess shell;
+        shell.start("/bin/sh",
+                    {"-c", R"({ sleep 0.3; "$0" simulate "$1" --json; echo $? >"$2"; } | :)",
+                     SPARKOUT_CLI, samplePath("complete"), status});
+        QVERIFY(shell.waitForFinished());
+        QCOMPARE(samples::readText(status.toStdString()), std::string("1\n"));
+    }
+
+    void environmentChangesNothing_data() {
+        QTest::addColumn<QStringList>("environment");
+        QTest::newRow("ru_RU") << QStringList{"LC_ALL=ru_RU.UTF-8", "LANG=ru_RU.UTF-8"};
+        QTest::newRow("de_DE") << QStringList{"LC_ALL=de_DE.UTF-8"};
+        QTest::newRow("tr_TR") << QStringList{"LC_ALL=tr_TR.UTF-8"};
+        QTest::newRow("ar_EG") << QStringList{"LC_ALL=ar_EG.UTF-8"};
+        QTest::newRow("C") << QStringList{"LC_ALL=C"};
+        QTest::newRow("next to nothing") << QStringList{"X=1"};
+        QTest::newRow("no HOME, odd TZ")
+            << QStringList{"HOME=/nonexistent", "TZ=Asia/Kathmandu", "TMPDIR=/nonexistent"};
+    }
+
+    void environmentChangesNothing() {
+        QFETCH(QStringList, environment);
+        const QString bad =
+            QString::fromStdString(samples::sourcePath("tests/data/hostile/many-faults.sparkout"));
+        const QString here = m_folder.filePath("here.csv");
+        const QString there = m_folder.filePath("there.csv");
+        for (QStringList arguments : {QStringList{"simulate", samplePath("complete"), "--json"},
+                                      QStringList{"simulate", samplePath("internal-plunge")},
+                                      QStringList{"validate", bad}}) {
+            QCOMPARE(run(arguments, environment).text(), run(arguments).text());
+        }
+        run({"simulate", samplePath("smallest-plunge"), "--trace", here});
+        run({"simulate", samplePath("smallest-plunge"), "--trace", there}, environment);
+        QVERIFY(samples::readText(here.toStdString()) == samples::readText(there.toStdString()));
+    }
+
+    void examplesAreWrittenAndRun() {
+        const QString folder = m_folder.filePath("examples");
+        const Outcome outcome = run({"examples", folder});
+        QCOMPARE(outcome.status, 0);
+        std::size_t shipped = 0;
+        for (const auto& entry :
+             std::filesystem::directory_iterator(samples::sourcePath("resources/examples"))) {
+            if (entry.path().extension() != ".sparkout") {
+                continue;
+            }
+            ++shipped;
+            const QString file = folder + '/' + QString::fromStdString(entry.path().filename());
+            QCOMPARE(samples::readText(file.toStdString()), samples::readText(entry.path()));
+            const Outcome valid = run({"validate", file});
+            QVERIFY2(valid.status == 0, valid.err.c_str());
+            const Outcome simulated = run({"simulate", file});
+            QVERIFY2(simulated.status == 0, simulated.err.c_str());
+        }
+        QCOMPARE(lines(outcome.out), shipped);
+        QVERIFY(shipped > 0);
+        QCOMPARE(run({"examples", m_folder.filePath("no/such/folder")}).status, 1);
+        QCOMPARE(run({"examples", samplePath("complete")}).status, 1);
+    }
+
+    void randomArgumentsEndInADocumentedStatus() {
+        std::map<QString, std::string> projects; // copies: whatever is done to them shows
+        for (const char* name : {"smallest-plunge", "complete", "internal-plunge"}) {
+            const std::string text = samples::readText(samplePath(name).toStdString());
+            projects[save(QString("random-%1.sparkout").arg(name), text)] = text;
+        }
+        const auto copy = [this](const char* name) {
+            return m_folder.filePath(QString("random-%1.sparkout").arg(name));
+        };
+        const QStringList words{
+            "simulate",
+            "simulate",
+            "simulate",
+            "validate",
+            "validate",
+            "examples",
+            "batch",
+            "batch-merge",
+            "--json",
+            "--json",
+            "--csv",
+            "--shard",
+            "1/2",
+            "--measured",
+            "--scenarios",
+            "corners",
+            "--check",
+            "--trace",
+            "--help",
+            "--version",
+            "-",
+            "--",
+            "-o",
+            "--parts",
+            "",
+            " ",
+            ".",
+            "..",
+            "/dev/null",
+            "Ж",
+            "磨🛠",
+            "\x01\x02",
+            "%s%n",
+            "-1",
+            QString(5000, 'x'),
+            "a b",
+            "$(id)",
+            copy("smallest-plunge"),
+            copy("smallest-plunge"),
+            copy("complete"),
+            copy("internal-plunge"),
+            m_stuck,
+            m_strict,
+            m_folder.path(),
+            m_folder.filePath("out.csv"),
+            QString::fromStdString(samples::sourcePath("tests/data/hostile/truncated.sparkout"))};
+        std::mt19937 random(20250101);
+        std::map<int, int> statuses;
+        const int jobs = samples::sized(1000, 100, 10'000);
+        for (int i = 0; i < jobs; ++i) {
+            QStringList arguments;
+            if (random() % 2 == 0) { // half of them begin well
+                arguments << words[static_cast<qsizetype>(random() % 8)]
+                          << words[words.size() - 1 - static_cast<qsizetype>(random() % 9)];
+            }
+            for (unsigned n = random() % 4; n > 0; --n) {
+                arguments << words[static_cast<qsizetype>(random()
+                                                          % static_cast<unsigned>(words.size()))];
+            }
+            QProcess process;
+            process.setWorkingDirectory(m_folder.path());
+            process.setStandardInputFile(QProcess::nullDevice());
+            process.start(SPARKOUT_CLI, arguments);
+            const Outcome outcome = outcomeOf(process);
+            QVERIFY2(outcome.status >= 0 && outcome.status <= 4, qPrintable(arguments.join('|')));
+            QVERIFY2(outcome.status == 0 || outcome.status == 4 || !outcome.err.empty(),
+                     qPrintable(arguments.join('|')));
+            QVERIFY2(outcome.status != 2 || outcome.out.empty(), qPrintable(arguments.join('|')));
+            ++statuses[outcome.status];
+        }
+        for (const auto& [path, text] : projects) {
+            QCOMPARE(samples::readText(path.toStdString()), text);
+        }
+        qInfo("CHECK 28 jobs %d: done %d, refused %d, usage %d, no size %d, fails %d PASS", jobs,
+              statuses[0], statuses[1], statuses[2], statuses[3], statuses[4]);
+    }
+
+private:
+    QString m_stuck, m_strict;
+};
+
+} // namespace test_cli_surroundings
+
+SPARKOUT_TEST(test_cli_surroundings, TestCliSurroundings)
+#include "test_cli_surroundings.moc"
