@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+/// What the reference simulation reads from a project, and carries from pass to pass.
+namespace reference {
+
+using Real = long double;
+
+inline constexpr Real pi = std::numbers::pi_v<Real>;
+
+enum class StageEnd { Threshold, Count, Size }; // Count and Size are spark-out stages
+
+/// A stage as the cycle runs it.
+struct Stage {
+    Real radial_feed = 0; // traverse: mm per double stroke; plunge: mm/min; spark-out: 0
+    Real axial_feed = 0;  // mm/min, traverse only
+    Real stock = 0;       // Π_z [mm]
+    StageEnd end = StageEnd::Threshold;
+    int count = 0; // length of a spark-out by count
+};
+
+/// A zone or a section: all it carries from pass to pass is its radii.
+struct Body {
+    Real gamma = 0;           // γ [mm/N]
+    std::vector<Real> radius; // R_k [mm]
+    bool reported = true;     // false: the extra section of a gauge in a free position
+    Real length = 0;          // of the surface it stands for [mm]
+};
+
+/// What a stage adds up to; energy in N·m, time in min.
+struct Sums {
+    Real volume = 0, energy = 0, time = 0, ground = 0;
+    Real a = 0, P_y = 0, P_z = 0; // the largest
+};
+
+/// The inputs of a cycle, and how far it has come.
+struct Cycle {
+    // the inputs
+    bool traverse = false;
+    bool internal = false;
+    Real d = 0, R_t = 0;                    // nominal diameter, target radius [mm]
+    Real R_max0 = 0, R_min0 = 0;            // largest and smallest radius of the blank [mm]
+    int K = 0;                              // radii per section
+    Real length = 0, B = 0, o1 = 0, o2 = 0; // [mm]
+    Real n = 0;                             // [rev/min]
+    Real S_rad = 0;                         // plunge-in feed [mm/min]
+    Real V_k = 0;                           // [m/s]
+    Real k_s = 0, k_r = 0;                  // normal force [N/mm², N/mm^1.5]
+    Real z_s = 0, z_r = 0;                  // tangential force, the same way
+    long long N1 = 0, N2 = 0;               // dwells [rev]
+    bool position_control = false;
+    std::string rule;
+    Real geometric_runout_um = 0;
+    std::vector<Stage> stages;
+    std::size_t gauge = 0; // the body that carries the gauge
+
+    // the state
+    std::vector<Body> bodies;
+    Real t_P = 0;      // accumulated programmed infeed [mm]
+    std::size_t z = 0; // the stage
+    int passes_in_stage = 0;
+    Real largest_removal = 0; // since the pass (double stroke or revolution) began [mm]
+    int idle_revolutions = 0;
+    long long visits = 0;
+    Real peak_P_y = 0, peak_P_z = 0; // [N]
+    Real time = 0;                   // [min]
+    std::vector<Sums> sums;          // stage by stage
+};
+
+/// The cycle of a project before its first pass.
+Cycle readCycle(const nlohmann::json& project);
+
+} // namespace reference
