@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The requirements in the verdict panel: chosen, explained, led to their input.
+#include "core/project/project_file.h"
+#include "tests/registry.h"
+#include "tests/ui/verdict_bench.h"
+#include "ui/views/names.h"
+#include "ui/views/verdict_model.h"
+#include "ui/views/verdict_why.h"
+
+#include <QRegularExpression>
+#include <QSignalSpy>
+
+#include <clocale>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace test_verdict_requirements {
+
+using namespace sparkout;
+using namespace verdict_bench;
+using verdict_bench::Bench;
+
+class TestVerdictRequirements : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        std::setlocale(LC_NUMERIC, "C");
+        QLocale::setDefault(QLocale::c());
+        m_traverse = run(traverseProject());
+        m_plunge = run(plungeProject(20));
+    }
+
+    void aClickOrEnterOnARequirementTellsWhichItIs() {
+        Bench bench(m_traverse, {320, 1400});
+        QSignalSpy spy(&bench.panel, &VerdictPanel::requirementActivated);
+        CopyTable& table = bench.requirements();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 0));
+        QCOMPARE(spy.count(), 0); // the name of a zone
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 6));
+        QCOMPARE(spy.count(), 1);
+        const auto clicked = spy.takeFirst().at(0).value<ConstraintResult>();
+        QCOMPARE(clicked.zone, Zone::nz);
+        QCOMPARE(clicked.kind, ConstraintKind::diameterMax);
+        QTest::keyClick(&table, Qt::Key_Down);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(spy.takeFirst().at(0).value<ConstraintResult>().kind,
+                 ConstraintKind::radialRunout);
+    }
+
+    void whatFailsIsExplainedWithSharesThatAddUp() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 0;
+        project.part.lower_deviation_um = -2;
+        const OutcomePtr outcome = run(project);
+        const ConstraintResult* worst = verdict::worst(*outcome);
+        QVERIFY(worst && !worst->holds);
+        Bench bench(outcome);
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(Names::signedMicrometres(worst->value)), qPrintable(text));
+        // "…: gauge +a µm; zone +b µm (…); out of round +c µm."
+        static const QRegularExpression share(QStringLiteral("([+−-]?[0-9.]+) µm"));
+        QList<double> numbers;
+        auto found = share.globalMatch(text);
+        while (found.hasNext()) {
+            numbers << found.next().captured(1).replace(u'−', u'-').toDouble();
+        }
+        QCOMPARE(numbers.size(), 4);
+        QVERIFY(std::abs(numbers[1] + numbers[2] + numbers[3] - numbers[0]) < 0.03); // of 0.01 each
+    }
+
+    void aSettingIsSetWhereItsRequirementLeads() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            Project project =
+                operation == Operation::traverse ? traverseProject() : plungeProject(3);
+            project.machine.limits.radial_feed_mm = std::vector<double>{0, 1, 0.001};
+            project.machine.limits.axial_feed_mm_min = std::vector<double>{0, 1e4, 1};
+            project.machine.limits.plunge_feed_mm_min = std::vector<double>{0, 10, 0.01};
+            project.machine.limits.work_speed_rpm = std::vector<double>{10, 1000, 1};
+            const OutcomePtr outcome = run(project);
+            QVERIFY(outcome->ran());
+            const auto file = nlohmann::json::parse(writeProject(project));
+            int settings = 0;
+            for (const ConstraintResult& c : outcome->constraints) {
+                const std::string path = verdict::inputPath(c);
+                QCOMPARE(!path.empty(), scopeOf(c.kind) == ConstraintScope::setting);
+                if (path.empty() || c.kind == ConstraintKind::gaugeCommands) {
+                    continue; // its value is what the stages need
+                }
+                const nlohmann::json::json_pointer pointer(path);
+                QVERIFY2(file.contains(pointer), path.c_str());
+                QCOMPARE(file.at(pointer).get<double>(), c.value);
+                ++settings;
+            }
+            QVERIFY(settings >= 3);
+        }
+    }
+
+    void aRowThatHoldsIsExplainedWhenChosen() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 100;
+        project.part.lower_deviation_um = -100;
+        project.part.tolerance.radial_runout_um = 100;
+        Bench bench(run(project), {320, 1400});
+        QVERIFY(bench.label("why").text().isEmpty());
+        CopyTable& table = bench.requirements();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 3));
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(QStringLiteral("Radial runout")), qPrintable(text));
+        QVERIFY(text.contains(Names::micrometres(project.part.initial_runout_mm * 1e3)));
+    }
+
+    void refusedTextsInTheInputsAreSaid() {
+        Bench bench(m_traverse);
+        QLabel& notice = bench.label("refusedFields");
+        QVERIFY(!notice.isVisible());
+        bench.panel.setRefusedFields(2);
+        QVERIFY(notice.isVisible() && isInSight(notice, bench.panel));
+        QCOMPARE(notice.text(), QStringLiteral("2 fields hold a refused text; the verdict is of "
+                                               "the values before it."));
+        bench.show(m_plunge); // a newer run of the values before it says nothing else
+        QVERIFY(notice.isVisible());
+        bench.panel.setRefusedFields(0);
+        QVERIFY(!notice.isVisible());
+    }
+
+private:
+    OutcomePtr m_traverse, m_plunge;
+};
+
+} // namespace test_verdict_requirements
+
+SPARKOUT_TEST(test_verdict_requirements, TestVerdictRequirements)
+#include "test_verdict_requirements.moc"
