@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/number_field.h"
+#include "ui/inputs/stage_table.h"
+#include "ui/session/document.h"
+#include "ui/session/operation.h"
+
+#include <QComboBox>
+#include <QTableView>
+#include <QTest>
+
+#include <vector>
+
+/// The table of the stages beside a document of its own.
+namespace stage_table_bench {
+
+using namespace sparkout;
+
+struct Bench {
+    explicit Bench(Operation operation = Operation::traverse) : table(document) {
+        table.resize(340, 400);
+        table.show();
+        document.startUntitled(newProject(operation));
+        table.view().setFocus();
+    }
+    [[nodiscard]] const std::vector<Stage>& stages() const {
+        return document.project().cycle.stages;
+    }
+    void select(int row, int column) {
+        table.view().setCurrentIndex(table.view().model()->index(row, column));
+    }
+    [[nodiscard]] NumberField* openEditor() {
+        QTest::keyClick(&table.view(), Qt::Key_F2);
+        return table.view().findChild<NumberField*>();
+    }
+    [[nodiscard]] double stockSum() const {
+        double sum = 0;
+        for (const Stage& stage : stages()) {
+            sum += stage.stock_mm;
+        }
+        return sum;
+    }
+    Document document;
+    StageTable table;
+};
+
+/// Opens the spark-out of the last stage; its choice of what to do.
+inline QComboBox* sparkOutEditor(Bench& bench) {
+    const int row = int(bench.stages().size()) - 1;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // an editor closed before
+    bench.select(row, bench.table.view().model()->columnCount() - 2);
+    QTest::keyClick(&bench.table.view(), Qt::Key_F2);
+    return bench.table.view().findChild<QComboBox*>();
+}
+
+} // namespace stage_table_bench
