@@ -3,6 +3,7 @@
 #include "core/project/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/verdict_bench.h"
+#include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_model.h"
 #include "ui/views/verdict_why.h"
@@ -47,6 +48,33 @@ private slots:
         QCOMPARE(spy.count(), 1);
         QCOMPARE(spy.takeFirst().at(0).value<ConstraintResult>().kind,
                  ConstraintKind::radialRunout);
+    }
+
+    void whatIsNotCheckedIsNamedAndLeadsToItsField() {
+        Bench bench(m_traverse, {320, 1400});
+        QLabel& off = bench.label("notChecked");
+        QVERIFY(off.isVisible());
+        QVERIFY2(off.text().contains(QStringLiteral("burn")), qPrintable(off.text()));
+        QSignalSpy asked(&bench.panel, &VerdictPanel::pathAsked);
+        off.setFocus();
+        for (const OffLimit& each : LimitNames::off(m_traverse->result.project)) {
+            QTest::keyClick(&off, Qt::Key_Tab);
+            QTest::keyClick(&off, Qt::Key_Return);
+            QCOMPARE(asked.size(), 1);
+            QCOMPARE(asked.takeFirst().first().value<std::string>(), each.path);
+        }
+        Project whole = traverseProject();
+        whole.part.tolerance = {6, 4, 5, 8, 1.25};
+        whole.material.burn_rise_k = 600;
+        whole.wheel.grain_surface_energy_j_m2 = whole.wheel.bond_surface_energy_j_m2 = 10;
+        whole.wheel.grain_modulus_gpa = whole.wheel.bond_modulus_gpa = 300;
+        whole.machine.wheel_drive_kw = 10;
+        bench.show(run(whole));
+        QVERIFY(off.text().contains(QStringLiteral("work drive")));
+        QVERIFY(!off.text().contains(QStringLiteral("burn")));
+        whole.machine.work_drive_kw = 1;
+        bench.show(run(whole));
+        QVERIFY(!off.isVisible());
     }
 
     void whatFailsIsExplainedWithSharesThatAddUp() {
