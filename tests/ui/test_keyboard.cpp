@@ -17,6 +17,7 @@
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -247,7 +248,11 @@ private slots:
                     panels += panel;
                 }
             }
-            QTest::keyClick(bench.window->focusWidget(), Qt::Key_Tab);
+            const auto* text = qobject_cast<const QLabel*>(focus); // Tab goes from link to link
+            qsizetype links = text ? text->text().count(QStringLiteral("<a ")) : 0;
+            do {
+                QTest::keyClick(bench.window->focusWidget(), Qt::Key_Tab);
+            } while (QApplication::focusWidget() == focus && links-- > 0);
             QVERIFY2(QApplication::focusWidget() != focus, qPrintable(pathOf(focus)));
         } while (QApplication::focusWidget() != first && ++steps < 500);
         QVERIFY(steps < 500);
