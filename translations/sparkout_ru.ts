@@ -8589,8 +8589,8 @@ mm/min</source>
             <translation>Время, мин</translation>
         </message>
         <message>
-            <source>To now, %</source>
-            <translation>К текущему, %</translation>
+            <source>To yours, %</source>
+            <translation>К исходному, %</translation>
         </message>
         <message>
             <source>Gap, %</source>

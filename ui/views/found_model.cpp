@@ -109,7 +109,7 @@ QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int ro
         switch (section) {
         case stages: return tr("Stages");
         case time: return tr("Time, min");
-        case change: return tr("To now, %");
+        case change: return tr("To yours, %");
         case gap: return tr("Gap, %");
         case margin: return tr("Margin, %");
         default: return tr("Cycle");
@@ -134,7 +134,7 @@ QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int ro
 
 CsvTable FoundModel::table() const {
     CsvTable table;
-    table.header << tr("Stages") << tr("Time, min") << tr("To now, %") << tr("Gap, %")
+    table.header << tr("Stages") << tr("Time, min") << tr("To yours, %") << tr("Gap, %")
                  << tr("Margin, %") << tr("Cycle");
     for (int row = 0; row < rowCount(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
