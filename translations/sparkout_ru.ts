@@ -4433,6 +4433,10 @@ target, µm</source>
             <source>at the end</source>
             <translation>в конце</translation>
         </message>
+        <message>
+            <source>–: of so few values it would be the smallest or the largest.</source>
+            <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
+        </message>
     </context>
     <context>
         <name>ProfileCsv</name>
@@ -6621,6 +6625,14 @@ target, µm</source>
         <message>
             <source>%1, 95 % to</source>
             <translation>%1, 95 % до</translation>
+        </message>
+        <message>
+            <source>Below it lie 0.135 % of the parts, as below mean − 3 s of a normal quantity; told of 741 parts and more</source>
+            <translation>Ниже него 0.135 % деталей, как ниже среднего − 3 s у нормальной величины; указывается от 741 детали</translation>
+        </message>
+        <message>
+            <source>Above it lie 0.135 % of the parts, as above mean + 3 s of a normal quantity; told of 741 parts and more</source>
+            <translation>Выше него 0.135 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
         </message>
     </context>
     <context>

@@ -102,6 +102,19 @@ private slots:
         }
     }
 
+    void aPercentileIsToldOfEnoughValuesAlone() {
+        CharacteristicSummary of;
+        of.characteristic.resolution = 0.01;
+        const Percentile low{0.00135, -5, {}}, middle{0.5, 1, {}}, high{0.99865, 7, {}};
+        for (const auto& [count, extremes] : {std::pair(740, false), std::pair(741, true)}) {
+            of.count = count;
+            QCOMPARE(BatchText::percentile(low, of) != QStringLiteral("–"), extremes);
+            QCOMPARE(BatchText::percentile(high, of) != QStringLiteral("–"), extremes);
+            QCOMPARE(BatchText::percentile(middle, of), QStringLiteral("1.00"));
+        }
+        QCOMPARE(BatchText::percentile(high, of), QStringLiteral("7.00"));
+    }
+
     void theCopiedTableHasEveryCharacteristicWithAllItsDigits() {
         const Project project = fixtures::shaftBatch(50);
         Bench bench(project);

@@ -94,7 +94,15 @@ private:
         }
         if (summary.isSample) {
             heading(Passport::tr("Percentiles"));
-            add(Passport::percentiles(summary));
+            Table table = Passport::percentiles(summary);
+            const bool hasDash = std::ranges::any_of(table.rows, [](const QStringList& row) {
+                return row.contains(QStringLiteral("–"));
+            });
+            add(std::move(table));
+            if (hasDash) {
+                add(Paragraph{
+                    Passport::tr("–: of so few values it would be the smallest or the largest.")});
+            }
         }
         heading(Passport::tr("Distribution against the tolerance field"));
         addHistograms(summary);

@@ -209,7 +209,7 @@ Table Passport::percentiles(const BatchSummary& summary) {
     for (const CharacteristicSummary& of : summary.characteristics) {
         QStringList row{BatchText::full(of.characteristic)};
         for (const Percentile& percentile : of.percentiles) {
-            row << BatchText::value(percentile.value, of.characteristic);
+            row << BatchText::percentile(percentile, of);
         }
         while (row.size() < table.head.size()) {
             row << cell({}); // no part has such a value

@@ -81,7 +81,7 @@ QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, 
     const auto value = [&of](double v) { return BatchText::value(v, of); };
     const auto percentile = [&](double order) {
         const Percentile* found = isSample ? percentileOf(summary, order) : nullptr;
-        return found ? value(found->value) : QStringLiteral("–");
+        return found ? BatchText::percentile(*found, summary) : QStringLiteral("–");
     };
     const bool counted = summary.count > 0;
     const bool estimated = counted && summary.mean95.has_value();
@@ -144,9 +144,19 @@ QVariant BatchFigures::headerData(int section, Qt::Orientation orientation, int 
                         "95 %")
                    : tr("Mean, 95 %");
     case deviation: return tip ? tr("Standard deviation of the sample") : tr("s");
-    case lowPercentile: return tr("Percentile 0.135 %").replace(u'.', QLocale().decimalPoint());
+    case lowPercentile:
+        return tip ? tr("Below it lie 0.135 % of the parts, as below mean − 3 s of a normal "
+                        "quantity; "
+                        "told of 741 parts and more")
+                         .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
+                   : tr("Percentile 0.135 %").replace(u'.', QLocale().decimalPoint());
     case median: return tr("Median");
-    case highPercentile: return tr("Percentile 99.865 %").replace(u'.', QLocale().decimalPoint());
+    case highPercentile:
+        return tip ? tr("Above it lie 0.135 % of the parts, as above mean + 3 s of a normal "
+                        "quantity; "
+                        "told of 741 parts and more")
+                         .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
+                   : tr("Percentile 99.865 %").replace(u'.', QLocale().decimalPoint());
     case cp: return tip ? tr("Width of the field over 6 s, with 95 % bounds") : tr("Cp");
     case cpk:
         return tip ? tr("Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it "

@@ -72,6 +72,12 @@ QString BatchText::value(double value, const Characteristic& characteristic) {
     return Names::fixed(value, count);
 }
 
+QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+    const double beyond = std::min(percentile.order, 1 - percentile.order);
+    return static_cast<double>(of.count) * beyond < 1 ? QStringLiteral("–")
+                                                      : value(percentile.value, of.characteristic);
+}
+
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
     return value(interval.low, characteristic) + u'…' + value(interval.high, characteristic);
 }
