@@ -9,7 +9,6 @@
 #include "ui/views/margin_model.h"
 
 #include <QPlainTextEdit>
-#include <QSignalSpy>
 #include <QTest>
 
 /// The view "Constraints" on runs whose feed is limited.
@@ -60,9 +59,7 @@ struct Shown {
         show(outcome);
     }
     void show(const OutcomePtr& outcome) {
-        QSignalSpy updated(&view, &View::updated);
-        view.setOutcome(outcome);
-        QTRY_COMPARE(updated.count(), 1);
+        fixtures::draw(view, outcome);
         QTest::qWait(20);
     }
     [[nodiscard]] ConstraintsPlot& plot() const { return *view.plot(); }

@@ -12,7 +12,6 @@
 #include "ui/views/profiles_view.h"
 
 #include <QApplication>
-#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -44,9 +43,7 @@ inline void show(ProfilesView& view, const OutcomePtr& outcome) {
         view.resize(700, 620);
         view.show();
     }
-    QSignalSpy spy(&view, &ProfilesView::updated);
-    view.setOutcome(outcome);
-    QTRY_COMPARE(spy.count(), 1);
+    fixtures::draw(view, outcome);
 }
 
 inline void settle() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/project/project_file.h"
+#include "tests/ui/view_fixtures.h"
 #include "ui/session/project_io.h"
-#include "ui/session/run_controller.h"
 #include "ui/views/compliance_plot.h"
 #include "ui/views/compliance_view.h"
 #include "ui/views/legend_strip.h"
@@ -11,7 +11,6 @@
 #include "tests/registry.h"
 
 #include <QLabel>
-#include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
@@ -36,9 +35,7 @@ struct Bench {
         show(outcome);
     }
     void show(const OutcomePtr& outcome) {
-        QSignalSpy updated(&view, &View::updated);
-        view.setOutcome(outcome);
-        QTRY_COMPARE(updated.count(), 1);
+        fixtures::draw(view, outcome);
         QTest::qWait(20);
     }
     [[nodiscard]] CompliancePlot& plot() { return *view.plot(); }

@@ -31,9 +31,7 @@ private slots:
         view.shareCycle(&cycle);
         view.resize(760, 620);
         view.show();
-        QSignalSpy updated(&view, &View::updated);
-        view.setOutcome(outcome);
-        QTRY_COMPARE(updated.count(), 1);
+        fixtures::draw(view, outcome);
         QVERIFY(!view.plot()->moment_um()); // all is ground
         const auto group = static_cast<std::size_t>(view.plot()->group());
         const std::vector<LimitedCut>& cuts = outcome->limits.groups[group].cuts;

@@ -4,9 +4,12 @@
 
 #include "tests/two_stage_projects.h"
 #include "ui/session/run_controller.h"
+#include "ui/views/view.h"
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSignalSpy>
+#include <QTest>
 #include <QTranslator>
 #include <QWheelEvent>
 #include <QWidget>
@@ -26,6 +29,13 @@ inline OutcomePtr refused() {
     outcome->issues.push_back(
         {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "5000", "0.5…1000 mm"});
     return outcome;
+}
+
+/// Until the view has drawn the outcome.
+inline void draw(View& view, const OutcomePtr& outcome) {
+    QSignalSpy updated(&view, &View::updated);
+    view.setOutcome(outcome);
+    QTRY_COMPARE(updated.count(), 1);
 }
 
 /// Marks every text, so that an untranslated one shows.
