@@ -1,47 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The feeds view's overview, legend, hair line and note, and how long it takes.
+// The feeds view's legend, hair line, room, note and table, and how long it takes.
 #include "tests/registry.h"
 #include "tests/tries.h"
-#include "tests/ui/view_fixtures.h"
+#include "tests/ui/feeds_bench.h"
 #include "ui/language.h"
 #include "ui/views/feeds_note.h"
-#include "ui/views/feeds_overview.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/feeds_view.h"
 #include "ui/views/hair_line.h"
 #include "ui/views/legend_strip.h"
-#include "ui/views/plot_tools.h"
 
 #include <QApplication>
-#include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
 #include <QToolButton>
 
-#include <clocale>
 #include <cmath>
 
 namespace test_feeds_tools {
 
 using namespace sparkout;
-using namespace fixtures;
+using namespace feeds_bench;
 
 namespace {
-
-void show(FeedsView& view, const OutcomePtr& outcome) {
-    view.resize(700, 620);
-    view.show();
-    QSignalSpy spy(&view, &FeedsView::updated);
-    view.setOutcome(outcome);
-    QTRY_COMPARE(spy.count(), 1);
-}
-
-QCPRange xRange(const FeedsView& view, int column, int row) {
-    return view.plot()->cell(column, row)->axis(QCPAxis::atBottom)->range();
-}
 
 /// The place of an entry of the legend, by its text.
 QPoint entryOf(const LegendStrip& legend, const QString& text) {
@@ -59,23 +39,12 @@ double axisTop(const FeedsView& view, int row, QCPAxis::AxisType side) {
 
 } // namespace
 
-class TestFeedsTools : public QObject {
+class TestFeedsTools : public FeedsTest {
     Q_OBJECT
-private slots:
-    void initTestCase() {
-        setlocale(LC_NUMERIC, "C");
-        QLocale::setDefault(QLocale::c());
-        m_traverse = run(traverseProject());
-        m_plunge = run(plungeProject(20));
-        QVERIFY(m_traverse->ran() && m_plunge->ran());
-    }
 
-    void theOverviewShowsWhatIsInSight();
-    void draggingTheOverviewsWindowMovesTheTimes();
-    void anEdgeOfTheOverviewsWindowCanBeDragged();
-    void aClickInTheOverviewBringsTheWindowThere();
-    void theOverviewIsMovedByKeys();
-    void backLeadsThroughWhatWasInSight();
+private slots:
+    void initTestCase() { begin(); }
+
     void aLegendClickHidesACurveAndItsScale();
     void controlClickShowsOnlyThisCurve();
     void theLegendWorksByKeyboard();
@@ -86,142 +55,7 @@ private slots:
     void theNoteTellsTheStepsOfEachZone();
     void theTableHoldsTheCurvesData();
     void aLongPlungeDoesNotStallTheWindow();
-
-private:
-    OutcomePtr m_traverse, m_plunge;
 };
-
-// --- overview -----------------------------------------------------------------------------------
-
-void TestFeedsTools::theOverviewShowsWhatIsInSight() {
-    FeedsView view;
-    show(view, m_traverse);
-    const FeedsOverview* overview = view.overview();
-    const double width = overview->width();
-    QCOMPARE(overview->window().left(), 0.0);
-    QCOMPARE(overview->window().right(), width);
-    const double end_s = view.plot()->series().end_s;
-    view.plot()->showTimes(0.25 * end_s, 0.5 * end_s);
-    QVERIFY(std::abs(overview->window().left() - 0.25 * width) < 1e-6);
-    QVERIFY(std::abs(overview->window().right() - 0.5 * width) < 1e-6);
-    // In double strokes the strip has the same axis as the plots.
-    auto* axis = view.findChild<QComboBox*>(QStringLiteral("axis"));
-    axis->setCurrentIndex(axis->findData(static_cast<int>(CycleAxis::strokes)));
-    const double strokes = view.plot()->scale().at(0.25 * end_s);
-    QVERIFY(
-        std::abs(overview->window().left() - strokes / view.plot()->series().strokeCount() * width)
-        < 1e-6);
-}
-
-void TestFeedsTools::draggingTheOverviewsWindowMovesTheTimes() {
-    FeedsView view;
-    show(view, m_traverse);
-    const double end_s = view.plot()->series().end_s;
-    view.plot()->showTimes(0.2 * end_s, 0.4 * end_s);
-    FeedsOverview* overview = view.overview();
-    const QPoint middle = overview->window().center().toPoint();
-    drag(overview, middle, middle + QPoint(100, 0));
-    const double moved_s = 100.0 / overview->width() * end_s;
-    QVERIFY(std::abs(view.plot()->visibleFrom_s() - 0.2 * end_s - moved_s) < 1e-6 * end_s);
-    QVERIFY(std::abs(view.plot()->visibleTo_s() - 0.4 * end_s - moved_s) < 1e-6 * end_s);
-    // Past the end it stops, with its width.
-    const QPoint now = overview->window().center().toPoint();
-    drag(overview, now, now + QPoint(overview->width(), 0));
-    QVERIFY(std::abs(view.plot()->visibleTo_s() - end_s) < 1e-9 * end_s);
-    QVERIFY(std::abs(view.plot()->visibleFrom_s() - 0.8 * end_s) < 1e-6 * end_s);
-}
-
-void TestFeedsTools::anEdgeOfTheOverviewsWindowCanBeDragged() {
-    FeedsView view;
-    show(view, m_traverse);
-    const double end_s = view.plot()->series().end_s;
-    FeedsOverview* overview = view.overview();
-    const int y = overview->height() / 2;
-    const int width = overview->width();
-    drag(overview, {width - 1, y}, {width / 2, y});
-    QCOMPARE(view.plot()->visibleFrom_s(), 0.0);
-    QVERIFY(std::abs(view.plot()->visibleTo_s() - 0.5 * end_s) < 0.005 * end_s);
-    drag(overview, {0, y}, {width / 4, y});
-    QVERIFY(std::abs(view.plot()->visibleFrom_s() - 0.25 * end_s) < 0.005 * end_s);
-    QVERIFY(std::abs(view.plot()->visibleTo_s() - 0.5 * end_s) < 0.005 * end_s);
-    // An edge dragged past the other leaves a window, however small.
-    drag(overview, overview->window().topLeft().toPoint() + QPoint(0, y), {width, y});
-    QVERIFY(view.plot()->visibleTo_s() > view.plot()->visibleFrom_s());
-}
-
-void TestFeedsTools::aClickInTheOverviewBringsTheWindowThere() {
-    FeedsView view;
-    show(view, m_traverse);
-    const double end_s = view.plot()->series().end_s;
-    view.plot()->showTimes(0, 0.1 * end_s);
-    FeedsOverview* overview = view.overview();
-    QTest::mouseClick(overview, Qt::LeftButton, {}, {overview->width() / 2, 5});
-    const double middle_s = (view.plot()->visibleFrom_s() + view.plot()->visibleTo_s()) / 2;
-    QVERIFY(std::abs(middle_s - 0.5 * end_s) < 0.005 * end_s);
-    wheel(overview, {overview->width() / 2.0, 5}, 120);
-    QVERIFY(view.plot()->visibleTo_s() - view.plot()->visibleFrom_s() < 0.099 * end_s);
-    QTest::mouseDClick(overview, Qt::LeftButton, {}, {overview->width() / 2, 5});
-    QCOMPARE(view.plot()->visibleFrom_s(), 0.0);
-    QCOMPARE(view.plot()->visibleTo_s(), end_s);
-}
-
-void TestFeedsTools::theOverviewIsMovedByKeys() {
-    FeedsView view;
-    show(view, m_traverse);
-    const double end_s = view.plot()->series().end_s;
-    view.plot()->showTimes(0.2 * end_s, 0.4 * end_s);
-    FeedsOverview* overview = view.overview();
-    const auto stands = [&](double from, double to) {
-        return std::abs(view.plot()->visibleFrom_s() - from * end_s) < 1e-9 * end_s
-               && std::abs(view.plot()->visibleTo_s() - to * end_s) < 1e-9 * end_s;
-    };
-    QTest::keyClick(overview, Qt::Key_Right);
-    QVERIFY(stands(0.22, 0.42));
-    QTest::keyClick(overview, Qt::Key_Left);
-    QVERIFY(stands(0.2, 0.4));
-    QTest::keyClick(overview, Qt::Key_Right, Qt::ShiftModifier);
-    QVERIFY(stands(0.2, 0.42));
-    QTest::keyClick(overview, Qt::Key_Left, Qt::ControlModifier);
-    QVERIFY(stands(0.178, 0.42));
-    QTest::keyClick(overview, Qt::Key_Home);
-    QVERIFY(stands(0, 1));
-}
-
-// --- tools --------------------------------------------------------------------------------------
-
-void TestFeedsTools::backLeadsThroughWhatWasInSight() {
-    FeedsView view;
-    show(view, m_traverse);
-    FeedsPlot* plot = view.plot();
-    const double end_s = plot->series().end_s;
-    auto* span = view.findChild<QComboBox*>(QStringLiteral("span"));
-    QVERIFY(!view.tools()->back->isEnabled());
-    span->setCurrentIndex(1); // stage 1
-    const double stage_s = plot->series().stages[0].end_s;
-    QCOMPARE(plot->visibleTo_s(), stage_s);
-    for (int i = 0; i < 4; ++i) { // one gesture
-        wheel(plot, plot->cell(1, 1)->rect().center(), 120);
-    }
-    QCOMPARE(span->currentIndex(), -1);
-    QVERIFY(plot->visibleTo_s() < stage_s);
-    view.tools()->back->trigger();
-    QCOMPARE(plot->visibleFrom_s(), 0.0);
-    QCOMPARE(plot->visibleTo_s(), stage_s);
-    QCOMPARE(span->currentIndex(), 1); // the list says so again
-    view.tools()->back->trigger();
-    QCOMPARE(plot->visibleTo_s(), end_s);
-    QCOMPARE(span->currentIndex(), 0);
-    QVERIFY(!view.tools()->back->isEnabled());
-    view.tools()->forward->trigger();
-    QCOMPARE(plot->visibleTo_s(), stage_s);
-    // A new result is no entry; it only changes where the present one ends.
-    show(view, m_traverse);
-    view.tools()->back->trigger();
-    QCOMPARE(plot->visibleTo_s(), end_s);
-    // Another grid has another history.
-    show(view, m_plunge);
-    QVERIFY(!view.tools()->back->isEnabled() && !view.tools()->forward->isEnabled());
-}
 
 void TestFeedsTools::aLegendClickHidesACurveAndItsScale() {
     FeedsView view;

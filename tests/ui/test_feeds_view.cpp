@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What the feeds view draws: its curves, bands and columns, in every state and language.
 #include "tests/registry.h"
-#include "tests/ui/view_fixtures.h"
+#include "tests/ui/feeds_bench.h"
 #include "ui/views/band_layer.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/feeds_view.h"
-#include "ui/views/plot_tools.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QSpinBox>
-#include <QTest>
-#include <QToolButton>
 
-#include <clocale>
 #include <cmath>
 #include <limits>
 
 namespace test_feeds_view {
 
 using namespace sparkout;
-using namespace fixtures;
+using namespace feeds_bench;
 
 namespace {
-
-void show(FeedsView& view, const OutcomePtr& outcome) {
-    view.resize(700, 620);
-    view.show();
-    QSignalSpy spy(&view, &FeedsView::updated);
-    view.setOutcome(outcome);
-    QTRY_COMPARE(spy.count(), 1);
-}
-
-QCPRange xRange(const FeedsView& view, int column, int row) {
-    return view.plot()->cell(column, row)->axis(QCPAxis::atBottom)->range();
-}
 
 QStringList names(const FeedsView& view, int column) {
     QStringList texts;
@@ -61,24 +43,19 @@ bool drawable(FeedsPlot* plot) {
 
 } // namespace
 
-class TestFeedsView : public QObject {
+class TestFeedsView : public FeedsTest {
     Q_OBJECT
+
 private slots:
-    void initTestCase();
+    void initTestCase() { begin(); }
 
     void valuesThatAreNoNumbersAreLeftOut();
     void curvesAreDrawableAtEveryDetail_data();
     void curvesAreDrawableAtEveryDetail();
-    void allColumnsKeepTheSameTimes();
     void labelsOfNeighbouringColumnsStayApart();
-    void aWheelTurnZoomsAllColumnsAndADoubleClickFits();
-    void draggingMovesTheTimesWithinTheCycle();
     void stepsAreNamedWhenOneStrokeIsInSight();
     void stagesAreNamedOverTheWholeCycle();
     void namesOfBandsStandInOneLineOverTheirBands();
-    void keysChooseStageAndStroke();
-    void buttonsStepFromStrokeToStroke();
-    void theRangeChosenOutlivesANewOutcome();
     void pointingAtACurveTellsItsValues();
     void plungeShowsForceAndAtMostFourSections();
     void aChangeOfOperationRebuildsTheGrid();
@@ -86,19 +63,7 @@ private slots:
     void withoutAResultTheViewSaysSo();
     void anotherLanguageReachesEveryText();
     void aNewOutcomeIsDrawnQuickly();
-
-private:
-    OutcomePtr m_traverse, m_plunge;
 };
-
-void TestFeedsView::initTestCase() {
-    setlocale(LC_NUMERIC, "C");
-    QLocale::setDefault(QLocale::c());
-    m_traverse = run(traverseProject());
-    m_plunge = run(plungeProject(20));
-    QVERIFY(m_traverse->ran() && m_traverse->result.status == RunStatus::completed);
-    QVERIFY(m_plunge->ran() && !m_plunge->trajectory.passes.empty());
-}
 
 void TestFeedsView::valuesThatAreNoNumbersAreLeftOut() {
     auto outcome = std::make_shared<Outcome>(*m_traverse);
@@ -143,18 +108,6 @@ void TestFeedsView::curvesAreDrawableAtEveryDetail() {
     }
 }
 
-void TestFeedsView::allColumnsKeepTheSameTimes() {
-    FeedsView view;
-    show(view, m_traverse);
-    view.plot()->cell(2, 1)->axis(QCPAxis::atBottom)->setRange(3, 5);
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < FeedsPlot::rowCount; ++row) {
-            QVERIFY(std::abs(xRange(view, column, row).lower - 3) < 1e-9);
-            QVERIFY(std::abs(xRange(view, column, row).upper - 5) < 1e-9);
-        }
-    }
-}
-
 void TestFeedsView::labelsOfNeighbouringColumnsStayApart() {
     FeedsView view;
     view.resize(655, 420);
@@ -184,49 +137,6 @@ void TestFeedsView::labelsOfNeighbouringColumnsStayApart() {
         }
     }
     QVERIFY(drawn > 200 && leftOut > 0);
-}
-
-void TestFeedsView::aWheelTurnZoomsAllColumnsAndADoubleClickFits() {
-    FeedsView view;
-    show(view, m_traverse);
-    const QCPRange whole = xRange(view, 0, 0);
-    wheel(view.plot(), view.plot()->cell(0, 0)->rect().center(), 240);
-    QVERIFY(xRange(view, 2, 2).size() < whole.size() * 0.9);
-    QCOMPARE(xRange(view, 2, 2).size(), xRange(view, 0, 0).size());
-    auto* span = view.findChild<QComboBox*>(QStringLiteral("span"));
-    QCOMPARE(span->currentIndex(), -1);
-
-    // Over the values' axis the wheel leaves the times alone.
-    const QCPRange times = xRange(view, 0, 0);
-    QCPAxis* values = view.plot()->cell(0, 0)->axis(QCPAxis::atLeft);
-    const double before = values->range().size();
-    const QRect rect = view.plot()->cell(0, 0)->rect();
-    wheel(view.plot(), QPointF(rect.left() - 10, rect.center().y()), 120);
-    QVERIFY(values->range().size() < before);
-    QCOMPARE(xRange(view, 0, 0).size(), times.size());
-    QCOMPARE(view.plot()->cell(2, 0)->axis(QCPAxis::atLeft)->range().size(),
-             values->range().size());
-
-    QTest::mouseDClick(view.plot(), Qt::LeftButton, {}, rect.center());
-    QVERIFY(std::abs(xRange(view, 1, 0).size() - whole.size()) < 1e-9);
-    QVERIFY(std::abs(values->range().size() - before) < before * 0.5);
-    QCOMPARE(span->currentIndex(), 0);
-}
-
-void TestFeedsView::draggingMovesTheTimesWithinTheCycle() {
-    FeedsView view;
-    show(view, m_traverse);
-    view.plot()->showTimes(60, 180);
-    view.plot()->replot();
-    const QPoint from = view.plot()->cell(1, 1)->rect().center();
-    QTest::mousePress(view.plot(), Qt::LeftButton, {}, from);
-    QTest::mouseMove(view.plot(), from + QPoint(-20, 0));
-    QTest::mouseMove(view.plot(), from + QPoint(-40, 0));
-    QTest::mouseRelease(view.plot(), Qt::LeftButton, {}, from + QPoint(-40, 0));
-    QVERIFY(view.plot()->visibleFrom_s() > 61);
-    QVERIFY(std::abs(view.plot()->visibleTo_s() - view.plot()->visibleFrom_s() - 120) < 1e-6);
-    view.plot()->cell(0, 0)->axis(QCPAxis::atBottom)->moveRange(-100);
-    QCOMPARE(view.plot()->visibleFrom_s(), 0.0);
 }
 
 void TestFeedsView::stepsAreNamedWhenOneStrokeIsInSight() {
@@ -295,66 +205,6 @@ void TestFeedsView::namesOfBandsStandInOneLineOverTheirBands() {
     view.grab();
     QVERIFY(names(view, 0).contains(QStringLiteral("st. 3")));
     QVERIFY(!names(view, 0).contains(QStringLiteral("stage 3")));
-}
-
-void TestFeedsView::keysChooseStageAndStroke() {
-    FeedsView view;
-    show(view, m_traverse);
-    const FeedSeries& series = view.plot()->series();
-    auto* span = view.findChild<QComboBox*>(QStringLiteral("span"));
-    span->setFocus();
-    QTest::keyClick(span, Qt::Key_Down);
-    QCOMPARE(view.plot()->visibleFrom_s(), series.stages[0].start_s);
-    QCOMPARE(view.plot()->visibleTo_s(), series.stages[0].end_s);
-    QTest::keyClick(span, Qt::Key_Down);
-    QCOMPARE(view.plot()->visibleFrom_s(), series.stages[1].start_s);
-    QTest::keyClick(span, Qt::Key_Down);
-    QCOMPARE(view.plot()->visibleTo_s(), series.strokeEnd_s(1));
-    QTest::keyClick(span, Qt::Key_Home);
-    QCOMPARE(view.plot()->visibleTo_s(), series.end_s);
-
-    auto* stroke = view.findChild<QSpinBox*>(QStringLiteral("stroke"));
-    stroke->setFocus();
-    stroke->selectAll();
-    QTest::keyClicks(stroke, QStringLiteral("27"));
-    QTest::keyClick(stroke, Qt::Key_Return);
-    QCOMPARE(view.plot()->visibleFrom_s(), series.strokeStart_s[26]);
-    QCOMPARE(view.plot()->visibleTo_s(), series.strokeEnd_s(27));
-    QCOMPARE(view.plot()->detail(), FeedsPlot::Detail::radius);
-    for (int column = 0; column < view.plot()->columnCount(); ++column) {
-        const auto sums = view.plot()->curve(column, Quantity::actualSum, Edge::mean)->data();
-        QVERIFY(sums->size() > 2);
-        QVERIFY(std::is_sorted(sums->constBegin(), sums->constEnd(),
-                               [](const auto& a, const auto& b) { return a.value < b.value; }));
-    }
-}
-
-void TestFeedsView::buttonsStepFromStrokeToStroke() {
-    FeedsView view;
-    show(view, m_traverse);
-    auto* next = view.findChild<QToolButton*>(QStringLiteral("next"));
-    auto* previous = view.findChild<QToolButton*>(QStringLiteral("previous"));
-    QVERIFY(!previous->isEnabled());
-    QTest::mouseClick(next, Qt::LeftButton);
-    QCOMPARE(view.plot()->visibleFrom_s(), view.plot()->series().strokeStart_s[1]);
-    next->setFocus();
-    QTest::keyClick(next, Qt::Key_Space);
-    QCOMPARE(view.plot()->visibleFrom_s(), view.plot()->series().strokeStart_s[2]);
-    QTest::mouseClick(previous, Qt::LeftButton);
-    QCOMPARE(view.plot()->visibleFrom_s(), view.plot()->series().strokeStart_s[1]);
-    view.tools()->fit->trigger();
-    QCOMPARE(view.plot()->visibleTo_s(), view.plot()->series().end_s);
-}
-
-void TestFeedsView::theRangeChosenOutlivesANewOutcome() {
-    FeedsView view;
-    show(view, m_traverse);
-    view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(20);
-    Project project = traverseProject();
-    project.machine.dwell_entry_s = 1;
-    show(view, run(project));
-    QCOMPARE(view.plot()->visibleFrom_s(), view.plot()->series().strokeStart_s[19]);
-    QCOMPARE(view.plot()->visibleTo_s(), view.plot()->series().strokeEnd_s(20));
 }
 
 void TestFeedsView::pointingAtACurveTellsItsValues() {
