@@ -11,7 +11,6 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 
-#include <clocale>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -21,16 +20,11 @@ using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
 
-class TestVerdictRequirements : public QObject {
+class TestVerdictRequirements : public VerdictTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C");
-        QLocale::setDefault(QLocale::c());
-        m_traverse = run(traverseProject());
-        m_plunge = run(plungeProject(20));
-    }
+    void initTestCase() { begin(); }
 
     void aClickOrEnterOnARequirementTellsWhichItIs() {
         Bench bench(m_traverse, {320, 1400});
@@ -152,9 +146,6 @@ private slots:
         bench.panel.setRefusedFields(0);
         QVERIFY(!notice.isVisible());
     }
-
-private:
-    OutcomePtr m_traverse, m_plunge;
 };
 
 } // namespace test_verdict_requirements

@@ -9,7 +9,6 @@
 #include <QWheelEvent>
 
 #include <QtTest/qtestspontaneevent.h>
-#include <clocale>
 
 namespace test_verdict_room {
 
@@ -17,16 +16,11 @@ using namespace sparkout;
 using namespace verdict_bench;
 using verdict_bench::Bench;
 
-class TestVerdictRoom : public QObject {
+class TestVerdictRoom : public VerdictTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C");
-        QLocale::setDefault(QLocale::c());
-        m_traverse = run(traverseProject());
-        m_plunge = run(plungeProject(20));
-    }
+    void initTestCase() { begin(); }
 
     void threeStagesFitIntoTheUsualWidth() {
         for (const OutcomePtr& outcome : {run(traverseProject(3)), run(plungeProject(4, 3))}) {
@@ -115,8 +109,6 @@ private:
             QVERIFY(table.rowHeight(row) >= metrics.height());
         }
     }
-
-    OutcomePtr m_traverse, m_plunge;
 };
 
 } // namespace test_verdict_room

@@ -2,14 +2,13 @@
 // The shop's numbers in the verdict panel: stage by stage, marked, explained, copied.
 #include "tests/registry.h"
 #include "tests/ui/verdict_bench.h"
+#include "tests/ui/view_fixtures.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
-#include <QTranslator>
 
 #include <algorithm>
-#include <clocale>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -19,6 +18,7 @@ namespace test_verdict_shop {
 
 using namespace sparkout;
 using namespace verdict_bench;
+using fixtures::Marking;
 using verdict_bench::Bench;
 
 namespace {
@@ -32,26 +32,13 @@ QMenu* rightClick(QWidget& on, const QPoint& at) {
     return qobject_cast<QMenu*>(QApplication::activePopupWidget());
 }
 
-class Marking : public QTranslator {
-public:
-    QString translate(const char*, const char* text, const char*, int) const override {
-        return QStringLiteral("«") + QString::fromUtf8(text) + QStringLiteral("»");
-    }
-    [[nodiscard]] bool isEmpty() const override { return false; }
-};
-
 } // namespace
 
-class TestVerdictShop : public QObject {
+class TestVerdictShop : public VerdictTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C");
-        QLocale::setDefault(QLocale::c());
-        m_traverse = run(traverseProject());
-        m_plunge = run(plungeProject(20));
-    }
+    void initTestCase() { begin(); }
 
     void aColumnAStageAndOneForTheCycle() {
         Bench bench(m_traverse);
@@ -235,8 +222,6 @@ private:
         QVERIFY(lines[1 + power].startsWith(
             QStringLiteral("Power mean, kW\t%1\t").arg(bench.cell(ShopRow::meanPower, 0))));
     }
-
-    OutcomePtr m_traverse, m_plunge;
 };
 
 } // namespace test_verdict_shop

@@ -9,9 +9,12 @@
 
 #include <QIcon>
 #include <QLabel>
+#include <QLocale>
+#include <QObject>
 #include <QScrollArea>
 #include <QTest>
 
+#include <clocale>
 #include <vector>
 
 /// The verdict panel on runs of two stages and more.
@@ -53,6 +56,19 @@ inline Project plungeProject(int sections, int stages = 2) {
 inline OutcomePtr run(const Project& project) {
     return runProject(project, {});
 }
+
+/// A test of the panel on a traverse and on a plunge of twenty sections.
+class VerdictTest : public QObject {
+protected:
+    void begin() {
+        std::setlocale(LC_NUMERIC, "C");
+        QLocale::setDefault(QLocale::c());
+        m_traverse = run(traverseProject());
+        m_plunge = run(plungeProject(20));
+    }
+
+    OutcomePtr m_traverse, m_plunge;
+};
 
 /// A panel of a width, with an outcome, as it stands in the window.
 struct Bench {
