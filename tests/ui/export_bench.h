@@ -4,13 +4,17 @@
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/xlsx_reader.h"
 #include "ui/export/export_file.h"
+#include "ui/language.h"
 
 #include <QDateTime>
 #include <QJsonDocument>
+#include <QObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -47,6 +51,19 @@ inline void languageRows() {
     QTest::newRow("Russian") << "ru";
     QTest::newRow("English") << "en";
 }
+
+/// A test in English with a folder of its own.
+class ExportTest : public QObject {
+protected:
+    void begin() {
+        QVERIFY(m_folder.isValid());
+        m_english = std::make_unique<Language>();
+        m_english->apply(QStringLiteral("en"));
+    }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Language> m_english;
+};
 
 inline void checkNoFormula(const XlsxReader& read) {
     for (int sheet = 0; sheet < read.names().size(); ++sheet) {

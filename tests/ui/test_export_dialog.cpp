@@ -8,7 +8,6 @@
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/export/export_dialog.h"
-#include "ui/language.h"
 
 #include <QComboBox>
 #include <QDeadlineTimer>
@@ -17,7 +16,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QThread>
 #include <QTimer>
 
@@ -46,15 +44,11 @@ OutcomePtr longOutcome() {
 
 } // namespace
 
-class TestExportDialog : public QObject {
+class TestExportDialog : public ExportTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QVERIFY(m_folder.isValid());
-        m_english = std::make_unique<Language>();
-        m_english->apply(QStringLiteral("en"));
-    }
+    void initTestCase() { begin(); }
 
     void whatDoesNotFitIsSaidBeforeAnythingIsWritten() {
         const OutcomePtr outcome = longOutcome();
@@ -186,10 +180,6 @@ private slots:
         QCOMPARE(answers.fault(), QString());
         QVERIFY(answers.text().contains(QStringLiteral("There is no result")));
     }
-
-private:
-    QTemporaryDir m_folder;
-    std::unique_ptr<Language> m_english;
 };
 
 } // namespace test_export_dialog

@@ -5,12 +5,8 @@
 #include "tests/registry.h"
 #include "tests/ui/export_bench.h"
 #include "tests/ui/file_trouble.h"
-#include "ui/language.h"
 
 #include <QProcess>
-#include <QTemporaryDir>
-
-#include <memory>
 
 namespace test_export_results {
 
@@ -38,15 +34,11 @@ QByteArray fromCommandLine(const QStringList& arguments) {
 
 } // namespace
 
-class TestExportResults : public QObject {
+class TestExportResults : public ExportTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QVERIFY(m_folder.isValid());
-        m_english = std::make_unique<Language>();
-        m_english->apply(QStringLiteral("en"));
-    }
+    void initTestCase() { begin(); }
 
     void theWorkbookHoldsTheResultBitForBit_data() {
         QTest::addColumn<bool>("traverse");
@@ -222,9 +214,6 @@ private:
             QCOMPARE(read.frozen(6), QStringLiteral("A3"));
         }
     }
-
-    QTemporaryDir m_folder;
-    std::unique_ptr<Language> m_english;
 };
 
 } // namespace test_export_results

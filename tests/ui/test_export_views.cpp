@@ -6,7 +6,6 @@
 #include "tests/ui/file_trouble.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/language.h"
 #include "ui/view_tabs.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/plot_tools.h"
@@ -16,9 +15,6 @@
 #include <QFile>
 #include <QMenu>
 #include <QRegularExpression>
-#include <QTemporaryDir>
-
-#include <memory>
 
 namespace test_export_views {
 
@@ -33,15 +29,11 @@ QString traverseExample() {
 
 } // namespace
 
-class TestExportViews : public QObject {
+class TestExportViews : public ExportTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        QVERIFY(m_folder.isValid());
-        m_english = std::make_unique<Language>();
-        m_english->apply(QStringLiteral("en"));
-    }
+    void initTestCase() { begin(); }
 
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart_data() { languageRows(); }
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart() {
@@ -167,9 +159,6 @@ private:
         }
         return texts;
     }
-
-    QTemporaryDir m_folder;
-    std::unique_ptr<Language> m_english;
 };
 
 } // namespace test_export_views
