@@ -11,6 +11,18 @@ namespace test_file_dialogs_changed {
 using namespace sparkout;
 using namespace file_dialogs_bench;
 
+namespace {
+
+/// Another program writes into the file of the window, which tells so.
+[[nodiscard]] bool changedOnDisk(Bench& bench) {
+    QTest::qWait(400);
+    trouble::write(bench.path, textWith(35));
+    return QTest::qWaitFor(
+        [&] { return bench.window->files().notices().holds(QStringLiteral("disk")); });
+}
+
+} // namespace
+
 class TestFileDialogsChanged : public QObject {
     Q_OBJECT
 
@@ -18,10 +30,8 @@ private slots:
     void aChangedFileIsOfferedForReloading() {
         Bench bench;
         QVERIFY(bench.open());
-        QTest::qWait(400);
-        trouble::write(bench.path, textWith(35));
+        QVERIFY(changedOnDisk(bench));
         NoticeBar& notices = bench.window->files().notices();
-        QTRY_VERIFY(notices.holds(QStringLiteral("disk")));
         QVERIFY(notices.isVisible());
         QTest::mouseClick(bench.noticeButton("disk", 0), Qt::LeftButton);
         QTRY_COMPARE(bench.diameter(), 35.0);
@@ -33,10 +43,8 @@ private slots:
         Bench bench;
         QVERIFY(bench.open());
         bench.edit(31);
-        QTest::qWait(400);
-        trouble::write(bench.path, textWith(35));
+        QVERIFY(changedOnDisk(bench));
         NoticeBar& notices = bench.window->files().notices();
-        QTRY_VERIFY(notices.holds(QStringLiteral("disk")));
         DialogAnswers answers({QStringLiteral("reload")});
         QVERIFY(!bench.window->files().save());
         ANSWERED(answers);
@@ -46,10 +54,7 @@ private slots:
     void keepingOnesOwnVersionCountsAsUnsaved() {
         Bench bench;
         QVERIFY(bench.open());
-        QTest::qWait(400);
-        trouble::write(bench.path, textWith(35));
-        NoticeBar& notices = bench.window->files().notices();
-        QTRY_VERIFY(notices.holds(QStringLiteral("disk")));
+        QVERIFY(changedOnDisk(bench));
         QTest::keyClick(bench.noticeButton("disk", 1), Qt::Key_Space);
         QTRY_VERIFY(bench.document().modified());
         QCOMPARE(bench.diameter(), 30.0);
@@ -73,10 +78,8 @@ private slots:
         Bench bench(QStringLiteral("ru"));
         QVERIFY(bench.open());
         bench.edit(31);
-        QTest::qWait(400);
-        trouble::write(bench.path, textWith(35));
+        QVERIFY(changedOnDisk(bench));
         NoticeBar& notices = bench.window->files().notices();
-        QTRY_VERIFY(notices.holds(QStringLiteral("disk")));
         QCOMPARE(bench.diameter(), 31.0);
         const QString russian = notices.textOf(QStringLiteral("disk"));
         bench.language.apply(QStringLiteral("en"));
