@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <clocale>
 #include <fstream>
 
 namespace cli {
@@ -16,6 +17,10 @@ using nlohmann::json;
 /// A test of the program with a folder of its own.
 class FolderTest : public QObject {
 protected:
+    void begin() {
+        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
+        QVERIFY(m_folder.isValid());
+    }
     QString save(const QString& name, const std::string& content) const {
         const QString path = m_folder.filePath(name);
         std::ofstream(path.toStdString(), std::ios::binary) << content;

@@ -6,7 +6,6 @@
 #include "tests/registry.h"
 
 #include <algorithm>
-#include <clocale>
 #include <cmath>
 
 namespace test_cli_check {
@@ -19,12 +18,7 @@ class TestCliCheck : public FolderTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
-        m_stuck = save("stuck.sparkout", stuckProject().dump());
-        m_strict = save("strict.sparkout", strictProject().dump());
-    }
+    void initTestCase() { begin(); }
 
     void cannotReachSizeExits3() {
         const Outcome outcome = run({"simulate", m_stuck, "--json"});
@@ -144,7 +138,8 @@ private:
                            [](const ConstraintResult& constraint) { return constraint.holds; });
     }
 
-    QString m_stuck, m_strict;
+    const QString m_stuck = save("stuck.sparkout", stuckProject().dump());
+    const QString m_strict = save("strict.sparkout", strictProject().dump());
 };
 
 } // namespace test_cli_check

@@ -5,7 +5,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <clocale>
 #include <filesystem>
 
 #include <sys/stat.h>
@@ -20,10 +19,7 @@ class TestCliRefusals : public FolderTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
-    }
+    void initTestCase() { begin(); }
 
     void usageErrors_data() {
         QTest::addColumn<QStringList>("arguments");

@@ -6,7 +6,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <clocale>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -29,10 +28,7 @@ class TestCliSimulate : public FolderTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
-    }
+    void initTestCase() { begin(); }
 
     void jsonSaysWhatSimulateComputes_data() { runnableRows(); }
     void jsonSaysWhatSimulateComputes() {

@@ -3,7 +3,6 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
-#include <clocale>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -17,12 +16,7 @@ class TestCliSurroundings : public FolderTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
-        m_stuck = save("stuck.sparkout", stuckProject().dump());
-        m_strict = save("strict.sparkout", strictProject().dump());
-    }
+    void initTestCase() { begin(); }
 
     void outputThatIsNotTakenExits1() {
         QProcess full;
@@ -181,7 +175,8 @@ private slots:
     }
 
 private:
-    QString m_stuck, m_strict;
+    const QString m_stuck = save("stuck.sparkout", stuckProject().dump());
+    const QString m_strict = save("strict.sparkout", strictProject().dump());
 };
 
 } // namespace test_cli_surroundings

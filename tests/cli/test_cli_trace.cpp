@@ -6,7 +6,6 @@
 
 #include <QFile>
 
-#include <clocale>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -24,10 +23,7 @@ class TestCliTrace : public FolderTest {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        std::setlocale(LC_NUMERIC, "C"); // the application object took the environment's
-        QVERIFY(m_folder.isValid());
-    }
+    void initTestCase() { begin(); }
 
     void traceHoldsEveryVisit_data() { runnableRows(); }
     void traceHoldsEveryVisit() {
