@@ -97,8 +97,12 @@ double LimitWatch::worst(const Lanes& lanes, const PassRange& range) const {
                                 lanes.depth_mm.data() + range.first, range.count);
     }
     double most = 0;
-    for (std::size_t lane = range.first; lane < range.first + range.count; ++lane) {
-        most = std::max(most, usage(lanes, lane));
+    const double* const root = lanes.root.data() + range.first;
+    const double* const depth_mm = lanes.depth_mm.data() + range.first;
+    for (std::size_t i = 0; i < range.count; ++i) {
+        if (root[i] > m_quietRoot) { // else no new worst
+            most = std::max(most, m_burn->usage(root[i], m_total - depth_mm[i]));
+        }
     }
     return most;
 }

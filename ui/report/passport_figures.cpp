@@ -99,7 +99,11 @@ private:
             painter.setPen(chartInk);
             const QString name = plainNumber(value);
             const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
-            painter.drawText(QPointF(x(value) - width / 2, end + 16), name);
+            constexpr double reach = 3; // the two marks stand close: their numbers keep apart
+            const double from = value == 1              ? x(value) + reach - width
+                                : value == customaryCpk ? x(value) - reach
+                                                        : x(value) - width / 2;
+            painter.drawText(QPointF(from, end + 16), name);
         }
     }
 
