@@ -2,6 +2,7 @@
 #include "ui/help/help_book.h"
 
 #include "ui/help/help_fields.h"
+#include "ui/help/help_words.h"
 #include "ui/session/source_names.h"
 
 #include <QCoreApplication>
@@ -140,11 +141,6 @@ HelpPage pageOf(const HelpEntry& entry, const QString& shortcuts) {
     return page;
 }
 
-/// So that case, and е for ё, make no difference.
-QString folded(QString text) {
-    return text.toCaseFolded().replace(u'ё', u'е');
-}
-
 } // namespace
 
 HelpBook::HelpBook(const QString& shortcuts) {
@@ -163,7 +159,7 @@ QString HelpBook::Hit::topic() const {
 }
 
 std::vector<HelpBook::Hit> HelpBook::search(const QString& words) const {
-    const QStringList wanted = folded(words).split(u' ', Qt::SkipEmptyParts);
+    const QStringList wanted = searchedWords(words);
     std::vector<Hit> inTitle;
     std::vector<Hit> inText;
     const auto has = [&wanted](const QString& text) {

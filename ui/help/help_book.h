@@ -36,7 +36,7 @@ public:
         const HelpSection* section;
         [[nodiscard]] QString topic() const; ///< "feeds#mouse"
     };
-    /// Sections that hold every word, those that have them in the title first.
+    /// Sections that hold every word in any of its forms, those that have them in the title first.
     [[nodiscard]] std::vector<Hit> search(const QString& words) const;
 
 private:

@@ -2,10 +2,12 @@
 #include "ui/help/help_browser.h"
 
 #include "ui/help/help_book.h"
+#include "ui/help/help_words.h"
 #include "ui/metrics.h"
 #include "ui/theme.h"
 
 #include <QEvent>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextDocument>
 
@@ -14,6 +16,14 @@ namespace sparkout {
 namespace {
 
 constexpr int leastWord = 2; ///< letters worth marking
+
+/// The whole words that begin as this one.
+QRegularExpression formsOf(const QString& word) {
+    const QString letters = QRegularExpression::escape(word).replace(u'е', QStringLiteral("[её]"));
+    return QRegularExpression(letters + QStringLiteral("\\w*"),
+                              QRegularExpression::CaseInsensitiveOption
+                                  | QRegularExpression::UseUnicodePropertiesOption);
+}
 
 QUrl urlOf(const QString& topic) {
     return QUrl(QStringLiteral("help:") + topic);
@@ -56,12 +66,13 @@ void HelpBrowser::renew() {
 void HelpBrowser::mark(const QString& words) {
     m_words = words;
     QList<ExtraSelection> selections;
-    for (const QString& word : words.split(u' ', Qt::SkipEmptyParts)) {
+    for (const QString& word : searchedWords(words)) {
         if (word.size() < leastWord) {
             continue;
         }
-        for (QTextCursor found = document()->find(word); !found.isNull();
-             found = document()->find(word, found)) {
+        const QRegularExpression form = formsOf(word);
+        for (QTextCursor found = document()->find(form); !found.isNull();
+             found = document()->find(form, found)) {
             ExtraSelection selection;
             selection.cursor = found;
             selection.format.setBackground(palette().brush(QPalette::Highlight));
