@@ -138,12 +138,12 @@ CsvTable FoundModel::table() const {
                  << tr("Margin, %") << tr("Cycle");
     for (int row = 0; row < rowCount(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
-        CsvCell toNow;
+        CsvCell toBefore;
         if (m_before_s && *m_before_s > 0) {
-            toNow = 100 * (found.time_s / *m_before_s - 1);
+            toBefore = 100 * (found.time_s / *m_before_s - 1);
         }
         table.rows.push_back(
-            {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toNow,
+            {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toBefore,
              100 * gapToLimit(found.time_s, m_outcome->limit_s), 100 * found.leastRelativeMargin,
              OptimiseText::found(found, m_outcome->project)});
     }
