@@ -183,7 +183,9 @@ private:
     void push(const PrefixPtr& prefix, std::size_t index) {
         if (index < prefix->next.size() && !isSlower(prefix->next[index].first)) {
             Branch branch{prefix->next[index].first, ++m_order, prefix, index};
-            if (m_branches.size() < m_most) {
+            if (m_isFirstTaken) {
+                putFirst(std::move(branch));
+            } else if (m_branches.size() < m_most) {
                 m_branches.push_back(std::move(branch));
                 std::push_heap(m_branches.begin(), m_branches.end());
             } else {
@@ -192,7 +194,29 @@ private:
         }
     }
 
+    /// In the place of the first branch of the heap, which was taken: mostly the one that takes its
+    /// place is its prefix's next, and stays there or near.
+    void putFirst(Branch branch) {
+        m_isFirstTaken = false;
+        std::size_t at = 0;
+        for (std::size_t child = 1; child < m_branches.size(); child = 2 * at + 1) {
+            if (child + 1 < m_branches.size() && m_branches[child] < m_branches[child + 1]) {
+                ++child;
+            }
+            if (!(branch < m_branches[child])) {
+                break;
+            }
+            m_branches[at] = std::move(m_branches[child]);
+            at = child;
+        }
+        m_branches[at] = std::move(branch);
+    }
+
     std::optional<Branch> take() {
+        if (std::exchange(m_isFirstTaken, false)) {
+            std::pop_heap(m_branches.begin(), m_branches.end());
+            m_branches.pop_back();
+        }
         while (!m_newest.empty()) {
             Branch branch = std::move(m_newest.back());
             m_newest.pop_back();
@@ -203,11 +227,9 @@ private:
         if (m_branches.empty() || isSlower(m_branches.front().bound_s)) {
             return std::nullopt;
         }
-        std::pop_heap(m_branches.begin(), m_branches.end());
-        Branch branch = std::move(m_branches.back());
-        m_branches.pop_back();
-        m_least_s = std::max(m_least_s, branch.bound_s);
-        return branch;
+        m_isFirstTaken = true;
+        m_least_s = std::max(m_least_s, m_branches.front().bound_s);
+        return std::move(m_branches.front());
     }
 
     void explore(const Prefix& from, std::size_t setting, double least_s) {
@@ -270,6 +292,7 @@ private:
     bool m_freeLast;                ///< no bounds of the last stage's stock
     bool m_mayMerge;                ///< ends of stages before the one before the last
     std::vector<Branch> m_branches; ///< a heap
+    bool m_isFirstTaken = false;    ///< the first of the heap is to be replaced
     std::vector<Branch> m_newest;   ///< beyond the most branches in order
     std::size_t m_most;
     long long m_order = 0, m_taken = 0;

@@ -174,11 +174,6 @@ void Run::record(std::size_t point, const CutWidth& width, const PassFeed& feed,
     }
 }
 
-double Run::radiusAt(double depth_mm) const {
-    return m_project.part.surface == Surface::external ? m_blank.firstTouchRadius_mm - depth_mm
-                                                       : m_blank.firstTouchRadius_mm + depth_mm;
-}
-
 double Run::remaining(std::size_t point) const {
     return remainingStock(m_lanes.depth_mm.data() + point * static_cast<std::size_t>(m_radii),
                           m_radii, m_project.gauge.rule, m_blank.totalInfeed_mm);
@@ -228,10 +223,6 @@ std::pair<double, double> Run::diameterDeviations(std::size_t point) const {
         most = std::max(most, deviation);
     }
     return {least, most};
-}
-
-double Run::diameterDeviation(double depth_mm, double opposite_mm) const {
-    return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part.diameter_mm;
 }
 
 std::size_t Run::deepestLane(std::size_t point) const {

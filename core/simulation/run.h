@@ -77,7 +77,9 @@ public:
     /// Least and most of a point's diameters D_k now, less the nominal one [mm].
     [[nodiscard]] std::pair<double, double> diameterDeviations(std::size_t point) const;
     /// D_k less the nominal diameter [mm] of two opposite radii at these depths.
-    [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const;
+    [[nodiscard]] double diameterDeviation(double depth_mm, double opposite_mm) const {
+        return radiusAt(depth_mm) + radiusAt(opposite_mm) - m_project.part.diameter_mm;
+    }
     [[nodiscard]] std::size_t pointOf(std::size_t lane) const {
         return lane / static_cast<std::size_t>(m_radii);
     }
@@ -108,7 +110,10 @@ private:
                    const Place* places);
     void record(std::size_t point, const CutWidth& width, const PassFeed& feed, const Place& place,
                 const PassInfo& info);
-    [[nodiscard]] double radiusAt(double depth_mm) const;
+    [[nodiscard]] double radiusAt(double depth_mm) const {
+        return m_project.part.surface == Surface::external ? m_blank.firstTouchRadius_mm - depth_mm
+                                                           : m_blank.firstTouchRadius_mm + depth_mm;
+    }
     [[nodiscard]] SectionResult sectionResult(std::size_t point, Zone zone) const;
 
     const Project& m_project;
