@@ -10,6 +10,7 @@
 #include "ui/help/help_fields.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
+#include "ui/help/help_words.h"
 #include "ui/inputs/hint_strip.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/texts.h"
@@ -330,6 +331,26 @@ private slots:
         QVERIFY(topics(QStringLiteral("compliance")).size() > 3);
         QCOMPARE(topics(QStringLiteral("compliances")), topics(QStringLiteral("compliance")));
         QVERIFY(!topics(QStringLiteral("accuracy")).empty()); // whose stem ends in another letter
+        QCOMPARE(topics(QStringLiteral("'compliance'")), topics(QStringLiteral("compliance")));
+        QVERIFY(topics(QStringLiteral("''")).empty());
+    }
+
+    void searchDoesNotTakeAnotherWordForAForm() {
+        Language spoken;
+        spoken.apply(QStringLiteral("ru"));
+        const HelpWords axis{QStringLiteral("ось")};
+        QVERIFY(axis.areIn(QStringLiteral("Ось детали")));
+        QVERIFY(!axis.areIn(QStringLiteral("о точности, скорость, основа, обороты")));
+        const HelpWords field{QStringLiteral("поле")};
+        QVERIFY(field.areIn(QStringLiteral("в полях допуска")));
+        QVERIFY(!field.areIn(QStringLiteral("полный, получен")));
+        const auto places = HelpWords{QStringLiteral("еще степень")}.placesIn(
+            QStringLiteral("Ещё раз: степени затупления"));
+        QCOMPARE(places.size(), 2);
+        QCOMPARE(places[0].at, 0);
+        QCOMPARE(places[0].length, 3);
+        QCOMPARE(places[1].at, 9);
+        QCOMPARE(places[1].length, 7);
     }
 
     void theWindowSearchesAndGoesBackByKeys() {

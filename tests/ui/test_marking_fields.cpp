@@ -116,6 +116,48 @@ private slots:
         QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
     }
 
+    void aToleranceClassIsTakenByACommand() {
+        Window window(partPage);
+        auto* size = window.on<QLineEdit>("sizeField");
+        size->setFocus();
+        size->selectAll();
+        QTest::keyClicks(size, QStringLiteral("40k6"));
+        window.bench.window->inputs().endTyping(); // as Save does first
+        QCOMPARE(window.document().project().part.diameter_mm, 40);
+        QVERIFY(size->hasFocus());
+    }
+
+    void aClassThatIsThePartsOwnFollowsThePart() {
+        Window window(partPage);
+        auto* size = window.on<QLineEdit>("sizeField");
+        const QString own = size->text();
+        size->setFocus();
+        QTest::keyClicks(size, QStringLiteral("h"));
+        QTest::keyClick(size, Qt::Key_Backspace);
+        QTest::keyClick(size, Qt::Key_Return);
+        QCOMPARE(size->text(), own);
+        Project project = window.document().project();
+        project.part.diameter_mm += 20;
+        window.document().edit(project, {"Input", "Diameter"});
+        QVERIFY2(size->text() != own, qPrintable(own));
+        QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
+    }
+
+    void aRefusedClassDoesNotOutliveItsReason() {
+        Window window(partPage);
+        auto* size = window.on<QLineEdit>("sizeField");
+        size->setFocus();
+        size->selectAll();
+        QTest::keyClicks(size, QStringLiteral("30H7"));
+        QTest::keyClick(size, Qt::Key_Tab);
+        QCOMPARE(size->text(), QStringLiteral("30H7"));
+        Project project = window.document().project();
+        project.part.surface = Surface::internal;
+        window.document().edit(project, {"Input", "Surface"});
+        QVERIFY(!window.on<QLabel>("sizeMeaning")->isVisible());
+        QVERIFY(size->text() != QStringLiteral("30H7"));
+    }
+
     void aClassThatIsNoneIsExplained() {
         Window window(partPage);
         const Part before = window.document().project().part;

@@ -132,6 +132,14 @@ private slots:
         QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
         QCOMPARE(desk.cell(0, FoundModel::change), gained);
         QCOMPARE(desk.told(), told);
+        Project larger = desk.project();
+        larger.part.stock_mm += 0.05;
+        desk.bench.window->document().edit(larger, {"Edit", ""});
+        desk.bench.settle();
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
+        QCOMPARE(desk.cell(0, FoundModel::change), gained);
         QVERIFY(desk.searched()); // for the cycle taken
         QVERIFY(std::abs(desk.view->curves()->runs().front().feeds->end_s - best_s) < 1e-5);
         QVERIFY(std::abs(desk.cell(0, FoundModel::change).toDouble()) < 0.05);

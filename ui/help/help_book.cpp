@@ -29,40 +29,23 @@ constexpr const char* modelPages = QT_TRANSLATE_NOOP("Help", "The model");
 constexpr const char* workPages = QT_TRANSLATE_NOOP("Help", "Working with the program");
 
 constexpr std::array helpContents{
-    HelpEntry{"start", gettingStarted},
-    HelpEntry{"editing", gettingStarted},
-    HelpEntry{"inputs-part", inputPages},
-    HelpEntry{"inputs-material", inputPages},
-    HelpEntry{"inputs-wheel", inputPages},
-    HelpEntry{"inputs-machine", inputPages},
-    HelpEntry{"inputs-gauge", inputPages},
-    HelpEntry{"inputs-cycle", inputPages},
-    HelpEntry{"stages", inputPages},
-    HelpEntry{"inputs-batch", inputPages},
-    HelpEntry{"inputs-search", inputPages},
-    HelpEntry{"inputs-file", inputPages},
-    HelpEntry{"verdict", viewPages},
-    HelpEntry{"feeds", viewPages},
-    HelpEntry{"profiles", viewPages},
-    HelpEntry{"constraints", viewPages},
-    HelpEntry{"compliance", viewPages},
-    HelpEntry{"layers", viewPages},
-    HelpEntry{"batch", viewPages},
-    HelpEntry{"sweep", viewPages},
-    HelpEntry{"optimise", viewPages},
-    HelpEntry{"compare", viewPages},
-    HelpEntry{"playback", viewPages},
-    HelpEntry{"step", viewPages},
-    HelpEntry{"messages", viewPages},
-    HelpEntry{"plots", viewPages},
-    HelpEntry{"model", modelPages},
-    HelpEntry{"limits", modelPages},
-    HelpEntry{"sources", modelPages},
-    HelpEntry{"shortcuts", workPages},
-    HelpEntry{"files", workPages},
-    HelpEntry{"reports", workPages},
-    HelpEntry{"look", workPages},
-    HelpEntry{"cli", workPages},
+    HelpEntry{"start", gettingStarted},     HelpEntry{"editing", gettingStarted},
+    HelpEntry{"inputs-part", inputPages},   HelpEntry{"inputs-material", inputPages},
+    HelpEntry{"inputs-wheel", inputPages},  HelpEntry{"inputs-machine", inputPages},
+    HelpEntry{"inputs-gauge", inputPages},  HelpEntry{"inputs-cycle", inputPages},
+    HelpEntry{"stages", inputPages},        HelpEntry{"inputs-batch", inputPages},
+    HelpEntry{"inputs-search", inputPages}, HelpEntry{"inputs-file", inputPages},
+    HelpEntry{"verdict", viewPages},        HelpEntry{"feeds", viewPages},
+    HelpEntry{"profiles", viewPages},       HelpEntry{"constraints", viewPages},
+    HelpEntry{"compliance", viewPages},     HelpEntry{"layers", viewPages},
+    HelpEntry{"batch", viewPages},          HelpEntry{"sweep", viewPages},
+    HelpEntry{"optimise", viewPages},       HelpEntry{"compare", viewPages},
+    HelpEntry{"playback", viewPages},       HelpEntry{"step", viewPages},
+    HelpEntry{"messages", viewPages},       HelpEntry{"plots", viewPages},
+    HelpEntry{"model", modelPages},         HelpEntry{"limits", modelPages},
+    HelpEntry{"sources", modelPages},       HelpEntry{"shortcuts", workPages},
+    HelpEntry{"files", workPages},          HelpEntry{"reports", workPages},
+    HelpEntry{"look", workPages},           HelpEntry{"cli", workPages},
 };
 
 constexpr std::array formPages{Page::part,    Page::material, Page::wheel,
@@ -159,20 +142,17 @@ QString HelpBook::Hit::topic() const {
 }
 
 std::vector<HelpBook::Hit> HelpBook::search(const QString& words) const {
-    const QStringList wanted = searchedWords(words);
+    const HelpWords wanted(words);
     std::vector<Hit> inTitle;
     std::vector<Hit> inText;
-    const auto has = [&wanted](const QString& text) {
-        return std::ranges::all_of(wanted, [&](const QString& w) { return text.contains(w); });
-    };
     for (const HelpPage& page : m_pages) {
         for (const HelpSection& section : page.sections) {
             if (wanted.isEmpty()) {
                 continue;
             }
-            if (const QString title = folded(section.title); has(title)) {
+            if (wanted.areIn(section.title)) {
                 inTitle.push_back({&page, &section});
-            } else if (has(title + u' ' + folded(section.text))) {
+            } else if (wanted.areIn(section.title + u' ' + section.text)) {
                 inText.push_back({&page, &section});
             }
         }

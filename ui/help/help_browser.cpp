@@ -7,7 +7,6 @@
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextDocument>
 
@@ -15,15 +14,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int leastWord = 2; ///< letters worth marking
-
-/// The whole words that begin as this one.
-QRegularExpression formsOf(const QString& word) {
-    const QString letters = QRegularExpression::escape(word).replace(u'е', QStringLiteral("[её]"));
-    return QRegularExpression(letters + QStringLiteral("\\w*"),
-                              QRegularExpression::CaseInsensitiveOption
-                                  | QRegularExpression::UseUnicodePropertiesOption);
-}
+constexpr int leastTyped = 2; ///< letters worth marking
 
 QUrl urlOf(const QString& topic) {
     return QUrl(QStringLiteral("help:") + topic);
@@ -66,15 +57,12 @@ void HelpBrowser::renew() {
 void HelpBrowser::mark(const QString& words) {
     m_words = words;
     QList<ExtraSelection> selections;
-    for (const QString& word : searchedWords(words)) {
-        if (word.size() < leastWord) {
-            continue;
-        }
-        const QRegularExpression form = formsOf(word);
-        for (QTextCursor found = document()->find(form); !found.isNull();
-             found = document()->find(form, found)) {
+    if (words.trimmed().size() >= leastTyped) {
+        for (const auto& [at, length] : HelpWords(words).placesIn(document()->toRawText())) {
             ExtraSelection selection;
-            selection.cursor = found;
+            selection.cursor = QTextCursor(document());
+            selection.cursor.setPosition(int(at));
+            selection.cursor.setPosition(int(at + length), QTextCursor::KeepAnchor);
             selection.format.setBackground(palette().brush(QPalette::Highlight));
             selection.format.setForeground(palette().brush(QPalette::HighlightedText));
             selections += selection;

@@ -5,46 +5,76 @@
 
 #include <QByteArray>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
-#include <memory>
 
 namespace sparkout {
 
 namespace {
 
-using Stemmer = std::unique_ptr<sb_stemmer, decltype(&sb_stemmer_delete)>;
+QRegularExpressionMatchIterator wordsOf(const QString& text) {
+    static const QRegularExpression word(QStringLiteral("\\w+"),
+                                         QRegularExpression::UseUnicodePropertiesOption);
+    return word.globalMatch(text);
+}
 
-/// As much of the word as it has in common with its stem: a stem may end in other letters.
-QString withoutEnding(const QString& word, sb_stemmer* stemmer) {
-    const QByteArray utf8 = word.toUtf8();
-    const auto* const stem =
-        sb_stemmer_stem(stemmer, reinterpret_cast<const sb_symbol*>(utf8.constData()),
-                        static_cast<int>(utf8.size()));
-    if (!stem) {
-        return word; // out of memory
-    }
-    const QString found =
-        QString::fromUtf8(reinterpret_cast<const char*>(stem), sb_stemmer_length(stemmer));
-    const auto parted = std::mismatch(word.begin(), word.end(), found.begin(), found.end());
-    return word.left(parted.first - word.begin());
+QString folded(const QString& word) {
+    return word.toCaseFolded().replace(u'ё', u'е');
 }
 
 } // namespace
 
-QString folded(QString text) {
-    return text.toCaseFolded().replace(u'ё', u'е');
+HelpWords::HelpWords(const QString& wanted)
+    : m_stemmer(
+        sb_stemmer_new(QLocale().language() == QLocale::Russian ? "russian" : "english", nullptr),
+        sb_stemmer_delete) {
+    for (auto it = wordsOf(wanted); it.hasNext();) {
+        const QString word = folded(it.next().captured());
+        m_wanted.push_back({word, stemOf(word)});
+    }
 }
 
-QStringList searchedWords(const QString& words) {
-    const bool russian = QLocale().language() == QLocale::Russian;
-    const Stemmer stemmer(sb_stemmer_new(russian ? "russian" : "english", nullptr),
-                          sb_stemmer_delete);
-    QStringList wanted = folded(words).split(u' ', Qt::SkipEmptyParts);
-    for (QString& word : wanted) {
-        word = withoutEnding(word, stemmer.get());
+QString HelpWords::stemOf(const QString& folded) const {
+    const QByteArray utf8 = folded.toUtf8();
+    const auto* const stem =
+        m_stemmer
+            ? sb_stemmer_stem(m_stemmer.get(), reinterpret_cast<const sb_symbol*>(utf8.constData()),
+                              static_cast<int>(utf8.size()))
+            : nullptr;
+    return stem ? QString::fromUtf8(reinterpret_cast<const char*>(stem),
+                                    sb_stemmer_length(m_stemmer.get()))
+                : folded; // no memory
+}
+
+bool HelpWords::Wanted::is(const QString& found, const HelpWords& words) const {
+    constexpr int least = 3; // letters of a stem that tells: that of «ось» is «о»
+    return found.startsWith(word)
+           || (stem.size() >= least && found.front() == stem.front()
+               && words.stemOf(found) == stem);
+}
+
+bool HelpWords::areIn(const QString& text) const {
+    std::vector<bool> in(m_wanted.size());
+    for (auto it = wordsOf(text); it.hasNext();) {
+        const QString found = folded(it.next().captured());
+        for (std::size_t i = 0; i < m_wanted.size(); ++i) {
+            in[i] = in[i] || m_wanted[i].is(found, *this);
+        }
     }
-    return wanted;
+    return std::ranges::all_of(in, [](bool each) { return each; });
+}
+
+std::vector<HelpWords::Place> HelpWords::placesIn(const QString& text) const {
+    std::vector<Place> places;
+    for (auto it = wordsOf(text); it.hasNext();) {
+        const QRegularExpressionMatch match = it.next();
+        const QString found = folded(match.captured());
+        if (std::ranges::any_of(m_wanted, [&](const Wanted& w) { return w.is(found, *this); })) {
+            places.push_back({match.capturedStart(), match.capturedLength()});
+        }
+    }
+    return places;
 }
 
 } // namespace sparkout

@@ -2,15 +2,40 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
+
+#include <memory>
+#include <vector>
+
+struct sb_stemmer;
 
 namespace sparkout {
 
-/// Text to be searched: case, and е for ё, make no difference.
-[[nodiscard]] QString folded(QString text);
+/// Words that are looked for in the help, in the present language. A word of a text is one of them
+/// when it begins as it or differs by its ending alone: "feeds" and "feed", «подачей» and «подача».
+/// Case, and е for ё, make no difference.
+class HelpWords {
+public:
+    explicit HelpWords(const QString& wanted);
 
-/// The words that are looked for, folded and without the endings of the present language: so
-/// "feeds" finds "feed", «подачей» finds «подача».
-[[nodiscard]] QStringList searchedWords(const QString& words);
+    [[nodiscard]] bool isEmpty() const { return m_wanted.empty(); }
+    /// Whether each of them stands in the text.
+    [[nodiscard]] bool areIn(const QString& text) const;
+
+    struct Place {
+        qsizetype at, length;
+    };
+    /// Where any of them stands in the text.
+    [[nodiscard]] std::vector<Place> placesIn(const QString& text) const;
+
+private:
+    struct Wanted {
+        QString word, stem; ///< folded
+        [[nodiscard]] bool is(const QString& found, const HelpWords& words) const;
+    };
+    [[nodiscard]] QString stemOf(const QString& folded) const;
+
+    std::unique_ptr<sb_stemmer, void (*)(sb_stemmer*)> m_stemmer;
+    std::vector<Wanted> m_wanted;
+};
 
 } // namespace sparkout

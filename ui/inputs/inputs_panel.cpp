@@ -14,6 +14,7 @@
 #include <QButtonGroup>
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -159,8 +160,11 @@ void InputsPanel::showPath(const std::string& path, bool focus) {
 }
 
 void InputsPanel::endTyping() {
-    if (auto* field = qobject_cast<NumberField*>(QApplication::focusWidget())) {
+    QWidget* const focus = QApplication::focusWidget();
+    if (auto* field = qobject_cast<NumberField*>(focus)) {
         field->settle();
+    } else if (auto* line = qobject_cast<QLineEdit*>(focus); line && isAncestorOf(line)) {
+        emit line->editingFinished(); // as when it is left
     }
 }
 

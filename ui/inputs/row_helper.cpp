@@ -194,9 +194,12 @@ SizeHelper::SizeHelper(Document& document, QWidget* parent)
     retranslate();
 }
 
-/// What is being typed stays; else the part's own field stands there.
+/// What is being typed stays, and what was refused as long as it is; else the part's own field
+/// stands there.
 void SizeHelper::showPart() {
-    const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty();
+    const auto typed = toFill();
+    const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty() && typed
+                            && (m_size->hasFocus() || !typed->size);
     if (!unfinished) {
         m_size->setText(fieldOf(m_document.project().part));
     }

@@ -75,7 +75,9 @@ void OptimiseView::showOutcome() {
             m_runner->drop();
         }
         noteStale();
-        m_before = m_before && isTaken() ? m_before : m_good;
+        const bool mayCompare =
+            m_own && isTaken() && sameSearch(m_own->result.project, m_good->result.project);
+        m_before = mayCompare ? m_own : m_good;
         m_found->setBefore(before_s());
         m_times->setSearch(m_search, before_s());
         showCurves();
@@ -114,6 +116,7 @@ void OptimiseView::forget() {
 }
 
 void OptimiseView::showSearch() {
+    m_own.reset();
     m_before = m_good;
     m_found->show(m_search, before_s());
     m_times->setSearch(m_search, before_s());
@@ -149,6 +152,9 @@ void OptimiseView::takeCycle() {
     const FoundCycle* cycle = chosen();
     if (!cycle || m_stale) {
         return;
+    }
+    if (!isTaken()) {
+        m_own = m_good;
     }
     const auto take = [searched = m_search->project, found = *cycle](Project project) {
         if (sameSearch(searched, project)) { // else edited meanwhile

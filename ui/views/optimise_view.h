@@ -29,9 +29,10 @@ class Settings;
 class StageCountPlot;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
-/// requirement. The best cycles as they were found; the one chosen beside the present cycle, curve
-/// by curve; the time over the number of stages; what keeps it from being quicker. A cycle is taken
-/// by one edit. Results of other inputs are drawn faint.
+/// requirement. The best cycles as they were found; the one chosen beside the present cycle, or
+/// the one that it took the place of, curve by curve; the time over the number of stages; what
+/// keeps it from being quicker. A cycle is taken by one edit. Results of other inputs are drawn
+/// faint.
 class OptimiseView : public View {
     Q_OBJECT
 public:
@@ -109,7 +110,8 @@ private:
     QLabel* m_notice;
     QLabel* m_values;
     OutcomePtr m_good;         ///< the inputs that were accepted last
-    OutcomePtr m_before;       ///< the same, or what a cycle found took the place of
+    OutcomePtr m_own;          ///< what a cycle found took the place of
+    OutcomePtr m_before;       ///< what is compared with: that one, or the present one
     SearchOutcomePtr m_search; ///< what is shown
     OutcomePtr m_trial;        ///< the run of the chosen cycle
     std::optional<Project> m_searching;
