@@ -9191,6 +9191,10 @@ target, µm</source>
     <context>
         <name>sparkout::MainWindow</name>
         <message>
+            <source>%1: done.</source>
+            <translation>%1: готово.</translation>
+        </message>
+        <message>
             <source>Saved.</source>
             <translation>Сохранено.</translation>
         </message>

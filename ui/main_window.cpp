@@ -122,8 +122,14 @@ void MainWindow::buildViews() {
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
-    connect(m_keeper, &RunKeeper::told, this,
-            [this](const QString& text) { statusBar()->showMessage(text, 6000); });
+    const auto tell = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
+    connect(m_keeper, &RunKeeper::told, this, tell);
+    const auto tellDone = [tell](const View* view) {
+        return [tell, view] { tell(tr("%1: done.").arg(view->title())); };
+    };
+    connect(m_batch, &BatchView::batchShown, this, tellDone(m_batch));
+    connect(sweep, &SweepView::sweepShown, this, tellDone(sweep));
+    connect(optimise, &OptimiseView::searchShown, this, tellDone(optimise));
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,

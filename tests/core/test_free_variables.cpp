@@ -72,7 +72,7 @@ Project freeCase(unsigned seed) {
 }
 
 unsigned cases() {
-    return searches(120);
+    return searches(125);
 }
 
 } // namespace

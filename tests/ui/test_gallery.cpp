@@ -10,6 +10,8 @@
 #include <QSet>
 #include <QTest>
 
+#include <vector>
+
 namespace test_gallery {
 
 using namespace sparkout;
@@ -51,16 +53,15 @@ private slots:
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("theme");
         QTest::addColumn<QSize>("size");
+        std::vector<Theme> themes{Theme::light, Theme::dark};
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
+            themes.push_back(Theme::contrast);
+        }
         for (const char* language : {"en", "ru"}) {
-            for (const Theme theme : {Theme::light, Theme::dark}) {
-                // Otherwise each language in one of the themes: labels and themes have tests.
-                const bool english = qstrcmp(language, "en") == 0;
-                const bool all = qEnvironmentVariableIsSet("SPARKOUT_LONG");
-                if (all || english == (theme == Theme::light)) {
-                    QTest::addRow("%s %s", language, qPrintable(themeCode(theme)))
-                        << QString::fromUtf8(language) << int(theme) << QSize(1366, 768);
-                }
-                if (all) {
+            for (const Theme theme : themes) {
+                QTest::addRow("%s %s", language, qPrintable(themeCode(theme)))
+                    << QString::fromUtf8(language) << int(theme) << QSize(1366, 768);
+                if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) {
                     QTest::addRow("%s %s large", language, qPrintable(themeCode(theme)))
                         << QString::fromUtf8(language) << int(theme) << QSize(1920, 1080);
                 }

@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTest>
 
 namespace test_optimise_view {
@@ -143,6 +144,14 @@ private slots:
         QVERIFY(desk.searched()); // for the cycle taken
         QVERIFY(std::abs(desk.view->curves()->runs().front().feeds->end_s - best_s) < 1e-5);
         QVERIFY(std::abs(desk.cell(0, FoundModel::change).toDouble()) < 0.05);
+    }
+
+    void theEndOfASearchIsToldInOtherViews() {
+        const Desk desk(fixtures::searchedShaft());
+        desk.click("optimiseRun");
+        desk.bench.window->showView(QStringLiteral("feeds"));
+        QTRY_COMPARE_WITH_TIMEOUT(desk.bench.window->statusBar()->currentMessage(),
+                                  QStringLiteral("Optimise: done."), patience_ms);
     }
 
     void anotherRowIsDrawnAndTakenByEnter() {
