@@ -3940,6 +3940,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>What keeps it from being quicker: %1.</source>
             <translation>Быстрее не даёт: %1.</translation>
         </message>
+        <message>
+            <source>The nominal part alone would take %1 min: robustness costs %2 % of time.</source>
+            <translation>Для одной номинальной детали хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
+        </message>
         <message numerus="yes">
             <source>It holds in the last sample of scenarios; %n of them had to be added.</source>
             <translation>

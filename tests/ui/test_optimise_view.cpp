@@ -242,6 +242,10 @@ private slots:
         QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
         outcome.found.front().time_s = 50; // quicker than any that is left
         QVERIFY(outcome.proved());
+        outcome.numbers.front().nominalTime_us = 40'000'000;
+        const QString cost = OptimiseText::answer(outcome, {});
+        QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
+                 qPrintable(cost));
     }
 
     void aSearchIsStoppedAndAnEditDropsIt() {

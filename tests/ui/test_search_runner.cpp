@@ -229,6 +229,8 @@ private slots:
         const SearchOutcomePtr outcome = searched(project);
         QVERIFY(outcome && outcome->robust && outcome->best());
         QVERIFY(outcome->best()->time_s >= alone->best()->time_s);
+        QCOMPARE(outcome->nominal_s(), alone->best()->time_s);
+        QCOMPARE(alone->nominal_s(), 0.0);
         Project corners = project;
         corners.cycle = outcome->best()->cycle;
         corners.batch->scenarios = Scenarios::corners;

@@ -81,6 +81,7 @@ private:
                 optimiseRobustly(project, scenariosAskedFor(project), {.search = options});
             number.scenariosAdded = static_cast<int>(robust.added.size());
             number.holds = robust.holdsInSample;
+            number.nominalTime_us = robust.nominalTime_us;
             std::ranges::move(robust.added, std::back_inserter(m_scenarios));
             number.search = std::move(robust.search);
         } else {
@@ -257,6 +258,16 @@ bool SearchOutcome::unresolved() const {
         return !number.holds && number.search.best
                && (!best() || seconds(number.search.best->time_us) < best()->time_s);
     });
+}
+
+double SearchOutcome::nominal_s() const {
+    std::int64_t least_us = 0;
+    for (const SearchedNumber& number : numbers) {
+        if (number.nominalTime_us > 0 && (least_us == 0 || number.nominalTime_us < least_us)) {
+            least_us = number.nominalTime_us;
+        }
+    }
+    return seconds(least_us);
 }
 
 SearchRunner::SearchRunner(QObject* parent) : QObject(parent) {

@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -42,6 +43,7 @@ struct SearchedNumber {
     int stages = 0;
     SearchSummary search = {};
     int scenariosAdded = 0;
+    std::int64_t nominalTime_us = 0; ///< of the best one before any was added; 0: none
     bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
 };
 
@@ -64,6 +66,8 @@ struct SearchOutcome {
     [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
     /// The rounds ran out for a number of stages that might have had a quicker cycle.
     [[nodiscard]] bool unresolved() const;
+    /// The quickest time [s] of a robust search before scenarios were added; 0: none.
+    [[nodiscard]] double nominal_s() const;
     [[nodiscard]] bool proved() const { return best() && !stopped && !unresolved(); }
     /// How often each requirement cut, over all numbers of stages.
     [[nodiscard]] std::array<long long, constraintKinds> cuts() const;

@@ -195,6 +195,10 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         }
         lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
                     nullptr, added);
+        if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
+            lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
+                         .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
+        }
     }
     return lines.join(u' ');
 }
