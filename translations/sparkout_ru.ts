@@ -9195,8 +9195,8 @@ target, µm</source>
     <context>
         <name>sparkout::MainWindow</name>
         <message>
-            <source>%1: done.</source>
-            <translation>%1: готово.</translation>
+            <source>%1: ended.</source>
+            <translation>%1: расчёт окончен.</translation>
         </message>
         <message>
             <source>Saved.</source>

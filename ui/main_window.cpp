@@ -122,14 +122,13 @@ void MainWindow::buildViews() {
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
-    const auto tell = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
-    connect(m_keeper, &RunKeeper::told, this, tell);
-    const auto tellDone = [tell](const View* view) {
-        return [tell, view] { tell(tr("%1: done.").arg(view->title())); };
+    connect(m_keeper, &RunKeeper::told, this, &MainWindow::tell);
+    const auto tellEnd = [this](const View* view) { // its notice says how: done, stopped, refused
+        return [this, view] { tell(tr("%1: ended.").arg(view->title())); };
     };
-    connect(m_batch, &BatchView::batchShown, this, tellDone(m_batch));
-    connect(sweep, &SweepView::sweepShown, this, tellDone(sweep));
-    connect(optimise, &OptimiseView::searchShown, this, tellDone(optimise));
+    connect(m_batch, &BatchView::batchShown, this, tellEnd(m_batch));
+    connect(sweep, &SweepView::sweepShown, this, tellEnd(sweep));
+    connect(optimise, &OptimiseView::searchShown, this, tellEnd(optimise));
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
@@ -161,6 +160,11 @@ const std::vector<View*>& MainWindow::views() const {
     return m_tabs->views();
 }
 
+void MainWindow::tell(const QString& text) {
+    constexpr int patience_ms = 6000;
+    statusBar()->showMessage(text, patience_ms);
+}
+
 void MainWindow::connectDocument() {
     connect(&m_document, &Document::changed, this, [this] {
         m_runs.request(m_document.project());
@@ -185,12 +189,10 @@ void MainWindow::connectDocument() {
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
     connect(m_files, &FileCommands::saved, this, [this] {
         const int refused = static_cast<int>(m_inputs->refusals().size());
-        statusBar()->showMessage(
-            refused == 0
-                ? tr("Saved.")
-                : tr("Saved; %n fields hold a refused text, their last good values were saved.",
-                     nullptr, refused),
-            6000);
+        tell(refused == 0
+                 ? tr("Saved.")
+                 : tr("Saved; %n fields hold a refused text, their last good values were saved.",
+                      nullptr, refused));
     });
     m_files->askRefusedTexts([this] {
         QStringList lines;

@@ -85,6 +85,7 @@ private:
     void showOutcome(const OutcomePtr& outcome);
     void showRequirement(const ConstraintResult& requirement);
     void showTitle();
+    void tell(const QString& text); ///< for some seconds, in the status bar
     void showStatus();
     void retranslate();
 

@@ -151,7 +151,7 @@ private slots:
         desk.click("optimiseRun");
         desk.bench.window->showView(QStringLiteral("feeds"));
         QTRY_COMPARE_WITH_TIMEOUT(desk.bench.window->statusBar()->currentMessage(),
-                                  QStringLiteral("Optimise: done."), patience_ms);
+                                  QStringLiteral("Optimise: ended."), patience_ms);
     }
 
     void anotherRowIsDrawnAndTakenByEnter() {
