@@ -117,11 +117,16 @@ private slots:
     }
 
     void aNameRelativeToTheWorkingFolderIsWrittenThere() {
-        const fs::path before = fs::current_path();
-        fs::current_path(m_folder);
-        const auto error = writeFileSafely("вал 30h6.sparkout", "new");
-        fs::current_path(before);
-        QVERIFY(!error);
+        // In a child: who dropped root's rights may not be able to come back to where it was.
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const bool written = ::chdir(m_folder.c_str()) == 0
+                                 && !writeFileSafely("вал 30h6.sparkout", "new");
+            ::_exit(written ? 0 : 1);
+        }
+        int status = -1;
+        QCOMPARE(::waitpid(child, &status, 0), child);
+        QCOMPARE(status, 0);
         QCOMPARE(get(file("вал 30h6.sparkout")), std::string("new"));
     }
 
@@ -385,13 +390,16 @@ namespace {
 
 constexpr uid_t nobody = 65534;
 
-/// A sticky folder with a file and a device that nobody could not make.
-void prepareAsRoot() {
+/// A sticky folder with a file and a device that nobody could not make. The tests start where root's
+/// home would have them start: in a folder that nobody cannot come back to.
+bool prepareAsRoot() {
     rootsFolder = makeFolder();
     put(rootsFolder / "foreign", "old");
     ::chmod((rootsFolder / "foreign").c_str(), 0666);
     (void)::mknod((rootsFolder / "device").c_str(), S_IFCHR | 0666, makedev(1, 3));
     ::chmod(rootsFolder.c_str(), 01777);
+    const fs::path sealed = rootsFolder / "sealed";
+    return ::mkdir(sealed.c_str(), 0700) == 0 && ::chdir(sealed.c_str()) == 0;
 }
 
 int runTests(int argc, char** argv) {
@@ -404,7 +412,8 @@ int runTests(int argc, char** argv) {
 int main(int argc, char** argv) {
     if (::geteuid() != 0)
         return runTests(argc, argv);
-    prepareAsRoot();
+    if (!prepareAsRoot())
+        return 2;
     const pid_t child = ::fork();
     if (child == 0) {
         if (::setgroups(0, nullptr) != 0 || ::setresgid(nobody, nobody, nobody) != 0
