@@ -350,6 +350,7 @@ int main(int argc, char** argv) {
                                    "sparkout --report."));
         return exitUsage;
     }
+    passOverPlatformNotices();
     int noArguments = 1; // the options are ours, Qt reads none of them
     QApplication app(noArguments, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's

@@ -10,6 +10,23 @@
 
 namespace sparkout {
 
+namespace {
+
+QtMessageHandler printed = nullptr; ///< Qt's own
+
+void printUnlessOfPlatform(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (!text.contains(QLatin1StringView("propagateSizeHints"))
+        && !text.contains(QLatin1StringView("XDG_RUNTIME_DIR not set"))) {
+        printed(type, context, text);
+    }
+}
+
+} // namespace
+
+void passOverPlatformNotices() {
+    printed = qInstallMessageHandler(printUnlessOfPlatform);
+}
+
 void say(std::FILE* stream, const QString& text) {
     std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
 }

@@ -15,6 +15,10 @@ inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3, ex
 
 void say(std::FILE* stream, const QString& text); ///< a line
 
+/// From now on two notices of Qt about where it runs are not printed: that the platform without a
+/// display takes no size hints, and that XDG_RUNTIME_DIR is not set. The rest goes where it went.
+void passOverPlatformNotices();
+
 /// Writes a file safely; a failure is said.
 [[nodiscard]] bool writeBytes(const QByteArray& bytes, const QString& path);
 

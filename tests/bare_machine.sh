@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Proves the two README commands on a bare machine: a fresh Debian 12 without any extra package,
-# a clone of the current HEAD in it, "./workbench run" and "./workbench test".
+# clones of the current HEAD in it, "./workbench run" and "./workbench test" in each. One clone is in
+# the home folder, which nobody else may enter (0700), one in a folder with a space and Cyrillic.
 #
-#   bare_machine.sh [--user] [--keep]      as root; needs debootstrap, git and about 5 GB
+#   bare_machine.sh [--user] [--home | --odd] [--keep]    as root; needs debootstrap, git, about 8 GB
 #     --user   as an ordinary user with sudo and without a terminal, instead of as root
+#     --home   the clone in the home folder alone
+#     --odd    the clone in the oddly named folder alone
 #     --keep   leaves the tree in place and prints where
 #
 # The mounts live in a namespace of their own and end with it, so removing the tree is safe.
 set -eu -o pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
+odd="/srv/шлифовка вал"
 path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
 
 say() { printf '\n#### %s\n' "$*"; }
@@ -22,10 +26,15 @@ mirror() { # the host's own, whichever way it is written down
     } 2>/dev/null | grep -v security | head -n 1 || true
 }
 
-make_tree() { # TREE USER
-    local tree=$1 from=http://deb.debian.org/debian found include=()
+home_of() { # USER
+    [[ -n $1 ]] && echo "/home/$1" || echo /root
+}
+
+make_tree() { # TREE USER PLACE…
+    local tree=$1 user=$2 place from=http://deb.debian.org/debian found include=()
     found=$(mirror)
-    [[ -z $2 ]] || include=('--include=sudo,adduser')
+    shift 2
+    [[ -z $user ]] || include=('--include=sudo,adduser')
     say "debootstrap --variant=minbase bookworm from ${found:-$from}"
     debootstrap --variant=minbase "${include[@]}" bookworm "$tree" "${found:-$from}" >"$tree.log" 2>&1 \
         || { tail "$tree.log"; return 1; }
@@ -34,48 +43,58 @@ make_tree() { # TREE USER
     grep -lsi proxy /etc/apt/apt.conf.d/* | while read -r file; do
         cp "$file" "$tree/etc/apt/apt.conf.d/"
     done || true
-    # A folder with a space: the scripts must cope.
-    git clone -q --no-hardlinks "$root" "$tree/srv/sparkout clone"
-    if [[ -n $2 ]]; then
-        chroot "$tree" adduser --quiet --disabled-password --gecos '' "$2"
-        echo "$2 ALL=(ALL) NOPASSWD: ALL" >"$tree/etc/sudoers.d/$2"
-        chroot "$tree" chown -R "$2" "/srv/sparkout clone"
+    if [[ -n $user ]]; then
+        chroot "$tree" adduser --quiet --disabled-password --gecos '' "$user"
+        echo "$user ALL=(ALL) NOPASSWD: ALL" >"$tree/etc/sudoers.d/$user"
     fi
+    chmod 700 "$tree$(home_of "$user")"
+    for place; do
+        git clone -q --no-hardlinks "$root" "$tree$place"
+        [[ -z $user ]] || chroot "$tree" chown -R "$user" "$place"
+    done
 }
 
-inside() { # TREE USER: in the namespace
-    local tree=$1 user=$2 command result=0 begin
+inside() { # TREE USER PLACE…: in the namespace
+    local tree=$1 user=$2 place command result=0 begin
     local -a enter=(chroot "$tree" env -i PATH="$path" HOME=/root)
     [[ -z $user ]] || enter=(chroot --userspec="$user:$user" "$tree" env -i PATH="$path"
         HOME="/home/$user" USER="$user")
+    shift 2
     mount --bind "$tree" "$tree" # its root is a mount point, as on a machine
     mount -t proc proc "$tree/proc" || echo "no /proc: going on without"
     mount -t tmpfs -o mode=1777 shm "$tree/dev/shm" || true
-    for command in run test; do
-        say "./workbench $command, as ${user:-root}"
-        begin=$SECONDS
-        # From another working directory and without a terminal.
-        "${enter[@]}" "/srv/sparkout clone/workbench" "$command" </dev/null || result=1
-        say "./workbench $command took $((SECONDS - begin)) s, status $result so far"
+    for place; do
+        for command in run test; do
+            say "$place/workbench $command, as ${user:-root}"
+            begin=$SECONDS
+            # From another working directory and without a terminal.
+            "${enter[@]}" "$place/workbench" "$command" </dev/null || result=1
+            say "$place/workbench $command took $((SECONDS - begin)) s, status $result so far"
+        done
+        du -sh "$tree$place"
     done
     df -h "$tree" | tail -n 1
     return $result
 }
 
 if [[ ${1-} == --inside ]]; then
-    inside "$2" "${3-}"
+    inside "${@:2}"
     exit
 fi
 
-user="" keep=""
+user="" keep="" only=""
 for argument; do
     case $argument in
         --user) user=builder ;;
         --keep) keep=1 ;;
-        *) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 2 ;;
+        --home | --odd) only=${argument#--} ;;
+        *) sed -n '3,14s/^# \{0,1\}//p' "$0"; exit 2 ;;
     esac
 done
 ((EUID == 0)) || { echo "bare_machine.sh must run as root (debootstrap, chroot)" >&2; exit 2; }
+places=("$(home_of "$user")/sparkout" "$odd")
+[[ $only != home ]] || places=("${places[0]}")
+[[ $only != odd ]] || places=("$odd")
 work=$(mktemp -d "${TMPDIR:-/var/tmp}/sparkout-bare-XXXXXX")
 chmod 755 "$work"
 # shellcheck disable=SC2317 # called by the trap
@@ -90,10 +109,10 @@ cleanup() {
 }
 trap cleanup EXIT
 begin=$SECONDS
-make_tree "$work/tree" "$user"
+make_tree "$work/tree" "$user" "${places[@]}"
 say "the bare tree took $((SECONDS - begin)) s, $(du -sh "$work/tree" | cut -f 1)"
 result=0
 unshare --mount --pid --fork --kill-child --propagation private "$0" --inside "$work/tree" "$user" \
-    || result=$?
+    "${places[@]}" || result=$?
 say "$( ((result)) && echo FAIL || echo PASS), $((SECONDS - begin)) s in all"
 exit $result

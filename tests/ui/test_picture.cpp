@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -62,6 +63,22 @@ class TestPicture : public QObject {
     Q_OBJECT
 
 private slots:
+    void nothingIsPrintedOfThePlatform() {
+        const QTemporaryDir folder;
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.remove(QStringLiteral("XDG_RUNTIME_DIR"));
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(SPARKOUT_PROGRAM),
+                      {QStringLiteral("--picture"), folder.filePath(QStringLiteral("window.png")),
+                       example});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 0);
+        QCOMPARE(QString::fromUtf8(process.readAll()), QString());
+    }
+
     void thePictureHasTheSizeAndTheThemeAskedFor_data() {
         QTest::addColumn<QString>("theme");
         QTest::addColumn<bool>("dark");
