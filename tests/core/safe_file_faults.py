@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Breaks the safe writer from outside: failing system calls, kill -9, a full disk.
 
-    safe_file_faults.py PROBE [--long]
+    safe_file_faults.py PROBE [--long | --calls]
 
 PROBE is the program of safe_file_probe.cpp. One line a check: CHECK nn value limit PASS|FAIL|SKIP.
+--calls looks at the calls of single saves alone: what is synced and closed, and a second save.
 As root everything happens on a private tmpfs and as the user nobody; the full disk needs the right
 to mount a tmpfs (root, or user namespaces) and is skipped without it.
 """
@@ -208,6 +209,103 @@ def check_errors():
           f"injected faults that hit; {len(faults)} violations, reported: {told}")
 
 
+class Call:
+    """A system call of a save: its name, its number among those of its name, and what it is about."""
+
+    def __init__(self, name, number, text):
+        self.name, self.number, self.text = name, number, text
+
+    def is_of(self, name, path):
+        """Whether it is this call of a descriptor of the path, which strace -y names."""
+        return self.name == name and re.match(rf"\d+<{path}>\)", self.text) is not None
+
+
+def calls_in_order(scene):
+    """The calls of one save that succeed, in their order."""
+    scene.prepare()
+    log = WORK / "strace.log"
+    run("strace", "-y", "-f", "-o", log, "-e", "trace=%file,%desc", *scene.command())
+    counts, calls, inside = collections.Counter(), [], False
+    for line in log.read_text(errors="replace").splitlines():
+        found = re.match(r"\d+ +(\w+)\((.*)", line)
+        if "/sparkout-probe-end" in line:
+            break
+        if "/sparkout-probe-begin" in line:
+            inside = True
+        elif found:
+            counts[found[1]] += 1
+            if inside and not re.search(r"= -1 ", line):
+                calls.append(Call(found[1], counts[found[1]], found[2]))
+    return calls
+
+
+def check_syncs_and_closes():
+    """The bytes are on the disk and their file is closed before the name is theirs, and the folder is
+    on the disk behind it. A close that fails, as a network file system reports a write, is told."""
+    faults, found = [], 0
+    temporary, folder = r"[^>]*/\.sparkout-[^>]*\.tmp", re.escape(str(WORK / "scene"))
+    for scene in scenes():
+        calls = calls_in_order(scene)
+        places = {"write": [], "fsync": [], "close": [], "folder": [], "rename": []}
+        for at, call in enumerate(calls):
+            for name in ("write", "fsync", "close"):
+                if call.is_of(name, temporary) or name == "write" and re.match(
+                        rf"\d+<{temporary}>, ", call.text) and call.name == name:
+                    places[name].append(at)
+            if call.is_of("fsync", folder):
+                places["folder"].append(at)
+            if call.name.startswith("rename"):
+                places["rename"].append(at)
+        first, last = min(places["rename"]), max(places["rename"])
+        syncs = [at for at in places["fsync"] if max(places["write"]) < at < first]
+        closes = [at for at in places["close"] if max(places["write"]) < at < first]
+        found += len(syncs) + len(closes) + len(places["folder"])
+        if not syncs:
+            faults.append(f"{scene.name}: the file is not synced before it gets its name")
+        if not any(at > last for at in places["folder"]):
+            faults.append(f"{scene.name}: the folder is not synced behind the rename")
+        if not closes:
+            faults.append(f"{scene.name}: no close before the file gets its name")
+        for at in closes:
+            output, hit, _ = injected(scene, f"close:error=EIO:when={calls[at].number}")
+            if not hit or not output.startswith(f"error close {errno.EIO}"):
+                faults.append(f"{scene.name}, failed close: reported {output!r}")
+            elif scene.fault(output):
+                faults.append(f"{scene.name}, failed close: {scene.fault(output)}")
+    note_faults(faults)
+    check("01a", found, 3 * len(scenes()), found >= 3 * len(scenes()) and not faults,
+          f"syncs of file and folder and closes in {len(scenes())} saves; {len(faults)} violations")
+
+
+def check_exchange_beside_another_save():
+    """While a save has the new file in place and the old one still under a temporary name, another
+    save begins, and clears up: the old file shall be the backup all the same."""
+    scene = Scene("exchange", 300, old=200, backup=True)
+    fault = "the saves never met"
+    for seconds in (0.5, 2, 8):  # on a busy machine the second save starts late
+        scene.prepare()
+        rule = f"inject=renameat:delay_enter={int(seconds * 1e6)}:when=1"
+        with subprocess.Popen(["strace", "-f", "-o", "/dev/null", "-e", "trace=renameat", "-e", rule,
+                               *[str(c) for c in scene.command()]], env=ENV, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as first:
+            while scene.state() != "new" and first.poll() is None:
+                time.sleep(0.005)
+            second = run(PROBE, "save", scene.path, 400, "newer").stdout
+            met = first.poll() is None
+            told = first.communicate(timeout=60)[0]
+        if not met:
+            continue
+        backup = (scene.folder / "part.sparkout.bak").read_bytes()
+        fault = ("" if told.startswith("ok") and second.startswith("ok")
+                 and scene.file.read_bytes() == content(400, "newer")
+                 and backup == content(200, "old") and not leftovers(scene.folder)
+                 else f"reported {told!r} and {second!r}, the backup is {backup[:12]!r}, "
+                      f"leftovers {leftovers(scene.folder)}")
+        break
+    note_faults([fault] if fault else [])
+    check("01b", int(not fault), 1, not fault, "a save during the exchange of another one")
+
+
 def check_kill_at_each_call():
     hits, faults = 0, []
     for scene in scenes():
@@ -352,6 +450,10 @@ def checks(disk):
             check(number, 0, 60, False, "strace is not installed (see packages.txt, test)")
     else:
         try:
+            check_syncs_and_closes()
+            check_exchange_beside_another_save()
+            if "--calls" in sys.argv:
+                return
             check_errors()
             check_kill_at_each_call()
         except RuntimeError as error:
