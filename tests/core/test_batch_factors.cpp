@@ -2,6 +2,8 @@
 // The laws a factor may follow, what it stands for, and where feeding starts in a batch.
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
+#include "core/batch/factor_law.h"
+#include "core/process/system_compliance.h"
 #include "core/project/blanks_csv.h"
 
 #include "tests/core/batch_fixtures.h"
@@ -89,6 +91,39 @@ private slots:
         QCOMPARE(cornerEnds(factor).high, 0.2);
     }
 
+    void cornersOfANormalFactorAreThreeDeviationsAwayOrItsTruncation() {
+        GivenFactor factor{FactorKind::stock, fixtures::normal(0.2, 0.01), {0, 10}};
+        QVERIFY(within(cornerEnds(factor).low, 0.17, 1e-15));
+        QVERIFY(within(cornerEnds(factor).high, 0.23, 1e-15));
+        factor.law.normal = {0.02, 0.01};
+        QCOMPARE(cornerEnds(factor).low, 0.0); // what is allowed
+        factor.law.within = {0.015, 0.022};
+        QCOMPARE(cornerEnds(factor).low, 0.015);
+        QCOMPARE(cornerEnds(factor).high, 0.022);
+    }
+
+    /// Whatever the compliance comes from, each of its terms is as many times as large.
+    void aFactorOfTheComplianceMultipliesAllOfIt() {
+        Project project = fixtures::traverse();
+        project.machine.compliance_mm_per_n = std::monostate();
+        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
+        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part.shaft.ground_from_mm = 50;
+        project.part.shaft.steady_rests = {{100, 30}};
+        Project softer = project;
+        putFactor(FactorKind::compliance, 1.25, softer);
+        const auto before = complianceAlong(project, 21), after = complianceAlong(softer, 21);
+        QCOMPARE(after.size(), std::size_t{21});
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            const ComplianceParts &a = before[i].parts, &b = after[i].parts;
+            QVERIFY(close(b.wheelHead, 1.25 * a.wheelHead, 1e-12));
+            QVERIFY(within(b.headstock, 1.25 * a.headstock, 1e-18));
+            QVERIFY(within(b.tailstock, 1.25 * a.tailstock, 1e-18));
+            QVERIFY(within(b.bending, 1.25 * a.bending, 1e-18));
+            QVERIFY(within(b.rests, 1.25 * a.rests, 1e-18));
+        }
+    }
+
     void equalEndsAreAConstant() {
         for (const Factor& law : {uniform(0.2, 0.2), fixtures::normal(0.2, 0),
                                   fixtures::triangular(0.2, 0.2, 0.2), fixtures::measured({0.2})}) {
@@ -162,10 +197,12 @@ private slots:
         Project stiff = fixtures::stiffBatch(20);
         const ScenarioSource source(positionBatch(stiff));
         const SimulationResult nominal = simulate(source.nominal());
+        const std::optional nominalDatum = makeBlank(stiff.part).totalInfeed_mm;
         std::set<double> stocks;
         for (std::int64_t part = 0; part < 20; ++part) {
             const Project project = source.project(part);
             stocks.insert(project.part.stock_mm);
+            QCOMPARE(project.gauge.datum_mm, nominalDatum);
             const SimulationResult result = simulate(project);
             QVERIFY(result.status == RunStatus::completed);
             QCOMPARE(result.time_s, nominal.time_s);

@@ -6,6 +6,7 @@
 #include "core/batch/sobol_sequence.h"
 #include "core/project/validate.h"
 
+#include "core/project/cholesky.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
 
@@ -177,6 +178,22 @@ private slots:
         for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999}) {
             const double x = factorQuantile(factor, share);
             QVERIFY(fixtures::within((phi(x) - phi(0.1)) / (phi(0.25) - phi(0.1)), share, 1e-12));
+        }
+    }
+
+    void theTriangleOfAMatrixGivesItBack() {
+        const std::vector<std::vector<double>> matrix{
+            {1, 0.5, 0.3, -0.2}, {0.5, 1, -0.4, 0.1}, {0.3, -0.4, 1, 0.25}, {-0.2, 0.1, 0.25, 1}};
+        const auto lower = choleskyFactor(matrix);
+        QVERIFY(lower);
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                double product = 0;
+                for (std::size_t k = 0; k <= j; ++k) {
+                    product += (*lower)[i][k] * (*lower)[j][k];
+                }
+                QVERIFY(fixtures::within(product, matrix[i][j], 1e-15));
+            }
         }
     }
 

@@ -50,6 +50,41 @@ private slots:
         QVERIFY(complianceAlong(project, 41).empty());
     }
 
+    // MODEL-6: γ of a section is the mean over what is ground, wherever on the shaft that lies; of
+    // a zone it is that of the zone's middle.
+    void aProjectsCompliancesAreThoseOfTheGroundPlaceOnItsShaft() {
+        Project project = fixtures::plunge();
+        project.sections = 3;
+        project.machine.compliance_mm_per_n = std::monostate();
+        project.machine.stiffness_n_um = Stiffness{60, 40, 50};
+        project.part.shaft.segments = {{40, 25}, {120, 30}, {40, 20}};
+        project.part.shaft.ground_from_mm = 110;
+        ShaftModel model;
+        model.segments = {{40, 25}, {120, 30}, {40, 20}};
+        model.youngsModulus_n_mm2 = project.part.shaft.youngs_modulus_gpa * 1000;
+        model.headstock_n_mm = 60e3;
+        model.tailstock_n_mm = 40e3;
+        model.wheelHead_n_mm = 50e3;
+        const Compliance shaft(model);
+        const double L = project.part.length_mm;
+        const std::vector<CompliantPoint> sections = compliantPoints(project);
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double x = L * (double(j) + 0.5) / 3;
+            QVERIFY(close(sections[j].position_mm, x, 1e-14));
+            QVERIFY(close(sections[j].gamma_mm_n, shaft.mean(110 + x, 110, 110 + L), 1e-12));
+        }
+        project.operation = Operation::traverse;
+        project.wheel.width_mm = 12;
+        project.machine.overrun_entry_mm = 2;
+        project.machine.overrun_exit_mm = 5;
+        const std::vector<CompliantPoint> zones = compliantPoints(project);
+        const double middles[] = {5, 10 + (L - 17) / 2, L - 3.5};
+        for (std::size_t zone = 0; zone < 3; ++zone) {
+            QVERIFY(close(zones[zone].position_mm, middles[zone], 1e-14));
+            QVERIFY(close(zones[zone].gamma_mm_n, shaft.at(110 + middles[zone]), 1e-12));
+        }
+    }
+
     // shared/vectors: shaft on centres
     void shaftOnCentresGivesThePublishedNumbers_data() {
         QTest::addColumn<double>("x");

@@ -79,6 +79,24 @@ private slots:
         QCOMPARE(minimumZoneCylinder(shapes, directions).contacts.size(), std::size_t(4));
     }
 
+    /// Of one section as of many: a point that touches stands on the cylinder it is told to touch.
+    void aSingleSectionsContactsLieOnTheirOwnSide() {
+        for (int i = 0; i < 20; ++i) {
+            const Body body = anyBodyOnce(1, std::size_t(8 + 4 * i));
+            const CylinderZone zone =
+                minimumZoneCylinder(body.shapes(), Directions(body.radii[0].size()));
+            QCOMPARE(zone.contacts.size(), std::size_t(4));
+            const Axis axis{zone.x_mm, zone.y_mm, 0, 0};
+            std::array<int, 2> bySide{};
+            for (const CylinderContact& contact : zone.contacts) {
+                const double d = distanceTo(body, 0, contact.radius, zone.position_mm, axis);
+                QVERIFY(within(d, contact.outer ? zone.outer_mm : zone.inner_mm, 1e-11));
+                ++bySide[contact.outer ? 1 : 0];
+            }
+            QCOMPARE(bySide, (std::array{2, 2}));
+        }
+    }
+
     // --- against brute force ---
 
     void linearProgrammeIsSolvedExactly() {

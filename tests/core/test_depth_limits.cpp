@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roughness, self-sharpening and power: what limits the depth of cut beside burn [MODEL-8].
+#include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
@@ -68,6 +69,33 @@ class TestDepthLimits : public QObject {
 
 private slots:
     void initTestCase() { setRapidcheckRuns(2000); }
+
+    // --- the width in contact --------------------------------------------------------------------
+
+    void theWidthOfADwellIsThatOfItsOwnZone() {
+        Project p = fixtures::traverse();
+        p.machine.overrun_entry_mm = 12;
+        p.machine.overrun_exit_mm = 4;
+        const double B = p.wheel.width_mm;
+        Place place;
+        place.stage = 1;
+        place.zone = Zone::rz1;
+        for (const Step step : {Step::e1, Step::e2, Step::e5}) {
+            place.step = step;
+            QCOMPARE(effectiveWidth(p, place), B - 12);
+        }
+        place.zone = Zone::rz2;
+        place.step = Step::e2;
+        QCOMPARE(effectiveWidth(p, place), B - 4);
+        const double stroke = 1800 / p.machine.work_speed_rpm;
+        for (const auto& [zone, step] :
+             {std::pair{Zone::rz1, Step::e3}, std::pair{Zone::nz, Step::e2},
+              std::pair{Zone::rz2, Step::e1}, std::pair{Zone::rz2, Step::e3}}) {
+            place.zone = zone;
+            place.step = step;
+            QVERIFY(close(effectiveWidth(p, place), stroke, 1e-15));
+        }
+    }
 
     // --- roughness -------------------------------------------------------------------------------
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a project file is named, all at once, with path, value and what is allowed.
+#include "core/project/range_check.h"
+#include "tests/core/project_fixtures.h"
 #include "tests/core/project_places.h"
 #include "tests/registry.h"
 
@@ -76,6 +78,103 @@ private slots:
     }
 
     // --- wrong types, ranges, keys --------------------------------------------------------------
+
+    /// A sum of steps may miss the length by rounding, by no more.
+    void aShaftMayBeShortByRoundingAlone() {
+        Project project = samples::project("stiffness-traverse");
+        const auto shortBy = [&](double missing_mm) {
+            Project short_ = project;
+            const double needed = short_.part.shaft.ground_from_mm + short_.part.length_mm;
+            short_.part.shaft.steady_rests.clear();
+            short_.part.shaft.segments.assign(10, {needed / 10, 30});
+            short_.part.shaft.segments.back().length_mm -= missing_mm;
+            return holds(validate(short_), IssueCode::shaftTooShort, "/part/shaft/segments");
+        };
+        project.part.shaft.ground_from_mm = 0.1;
+        QVERIFY(!shortBy(0));
+        QVERIFY(!shortBy(0.9e-9));
+        QVERIFY(shortBy(1.1e-9));
+        QVERIFY(shortBy(1e-3));
+    }
+
+    /// As the decimals of a file add up.
+    void stocksMayMissTheirSumByRoundingAlone() {
+        Project project = samples::project("smallest-plunge");
+        const Stage stage = project.cycle.stages.front();
+        project.part.stock_mm = 0.3;
+        const auto warns = [&](double second_mm) {
+            project.cycle.stages.assign(2, stage);
+            project.cycle.stages[0].stock_mm = 0.1;
+            project.cycle.stages[1].stock_mm = second_mm;
+            return holds(validate(project), IssueCode::stocksDoNotSumUp, "/cycle/stages");
+        };
+        QVERIFY(0.1 + 0.2 != 0.3);
+        QVERIFY(!warns(0.2));
+        QVERIFY(!warns(0.2 + 0.9e-9));
+        QVERIFY(warns(0.2 + 1.1e-9));
+    }
+
+    void aWheelAsWideAsThePartIsWideEnough() {
+        Project project = samples::project("smallest-plunge");
+        project.wheel.width_mm = project.part.length_mm;
+        QVERIFY(!hasErrors(validate(project)));
+        project.wheel.width_mm = std::nextafter(project.part.length_mm, 0);
+        QVERIFY(holds(validate(project), IssueCode::wheelTooNarrow, "/wheel/width_mm"));
+    }
+
+    /// Stock and runout stand inside a bore on both sides.
+    void aWheelMustFitTheBlanksBore() {
+        Project project = fixtures::plunge();
+        project.part.surface = Surface::internal;
+        project.part.target_diameter_mm = project.part.diameter_mm;
+        project.part.stock_mm = 0.2;
+        project.part.initial_runout_mm = 0.1;
+        const double bore = project.part.diameter_mm - 0.6;
+        project.wheel.diameter_mm = bore - 1e-6;
+        QVERIFY(!holds(validate(project), IssueCode::wheelTooLarge, "/wheel/diameter_mm"));
+        project.wheel.diameter_mm = bore + 1e-6;
+        QVERIFY(holds(validate(project), IssueCode::wheelTooLarge, "/wheel/diameter_mm"));
+    }
+
+    void limitsAreShownWithTheirSide() {
+        const double infinity = std::numeric_limits<double>::infinity();
+        QCOMPARE(rangeText({0, infinity, true}, "kW"), std::string("> 0 kW"));
+        QCOMPARE(rangeText({0, infinity}, "mm"), std::string("≥ 0 mm"));
+        QCOMPARE(rangeText({-infinity, 5}, "mm"), std::string("≤ 5 mm"));
+        QCOMPARE(rangeText({0, 5, true}, "mm"), std::string("> 0…5 mm"));
+        QCOMPARE(rangeText({0, 5}, ""), std::string("0…5"));
+    }
+
+    /// The limits themselves, apart from the table and the page that is made of it.
+    void dwellsAndDrivesHaveTheirLimits_data() {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<bool>("allowed");
+        for (const char* dwell : {"dwell_entry_s", "dwell_exit_s"}) {
+            QTest::addRow("%s none", dwell) << QString(dwell) << 0.0 << true;
+            QTest::addRow("%s an hour", dwell) << QString(dwell) << 3600.0 << true;
+            QTest::addRow("%s more", dwell) << QString(dwell) << 3600.5 << false;
+            QTest::addRow("%s negative", dwell) << QString(dwell) << -0.001 << false;
+        }
+        for (const char* drive : {"wheel_drive_kw", "work_drive_kw"}) {
+            QTest::addRow("%s none", drive) << QString(drive) << 0.0 << false;
+            QTest::addRow("%s little", drive) << QString(drive) << 1e-6 << true;
+            QTest::addRow("%s a megawatt", drive) << QString(drive) << 1000.0 << true;
+            QTest::addRow("%s more", drive) << QString(drive) << 1000.5 << false;
+            QTest::addRow("%s negative", drive) << QString(drive) << -1.0 << false;
+        }
+    }
+    void dwellsAndDrivesHaveTheirLimits() {
+        QFETCH(QString, key);
+        QFETCH(double, value);
+        QFETCH(bool, allowed);
+        json file = samples::sample("smallest-traverse");
+        file["machine"][key.toStdString()] = value;
+        const ReadResult read = readProject(file.dump());
+        QCOMPARE(read.project.has_value(), allowed);
+        QCOMPARE(holds(read.issues, IssueCode::outOfRange, "/machine/" + key.toStdString()),
+                 !allowed);
+    }
 
     void wrongTypesAreRefused_data() { placeRows(); }
 

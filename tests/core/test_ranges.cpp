@@ -77,6 +77,17 @@ private slots:
         QVERIFY(within(feeds[1].margin, -1, 1e-15));
     }
 
+    void aRetractionIsAsFastAsItsFeed() {
+        Project p = fixtures::plunge();
+        limit(p);
+        p.cycle.stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(-1.5, 0),
+                          fixtures::plungeStage(-6, 0)};
+        const auto feeds = ofKind(p, RangeKind::plungeFeed);
+        QCOMPARE(feeds.size(), std::size_t(3));
+        QVERIFY(feeds[1].value == 1.5 && feeds[1].holds);
+        QVERIFY(feeds[2].value == 6 && !feeds[2].holds);
+    }
+
     void sparkOutStageSetsNoInfeed() {
         Project p = fixtures::traverse();
         limit(p);
@@ -138,6 +149,9 @@ private slots:
         const RangeCheck check = ofKind(p, RangeKind::workSpeed).front();
         QVERIFY(check.holds && !check.onStep);
         QCOMPARE(check.nearest, 500.0);
+        p.machine.limits.work_speed_rpm = {50, 503, 5}; // nearer to the step beyond
+        p.machine.work_speed_rpm = 503;
+        QCOMPARE(ofKind(p, RangeKind::workSpeed).front().nearest, 500.0);
     }
     void rangeWithoutAStepCanBeSetAnywhere() {
         Project p = fixtures::traverse();
