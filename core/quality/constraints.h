@@ -57,6 +57,7 @@ struct ConstraintResult {
     double margin = 0;         ///< positive when it holds
     double relativeMargin = 0; ///< margin over the width of the field or range, or over the limit
     bool holds = false;
+    bool isLeast = false;      ///< the limit is the least that holds, else the greatest
     std::optional<Place> at{}; ///< where in the cycle the value was reached, when in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
 };

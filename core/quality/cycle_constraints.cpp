@@ -80,7 +80,8 @@ void addSettings(const Project& project, std::vector<ConstraintResult>& found) {
         result.section = -1;
         result.stage = check.stage;
         result.value = check.value;
-        result.limit = check.value - check.low < check.high - check.value ? check.low : check.high;
+        result.isLeast = check.value - check.low < check.high - check.value;
+        result.limit = result.isLeast ? check.low : check.high;
         result.margin = check.margin;
         result.relativeMargin = check.relativeMargin;
         result.holds = check.holds;

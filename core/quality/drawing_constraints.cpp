@@ -60,7 +60,8 @@ private:
         result.section = static_cast<int>(m_index);
         result.limit = limit;
         result.value = value;
-        result.margin = side == Side::atLeast ? value - limit : limit - value;
+        result.isLeast = side == Side::atLeast;
+        result.margin = result.isLeast ? value - limit : limit - value;
         result.relativeMargin = result.margin / width;
         result.holds = result.margin >= -slack_um;
         m_found.push_back(result);

@@ -47,12 +47,9 @@ private:
         m_measured.point.values.push_back(value);
     }
 
-    /// The limit stands on the side on which the margin is counted.
     static SweepValue valueOf(const ConstraintResult& constraint) {
         SweepValue value{constraint.value};
-        const bool above = (constraint.limit >= constraint.value) == (constraint.margin >= 0);
-        const bool high = constraint.kind != ConstraintKind::diameterMin && above;
-        (high ? value.high : value.low) = constraint.limit;
+        (constraint.isLeast ? value.low : value.high) = constraint.limit;
         value.margin = constraint.margin;
         return value;
     }

@@ -199,6 +199,89 @@ private slots:
                                   - find(alone, ConstraintKind::radialRunout, 0).value;
         QVERIFY(within(difference, 2, 1e-12));
     }
+
+    void machinesRunoutCountsAgainstTheTotalRunout() {
+        Project p = fixtures::plunge();
+        p.part.tolerance.total_runout_um = 3;
+        const auto alone = evaluateConstraints(simulate(p));
+        p.machine.geometric_runout_um = 2;
+        const auto together = evaluateConstraints(simulate(p));
+        const double difference = find(together, ConstraintKind::totalRunout, -1).value
+                                  - find(alone, ConstraintKind::totalRunout, -1).value;
+        QVERIFY(within(difference, 2, 1e-12));
+    }
+
+    void roundnessIsThatOfItsOwnSection() {
+        SimulationResult r = result();
+        r.project.part.tolerance.roundness_um = 20;
+        for (std::size_t j = 0; j < 2;
+             ++j) { // three lobes, which no shift of the centre takes away
+            for (int k = 0; k < 36; ++k) {
+                const double form_mm = j == 0 ? 0.001 : 0.004;
+                r.sections[j].radii_mm.push_back(15 + form_mm * std::cos(3 * k * 2 * M_PI / 36));
+            }
+        }
+        const auto all = evaluateConstraints(r);
+        QVERIFY(within(find(all, ConstraintKind::roundness, 0).value, 2, 0.05));
+        QVERIFY(within(find(all, ConstraintKind::roundness, 1).value, 8, 0.05));
+    }
+
+    // --- what is set at the machine -------------------------------------------------------------
+
+    void asManyStagesAsCommandsHold() {
+        SimulationResult r = result();
+        r.project.gauge.control = Control::gauge;
+        r.project.cycle.stages.assign(3, fixtures::plungeStage(0.5, 0.1));
+        for (const int commands : {2, 3, 4}) {
+            r.project.gauge.commands = commands;
+            const auto all = evaluateConstraints(r);
+            QCOMPARE(find(all, ConstraintKind::gaugeCommands, -1).holds, commands >= 3);
+        }
+    }
+
+    void aSettingIsHeldAgainstItsNearerEnd_data() {
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<double>("limit");
+        QTest::addColumn<bool>("isLeast");
+        QTest::newRow("below") << 40.0 << 50.0 << true;
+        QTest::newRow("at the bottom") << 50.0 << 50.0 << true;
+        QTest::newRow("near the bottom") << 90.0 << 50.0 << true;
+        QTest::newRow("near the top") << 450.0 << 500.0 << false;
+        QTest::newRow("at the top") << 500.0 << 500.0 << false;
+        QTest::newRow("above") << 600.0 << 500.0 << false;
+    }
+    void aSettingIsHeldAgainstItsNearerEnd() {
+        QFETCH(double, speed);
+        QFETCH(double, limit);
+        QFETCH(bool, isLeast);
+        SimulationResult r = result();
+        r.project.machine.limits.work_speed_rpm = {50, 500, 5};
+        r.project.machine.work_speed_rpm = speed;
+        const ConstraintResult found =
+            find(evaluateConstraints(r), ConstraintKind::rangeWorkSpeed, -1);
+        QCOMPARE(found.limit, limit);
+        QCOMPARE(found.isLeast, isLeast);
+        QCOMPARE(found.holds, speed >= 50 && speed <= 500);
+    }
+
+    // P_z·V_k and P_z·V_d of the same force.
+    void theDrivesPowersAreInTheRatioOfTheirSpeeds() {
+        SimulationResult r = result();
+        r.peakPower_w = 2400;
+        r.project.machine.wheel_drive_kw = 3;
+        r.project.machine.work_drive_kw = 0.05;
+        const auto all = evaluateConstraints(r);
+        const double Vd =
+            M_PI * r.project.part.diameter_mm * r.project.machine.work_speed_rpm / 60 / 1000; // m/s
+        QVERIFY(within(find(all, ConstraintKind::wheelPower, -1).value, 2.4, 1e-12));
+        QVERIFY(within(find(all, ConstraintKind::workPower, -1).value,
+                       2.4 * Vd / r.project.machine.wheel_speed_m_s, 1e-12));
+        for (const ConstraintKind kind : {ConstraintKind::wheelPower, ConstraintKind::workPower}) {
+            QVERIFY(!find(all, kind, -1).isLeast);
+        }
+        QVERIFY(find(all, ConstraintKind::diameterMin, 0).isLeast);
+        QVERIFY(!find(all, ConstraintKind::diameterMax, 0).isLeast);
+    }
 };
 
 } // namespace test_constraints

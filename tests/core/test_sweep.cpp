@@ -128,6 +128,18 @@ private slots:
         QVERIFY(sameBits(runSweep(project, one), runSweep(project, four)));
     }
 
+    /// Also where the setting is at the very end.
+    void theEndOfAMachinesRangeStandsOnItsSide() {
+        Project project = shaft();
+        project.machine.limits.work_speed_rpm = {50, 500, 5};
+        const SweepResult result =
+            runSweep(swept(project, {axis("/machine/work_speed_rpm", 50, 500, 2)}), {});
+        const SweepValue lowest = valueOf(result, 0, "range_work_speed");
+        QVERIFY(lowest.low == 50 && std::isnan(lowest.high) && lowest.margin == 0);
+        const SweepValue highest = valueOf(result, 1, "range_work_speed");
+        QVERIFY(highest.high == 500 && std::isnan(highest.low) && highest.margin == 0);
+    }
+
     void aLongerSparkOutLeavesLessRunout() {
         Project project = fixtures::plunge();
         project.part.initial_runout_mm = 0.02;

@@ -71,6 +71,30 @@ private slots:
         QVERIFY(!off.isVisible());
     }
 
+    /// The end of a machine's range that is nearer, also where the setting is at that very end.
+    void theEndOfARangeIsShownWithItsSide_data() {
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("below") << 140.0 << QStringLiteral("≥150");
+        QTest::newRow("at the bottom") << 150.0 << QStringLiteral("≥150");
+        QTest::newRow("near the bottom") << 160.0 << QStringLiteral("≥150");
+        QTest::newRow("near the top") << 240.0 << QStringLiteral("≤250");
+        QTest::newRow("at the top") << 250.0 << QStringLiteral("≤250");
+        QTest::newRow("above") << 260.0 << QStringLiteral("≤250");
+    }
+    void theEndOfARangeIsShownWithItsSide() {
+        QFETCH(double, speed);
+        QFETCH(QString, text);
+        Project project = traverseProject();
+        project.machine.limits.work_speed_rpm = std::vector<double>{150, 250, 1};
+        project.machine.work_speed_rpm = speed;
+        const OutcomePtr outcome = run(project);
+        const auto found = std::ranges::find(outcome->constraints, ConstraintKind::rangeWorkSpeed,
+                                             &ConstraintResult::kind);
+        QVERIFY(found != outcome->constraints.end());
+        QCOMPARE(Names::limit(*found), text);
+    }
+
     void whatFailsIsExplainedWithSharesThatAddUp() {
         Project project = traverseProject();
         project.part.upper_deviation_um = 0;

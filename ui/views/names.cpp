@@ -173,10 +173,8 @@ QString Names::limit(const ConstraintResult& c) {
     case ConstraintKind::rangeRadialFeed:
     case ConstraintKind::rangeAxialFeed:
     case ConstraintKind::rangePlungeFeed:
-    case ConstraintKind::rangeWorkSpeed: { // the end that is nearer
-        const bool isLeast = (c.limit < c.value) == (c.margin > 0);
-        return (isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text;
-    }
+    case ConstraintKind::rangeWorkSpeed: // the end that is nearer
+        return (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text;
     default: return text;
     }
 }
