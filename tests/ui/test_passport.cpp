@@ -2,6 +2,7 @@
 // The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
 // prints is enough to compute them again.
 #include "core/batch/moments.h"
+#include "core/batch/scenario_source.h"
 #include "core/project/leaves.h"
 #include "tests/registry.h"
 #include "tests/ui/passport_bench.h"
@@ -11,6 +12,7 @@
 #include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 #include "ui/views/batch_text.h"
+#include "ui/views/names.h"
 
 #include <algorithm>
 #include <array>
@@ -170,6 +172,35 @@ private slots:
         QVERIFY(textOfHtml(made(project, Format::html)).contains(QStringLiteral("Worst part, ")));
         project.batch.reset();
         QVERIFY(conforms(project));
+    }
+
+    /// The worst part is made of the factors that stand beside it, and no other part is.
+    void theWorstPartIsTheOneOfItsFactors_data() {
+        QTest::addColumn<int>("parts");
+        QTest::newRow("many") << 24;
+        QTest::newRow("one") << 1;
+    }
+    void theWorstPartIsTheOneOfItsFactors() {
+        QFETCH(int, parts);
+        Project project = smallBatch();
+        project.batch->parts = parts;
+        project.batch->factors.compliance.emplace().uniform = {0.8, 1.2};
+        const BatchResult result = runBatch(project, {});
+        const std::int64_t worst = summarise(result).worstPart;
+        QVERIFY(worst >= 0 && worst < parts);
+        const ScenarioSource source(project);
+        if (parts > 1) { // else the test would not tell it from the first part
+            QVERIFY(worst > 0);
+        }
+        const QString text = textOfHtml(made(project, Format::html));
+        const qsizetype at = text.indexOf(QStringLiteral("number %1 has the least").arg(worst));
+        QVERIFY(at >= 0);
+        const QString there = text.mid(at, 800);
+        const std::vector<double> values = source.values(worst);
+        QCOMPARE(values.size(), std::size_t{3});
+        for (const double value : values) {
+            QVERIFY2(there.contains(Names::significant(value, 6)), qPrintable(there));
+        }
     }
 
     void withoutABatchItSaysSoAndTellsTheNominalPart_data() { addLanguages(); }
