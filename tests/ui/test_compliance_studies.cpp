@@ -11,6 +11,7 @@
 #include "ui/views/compliance_view.h"
 #include "ui/views/coupling_curves.h"
 #include "ui/views/gauge_curves.h"
+#include "ui/views/names.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -147,6 +148,50 @@ private slots:
         QVERIFY(!document.canUndo());
     }
 
+    /// The curve of a section has its own name and its own numbers, in the legend and the table.
+    void eachCurveIsNamedAfterItsSection() {
+        Window window(steppedShaft());
+        window.choose(ComplianceContent::gauge);
+        const GaugeCurves& gauge = window.plot().gauge();
+        const LegendEntries entries = window.plot().legendEntries();
+        QStringList names;
+        for (const LegendEntry& entry : entries) {
+            names << entry.text;
+        }
+        const CsvTable table = gauge.table();
+        const auto& positions = gauge.placement()->positions;
+        const double middle =
+            (steppedShaft().part.upper_deviation_um + steppedShaft().part.lower_deviation_um) / 2;
+        const qsizetype sections = steppedShaft().sections;
+        QCOMPARE(sections, qsizetype{4});
+        for (qsizetype j = 0; j < sections; ++j) {
+            const QString name = Names::zone(Zone::section, static_cast<int>(j));
+            QVERIFY2(name.contains(QString::number(j)), qPrintable(name));
+            QCOMPARE(names.count(name), 1);
+            const qsizetype column = table.header.size() - sections + j;
+            QVERIFY2(table.header[column].contains(name), qPrintable(table.header[column]));
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+                const double mean_um =
+                    positions[i].meanDeviations_mm[static_cast<std::size_t>(j)] * 1000;
+                const double shown =
+                    std::get<double>(table.rows[i][static_cast<std::size_t>(column)]);
+                QVERIFY(std::abs(shown - (mean_um - middle)) < 1e-9);
+            }
+        }
+        // What is read off at a place names the sections of the smallest and the largest diameter.
+        for (const GaugePosition& position : positions) {
+            const QString read = gauge.valuesAt(position.position_mm);
+            const QString smallest =
+                Names::zone(Zone::section, static_cast<int>(position.sectionOfMin));
+            const QString largest =
+                Names::zone(Zone::section, static_cast<int>(position.sectionOfMax));
+            QVERIFY(smallest != largest);
+            const qsizetype first = read.indexOf(u'(' + smallest + u')');
+            const qsizetype second = read.indexOf(u'(' + largest + u')');
+            QVERIFY2(first > 0 && first < second, qPrintable(read));
+        }
+    }
+
     void inTraverseEachZoneIsAskedAndNothingCanBePut() {
         Window window(example("shaft-30h6-factory"));
         window.choose(ComplianceContent::gauge);
@@ -163,6 +208,11 @@ private slots:
                 QVERIFY(std::abs(gauge.farthest_um(position) - gauge.farthestNow_um()) < 1e-9);
             }
         }
+        QVERIFY2(
+            window.label("complianceSummary")
+                .text()
+                .contains(QStringLiteral("Best place: %1;").arg(Names::zone(gauge.best()->zone))),
+            qPrintable(window.label("complianceSummary").text()));
         // Each zone is a step of its own length.
         const QCPGraph& curve = *gauge.farthestGraph();
         QCOMPARE(curve.dataCount(), 6);
