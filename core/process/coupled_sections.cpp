@@ -43,6 +43,7 @@ public:
         , m_reduced(m_count)
         , m_gap(m_count)
         , m_matrix(m_count, m_count)
+        , m_direction(m_count)
         , m_free(static_cast<std::size_t>(m_count)) {}
 
     Outcome solve(const double* lag_mm, double* root);
@@ -67,6 +68,13 @@ private:
     void newtonStep();
     int interiorSteps(const MapConst& h);
     double interiorStep(double mu);
+    int descend(const MapConst& h, double enough, int mostSteps);
+    void sweep(const MapConst& h);
+    void descentDirection();
+    bool searchAlong(const MapConst& h);
+    void moveTo(double share, double whole, const MapConst& h);
+    [[nodiscard]] double slopeAlong() const;
+    [[nodiscard]] double freeResidual() const;
 
     Index m_count;
     ForceLaw m_law;
@@ -78,6 +86,7 @@ private:
     VectorXd m_step, m_reduced;
     ArrayXd m_gap; ///< z, which becomes r where it is positive [mm]
     MatrixXd m_matrix;
+    VectorXd m_direction; ///< of a descent
     std::vector<Index> m_free;
 };
 
@@ -104,6 +113,9 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
             }
         }
         std::swap(m_now, m_next);
+    }
+    if (!(m_now.residual <= enough)) {
+        outcome.iterations += descend(h, enough, maxDescents);
     }
     Eigen::Map<ArrayXd>(root, m_count) = m_now.u;
     force = m_now.f;
@@ -257,6 +269,142 @@ double CoupledSections::Solver::interiorStep(double mu) {
     m_next.f += share * m_step;
     m_gap += share * m_reduced.array();
     return share;
+}
+
+// From m_now to the minimum of Ψ: sweeps, each followed by Newton's steps over the sections that
+// cut after it until their minimum is found. None of both ever raises Ψ. Returns the steps taken.
+int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostSteps) {
+    m_now.f = m_now.f.array().isFinite().select(m_now.f.array(), 0).max(0).matrix();
+    int steps = 0;
+    while (steps < mostSteps) {
+        sweep(h);
+        evaluate(m_now, h);
+        constexpr int mostInRow = 50;
+        for (int step = 0; step < mostInRow && steps < mostSteps; ++step) {
+            if (m_now.residual <= enough) {
+                return steps;
+            }
+            ++steps;
+            descentDirection();
+            if (!searchAlong(h) || freeResidual() <= enough / 4) {
+                break;
+            }
+        }
+    }
+    return steps;
+}
+
+// Each section in turn comes to its own balance with the forces of the others as they are now: the
+// minimum of Ψ along f_j, f_j ≥ 0, the root of w(f_j) + G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l.
+void CoupledSections::Solver::sweep(const MapConst& h) {
+    auto& bent = m_reduced; // G·f
+    bent.noalias() = m_influence * m_now.f;
+    for (Index j = 0; j < m_count; ++j) {
+        const double own = m_influence(j, j);
+        const double left = h[j] - (bent[j] - own * m_now.f[j]);
+        const double gamma = own * m_width[j];
+        const double A = 1 + gamma * m_law.ks;
+        const double C = gamma * m_law.kr;
+        double u = left > 0 ? 2 * left / (C + std::sqrt(C * C + 4 * A * left)) : 0;
+        if (m_contact) {
+            const double width = m_wholeWidth;
+            u = m_contact->root({A, C, width * m_law.ks, width * m_law.kr}, left, u);
+        }
+        const double f = m_width[j] * u * (m_law.ks * u + m_law.kr);
+        bent += (f - m_now.f[j]) * m_influence.col(j);
+        m_now.f[j] = f;
+    }
+}
+
+// Newton's for the sections with a force, the others keep theirs: none.
+void CoupledSections::Solver::descentDirection() {
+    m_free.clear();
+    for (Index j = 0; j < m_count; ++j) {
+        if (m_now.f[j] > 0) {
+            m_free.push_back(j);
+        }
+    }
+    const auto count = static_cast<Index>(m_free.size());
+    auto M = m_matrix.topLeftCorner(count, count);
+    auto x = m_reduced.head(count);
+    for (Index i = 0; i < count; ++i) {
+        const Index j = m_free[static_cast<std::size_t>(i)];
+        for (Index k = i; k < count; ++k) {
+            M(k, i) = m_influence(m_free[static_cast<std::size_t>(k)], j);
+        }
+        M(i, i) += slope(j, m_now.u[j], m_now.f[j]);
+        x[i] = -m_now.r[j];
+    }
+    Eigen::LLT<Eigen::Ref<MatrixXd>>(M).solveInPlace(x);
+    m_direction.setZero();
+    for (Index i = 0; i < count; ++i) {
+        m_direction[m_free[static_cast<std::size_t>(i)]] = x[i];
+    }
+}
+
+// m_next = m_now + share of the way to where the direction leads or the first force is gone.
+void CoupledSections::Solver::moveTo(double share, double whole, const MapConst& h) {
+    for (const Index j : m_free) {
+        const double step = m_direction[j] * whole;
+        const bool gone = share == 1 && step <= -m_now.f[j] * (1 - 1e-12);
+        m_next.f[j] = gone ? 0 : std::max(m_now.f[j] + share * step, 0.0);
+    }
+    evaluate(m_next, h);
+}
+
+// dΨ/dt along the direction at m_next.
+double CoupledSections::Solver::slopeAlong() const {
+    return (m_next.r * m_direction.array()).sum();
+}
+
+// Of the sections with a force, those that the step has brought to none among them.
+double CoupledSections::Solver::freeResidual() const {
+    double largest = 0;
+    for (const Index j : m_free) {
+        largest = m_now.f[j] > 0 ? std::max(largest, std::abs(m_now.r[j])) : largest;
+    }
+    return largest;
+}
+
+// A step along the direction that lowers Ψ, into m_now. Ψ is convex along it, so its slope rises:
+// up to a point where it falls still, Ψ is lower; and beyond it too, as long as what it may rise
+// there by is less than half of what it fell before by. False: no such point was found.
+bool CoupledSections::Solver::searchAlong(const MapConst& h) {
+    double whole = 1;
+    for (const Index j : m_free) {
+        if (m_direction[j] < 0) {
+            whole = std::min(whole, -m_now.f[j] / m_direction[j]);
+        }
+    }
+    if (!m_direction.allFinite() || !(whole > 0)) {
+        return false;
+    }
+    m_next.f = m_now.f;
+    double low = 0;
+    double high = 1;
+    moveTo(high, whole, h);
+    double highSlope = slopeAlong();
+    for (int halvings = 0; highSlope > 0; ++halvings) {
+        constexpr int mostHalvings = 60;
+        const double middle = low + (high - low) / 2;
+        moveTo(middle, whole, h);
+        const double middleSlope = slopeAlong();
+        if (middleSlope > 0) {
+            high = middle;
+            highSlope = middleSlope;
+        } else if (highSlope * (high - middle) <= -middleSlope * (middle - low) / 2) {
+            moveTo(high, whole, h);
+            break;
+        } else {
+            low = middle;
+        }
+        if (halvings == mostHalvings) {
+            moveTo(low, whole, h);
+            break;
+        }
+    }
+    std::swap(m_now, m_next);
+    return true;
 }
 
 CoupledSections::CoupledSections(const std::vector<double>& influence_mm_n,

@@ -37,8 +37,29 @@ namespace sparkout {
 /// and symmetric: (D + G)·δ = −r over the sections in contact, D = diag(da/df)
 /// = diag(2u/((2·k_s·u + k_r)·Δx)), u = √a, by Cholesky. A full step is taken when it halves the
 /// largest residual; else interior-point steps on Ψ(f) − μ·Σ ln f, μ → 0, find which sections are
-/// in contact. From the last revolution's roots it takes one or two steps. What is not solved is
-/// reported, never returned as if it were.
+/// in contact. From the last revolution's roots it takes one or two steps.
+///
+/// These quick steps may end short of the solution where a section barely touches: there dw/df → 0
+/// and both sets of sections seem right in turn. From the best point they found a descent on Ψ goes
+/// on, which comes to the solution from everywhere:
+///
+///  1. a sweep: section by section f_j becomes the minimum of Ψ along f_j ≥ 0, the root of w(f_j) +
+///     G_jj·f_j = h_j − Σ_{l≠j} G_jl·f_l (w = a + δ_c), or 0 where the right side is not positive;
+///  2. Newton's steps over the sections with f_j > 0, as far as the first force that they bring to
+///     0, each cut back until it lowers Ψ, up to where these sections are in balance, at most 50;
+///     then again 1.
+///
+/// Proof. No step raises Ψ, so all points lie in a bounded set (Ψ is coercive). A sweep is
+/// continuous in f, for each of its roots is; and it lowers Ψ unless no f_j alone can lower it,
+/// when the conditions above hold. Let f* be a limit of points that a sweep begins at: Ψ there and
+/// Ψ behind the sweeps have one limit, so the sweep from f* does not lower Ψ, f* is the solution,
+/// and as each limit is, all points tend to it. (The steps of 2 only speed that up: near the
+/// solution, once its set of sections is met, they converge as Newton's do.) That a step lowers Ψ
+/// is told by the slope r·δ alone, which rises along it, Ψ being convex: where it is not positive Ψ
+/// fell; a little beyond its zero the rise is less than what was won, by the areas under it. So
+/// differences of Ψ itself, lost to rounding near the minimum, are never formed.
+///
+/// What is not solved after all is reported, never returned as if it were.
 class CoupledSections {
 public:
     /// `influence_mm_n` is G, J×J; `widths_mm` are the Δx; k_s > 0.
@@ -65,7 +86,8 @@ public:
 
     /// Largest residual of a solution [mm], beside what rounding costs at a large h.
     static constexpr double tolerance_mm = 1e-13;
-    static constexpr int maxIterations = 100;
+    static constexpr int maxIterations = 100;  ///< of the quick steps
+    static constexpr int maxDescents = 20'000; ///< and of the descent, of which some ten are needed
 
 private:
     class Solver;
