@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/process/compliance.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -23,9 +26,103 @@ double simpson(Function f, double a, double b) {
     return b > a ? (b - a) / 6 * (f(a) + 4 * f((a + b) / 2) + f(b)) : 0;
 }
 
+// Of the first numbers of both.
+double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t count) {
+    using Numbers = Eigen::Map<const Eigen::VectorXd>;
+    const auto n = static_cast<Eigen::Index>(count);
+    return Numbers(a.data(), n).dot(Numbers(b.data(), n));
+}
+
+/// Segments times rests up to which each number is summed up for itself.
+constexpr std::size_t mostSingly = 256;
+
 } // namespace
 
-Compliance::Compliance(ShaftModel model) : m_model(std::move(model)), m_joints{0.0} {
+/// How the shaft bends along its length under a unit force, spread evenly over from...to or at one
+/// point, by running sums (see the class).
+class Compliance::BentLine {
+public:
+    BentLine(const Compliance& shaft, double from, double to)
+        : m_centres(shaft.m_model.mounting == Mounting::centres)
+        , m_L(shaft.length())
+        , m_from(from)
+        , m_to(to) {
+        m_at.reserve(shaft.m_joints.size() + 2);
+        m_rigidities.reserve(shaft.m_joints.size() + 2);
+        for (std::size_t i = 0; i < shaft.m_rigidities.size(); ++i) {
+            const double begin = shaft.m_joints[i];
+            const double end = shaft.m_joints[i + 1];
+            double at = begin;
+            for (const double next :
+                 {std::clamp(from, begin, end), std::clamp(to, begin, end), end}) {
+                if (next > at) {
+                    m_at.push_back(at);
+                    m_rigidities.push_back(shaft.m_rigidities[i]);
+                    at = next;
+                }
+            }
+        }
+        m_at.push_back(m_L);
+        m_before.assign(m_at.size(), 0.0);
+        m_other.assign(m_at.size(), 0.0);
+        const std::size_t pieces = m_rigidities.size();
+        for (std::size_t i = 0; i < pieces; ++i) {
+            m_before[i + 1] = before(i, m_at[i + 1]);
+            if (!m_centres) {
+                m_other[i + 1] = height(i, m_at[i + 1]);
+            }
+        }
+        for (std::size_t i = pieces; m_centres && i-- > 0;) {
+            m_other[i] = behind(i, m_at[i]);
+        }
+    }
+
+    double at(double x) const {
+        const auto next = std::upper_bound(m_at.begin() + 1, m_at.end() - 1, x);
+        const auto i = static_cast<std::size_t>(next - m_at.begin()) - 1;
+        return m_centres ? (m_L - x) / m_L * before(i, x) + x / m_L * behind(i, x) : height(i, x);
+    }
+
+private:
+    double moment(double xi) const {
+        const double middle = (m_from + m_to) / 2;
+        const double spread = m_to - m_from;
+        if (m_centres) {
+            if (xi <= m_from)
+                return xi * (m_L - middle) / m_L;
+            if (xi >= m_to)
+                return (m_L - xi) * middle / m_L;
+            return ((xi - m_from) * (xi + m_from) * (m_L - xi)
+                    + xi * (m_to - xi) * (2 * m_L - xi - m_to))
+                   / (2 * m_L * spread);
+        }
+        if (xi <= m_from)
+            return middle - xi;
+        return xi >= m_to ? 0 : (m_to - xi) * (m_to - xi) / (2 * spread);
+    }
+    // Up to x in piece i: centres integral of xi M/(E I), chuck of M/(E I), the slope.
+    double before(std::size_t i, double x) const {
+        const auto work = [&](double xi) { return (m_centres ? xi : 1) * moment(xi); };
+        return m_before[i] + simpson(work, m_at[i], x) / m_rigidities[i];
+    }
+    double behind(std::size_t i, double x) const {
+        const auto work = [&](double xi) { return (m_L - xi) * moment(xi); };
+        return m_other[i + 1] + simpson(work, x, m_at[i + 1]) / m_rigidities[i];
+    }
+    double height(std::size_t i, double x) const {
+        const auto work = [&](double xi) { return (x - xi) * moment(xi); };
+        return m_other[i] + m_before[i] * (x - m_at[i])
+               + simpson(work, m_at[i], x) / m_rigidities[i];
+    }
+
+    bool m_centres;
+    double m_L, m_from, m_to;
+    std::vector<double> m_at, m_rigidities; // ends of pieces; of each piece
+    std::vector<double> m_before, m_other;  // at the ends; centres: behind, chuck: height
+};
+
+Compliance::Compliance(ShaftModel model, const std::stop_token& stop)
+    : m_model(std::move(model)), m_joints{0.0} {
     assert(!m_model.segments.empty() && m_model.youngsModulus_n_mm2 > 0);
     assert(m_model.wheelHead_n_mm > 0 && m_model.headstock_n_mm > 0);
     assert(m_model.mounting == Mounting::chuck || m_model.tailstock_n_mm > 0);
@@ -36,6 +133,9 @@ Compliance::Compliance(ShaftModel model) : m_model(std::move(model)), m_joints{0
     }
     for (const SupportSpring& spring : m_model.rests) {
         assert(spring.stiffness_n_mm >= 0);
+        if (stop.stop_requested()) {
+            break;
+        }
         const double p = onShaft(spring.position_mm);
         std::vector<double> row = restTermsAt(p);
         const double free = bare(p, p);
@@ -50,9 +150,38 @@ Compliance::Compliance(ShaftModel model) : m_model(std::move(model)), m_joints{0
 double Compliance::between(double x, double s) const {
     x = onShaft(x);
     s = onShaft(s);
-    const std::vector<double> atX = restTermsAt(x);
-    const std::vector<double> atS = restTermsAt(s);
-    double g = bare(x, s);
+    return with(restTermsAt(x), restTermsAt(s), bare(x, s));
+}
+
+std::vector<double> Compliance::rows(const std::vector<double>& at,
+                                     const std::vector<double>& from) const {
+    const auto terms = [this](const std::vector<double>& places) {
+        std::vector<std::vector<double>> all;
+        for (const double place : places)
+            all.push_back(restTermsAt(onShaft(place)));
+        return all;
+    };
+    std::map<double, BentLine> lines; // by the place of the load
+    const auto bareAt = [&](double x, double s) {
+        if (!isLarge())
+            return bare(x, s);
+        const double load = std::min(x, s);
+        const auto line = lines.try_emplace(load, *this, load, load).first;
+        return springs(x, s) + line->second.at(std::max(x, s));
+    };
+    const std::vector<std::vector<double>> atEach = terms(at);
+    const std::vector<std::vector<double>> fromEach = terms(from);
+    std::vector<double> G;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        for (std::size_t j = 0; j < from.size(); ++j)
+            G.push_back(with(atEach[i], fromEach[j], bareAt(onShaft(at[i]), onShaft(from[j]))));
+    }
+    return G;
+}
+
+// The whole of g at two places, with the terms of the rests there.
+double Compliance::with(const std::vector<double>& atX, const std::vector<double>& atS,
+                        double g) const {
     for (std::size_t i = 0; i < m_rests.size(); ++i)
         g -= atX[i] * atS[i];
     return 1 / m_model.wheelHead_n_mm + g;
@@ -67,14 +196,20 @@ double Compliance::mean(double x, double from, double to) const {
         return between(x, from);
     // The rests' terms are linear in g, so their means follow from the means of g.
     std::vector<double> g;
-    for (const Rest& rest : m_rests)
-        g.push_back(bareMean(rest.position, from, to));
+    double gamma = 0;
+    if (isLarge()) {
+        const BentLine line(*this, from, to);
+        const double middle = from + (to - from) / 2;
+        for (const Rest& rest : m_rests)
+            g.push_back(springs(rest.position, middle) + line.at(rest.position));
+        gamma = springs(x, middle) + line.at(x);
+    } else {
+        for (const Rest& rest : m_rests)
+            g.push_back(bareMean(rest.position, from, to));
+        gamma = bareMean(x, from, to);
+    }
     const std::vector<double> means = restTerms(std::move(g));
-    const std::vector<double> atX = restTermsAt(x);
-    double gamma = bareMean(x, from, to);
-    for (std::size_t i = 0; i < m_rests.size(); ++i)
-        gamma -= atX[i] * means[i];
-    return 1 / m_model.wheelHead_n_mm + gamma;
+    return with(restTermsAt(x), means, gamma);
 }
 
 ComplianceParts Compliance::partsAt(double x) const {
@@ -122,12 +257,23 @@ double Compliance::bending(double x, double s) const {
 
 // g(x,s): the shaft on its supports, without rests and wheel head
 double Compliance::bare(double x, double s) const {
+    if (isLarge()) {
+        const double load = std::min(x, s);
+        return springs(x, s) + BentLine(*this, load, load).at(std::max(x, s));
+    }
+    return springs(x, s) + bending(x, s);
+}
+
+double Compliance::springs(double x, double s) const {
     if (m_model.mounting == Mounting::chuck)
-        return 1 / m_model.headstock_n_mm + bending(x, s);
+        return 1 / m_model.headstock_n_mm;
     const double u = x / length();
     const double v = s / length();
-    return (1 - u) * (1 - v) / m_model.headstock_n_mm + u * v / m_model.tailstock_n_mm
-           + bending(x, s);
+    return (1 - u) * (1 - v) / m_model.headstock_n_mm + u * v / m_model.tailstock_n_mm;
+}
+
+bool Compliance::isLarge() const {
+    return m_rigidities.size() * std::max<std::size_t>(m_model.rests.size(), 4) > mostSingly;
 }
 
 // The mean of bare(x,s) over from <= s <= to, broken at the joints and x
@@ -146,8 +292,12 @@ double Compliance::bareMean(double x, double from, double to) const {
 // From g(x,p_i) the terms f_i(x) with which the rests make g(x,s) into g(x,s) - sum of f_i(x)
 // f_i(s): the rank-one updates one after the other, written as a forward substitution.
 std::vector<double> Compliance::restTerms(std::vector<double> g) const {
+    const bool large = isLarge();
     for (std::size_t i = 0; i < m_rests.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j)
+        if (large) {
+            g[i] -= product(m_rests[i].row, g, i);
+        }
+        for (std::size_t j = 0; j < i && !large; ++j)
             g[i] -= m_rests[i].row[j] * g[j];
         g[i] /= m_rests[i].pivot;
     }
@@ -156,8 +306,14 @@ std::vector<double> Compliance::restTerms(std::vector<double> g) const {
 
 std::vector<double> Compliance::restTermsAt(double x) const {
     std::vector<double> g;
-    for (const Rest& rest : m_rests)
-        g.push_back(bare(x, rest.position));
+    if (isLarge() && !m_rests.empty()) {
+        const BentLine line(*this, x, x);
+        for (const Rest& rest : m_rests)
+            g.push_back(springs(x, rest.position) + line.at(rest.position));
+    } else {
+        for (const Rest& rest : m_rests)
+            g.push_back(bare(x, rest.position));
+    }
     return restTerms(std::move(g));
 }
 

@@ -3,6 +3,8 @@
 
 #include "core/project/mounting.h"
 
+#include <cstddef>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -53,15 +55,30 @@ struct ComplianceParts {
 /// g(x,s) - g(x,p) g(p,s)/(1/k + g(p,p)). Exact for stepped shafts up to rounding: the integrand is
 /// piecewise quadratic, G piecewise cubic in s, and Simpson's rule is exact for both. Shear is left
 /// out (slender shafts).
+///
+/// With many segments or rests the same integrals are taken as running sums along the shaft: with
+/// the moment M_s under a load, unit force or evenly spread, the shaft bends at x by
+///
+///     centres: (1-x/L) integral_0^x xi M_s/(E I) + (x/L) integral_x^L (L-xi) M_s/(E I)
+///     chuck:   y(x), y' = integral_0^x M_s/(E I)
+///
+/// Every term is positive, so nothing cancels and the sums agree with the integrals to rounding.
+/// The rests stay the Cholesky factor of 1/k + g(p,p'). (A stiffness matrix of the shaft's joints
+/// would be banded, but its condition rises with the fourth power of the number of segments:
+/// 1,000 of them would leave four of sixteen digits.)
 class Compliance {
 public:
-    explicit Compliance(ShaftModel model);
+    /// A stop leaves out the rests that are not taken in yet: what follows is not to be used.
+    explicit Compliance(ShaftModel model, const std::stop_token& stop = {});
 
     /// L_s, the sum of the segments [mm].
     double length() const { return m_joints.back(); }
 
     /// G(x,s) [mm/N]; G(x,s) = G(s,x) to the last bit.
     double between(double x, double s) const;
+
+    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row.
+    std::vector<double> rows(const std::vector<double>& at, const std::vector<double>& from) const;
 
     /// gamma(x) = G(x,x) [mm/N].
     double at(double x) const { return between(x, x); }
@@ -80,7 +97,12 @@ private:
         std::vector<double> row; // the terms at p of the earlier rests
     };
 
+    class BentLine;
+
     double onShaft(double x) const;
+    bool isLarge() const;
+    double springs(double x, double s) const;
+    double with(const std::vector<double>& atX, const std::vector<double>& atS, double g) const;
     double moment(double xi, double x) const;
     double bending(double x, double s) const;
     double bare(double x, double s) const;

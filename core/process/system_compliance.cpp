@@ -12,7 +12,7 @@ namespace sparkout {
 
 namespace {
 
-Compliance shaftCompliance(const Project& project) {
+Compliance shaftCompliance(const Project& project, const std::stop_token& stop) {
     const Shaft& shaft = project.part.shaft;
     const Stiffness& stiffness = *project.machine.stiffness_n_um;
     ShaftModel model;
@@ -27,7 +27,7 @@ Compliance shaftCompliance(const Project& project) {
     model.headstock_n_mm = stiffness.headstock * units::umPerMm;
     model.tailstock_n_mm = stiffness.tailstock * units::umPerMm;
     model.wheelHead_n_mm = stiffness.wheel_head * units::umPerMm;
-    return Compliance(std::move(model));
+    return Compliance(std::move(model), stop);
 }
 
 double quillGamma(const Project& project) {
@@ -63,13 +63,14 @@ std::vector<double> positions(const Project& project) {
 }
 
 /// γ at positions along the ground length, from stiffness and shaft.
-std::vector<double> computedGammas(const Project& project, const std::vector<double>& at) {
+std::vector<double> computedGammas(const Project& project, const std::vector<double>& at,
+                                   const std::stop_token& stop = {}) {
     std::vector<double> gammas;
     if (project.part.surface == Surface::internal) {
         gammas.assign(at.size(), quillGamma(project));
         return gammas;
     }
-    const Compliance system = shaftCompliance(project);
+    const Compliance system = shaftCompliance(project, stop);
     const double from = project.part.shaft.ground_from_mm;
     for (const double position : at) {
         gammas.push_back(project.operation == Operation::traverse
@@ -104,10 +105,10 @@ ZoneLengths zoneLengths(const Project& project) {
     return {rz1, project.part.length_mm - rz1 - rz2, rz2};
 }
 
-std::vector<CompliantPoint> compliantPoints(const Project& project) {
+std::vector<CompliantPoint> compliantPoints(const Project& project, const std::stop_token& stop) {
     const std::vector<double> at = positions(project);
     const std::vector<double> gammas = isComputed(project)
-                                           ? computedGammas(project, at)
+                                           ? computedGammas(project, at, stop)
                                            : givenGammas(project.machine.compliance_mm_per_n);
     assert(gammas.size() == at.size());
     const std::vector<double> length = lengths(project);
@@ -135,7 +136,7 @@ std::vector<CompliantPlace> complianceAlong(const Project& project, int places) 
         }
         return along;
     }
-    const Compliance system = shaftCompliance(project);
+    const Compliance system = shaftCompliance(project, {});
     for (int i = 0; i <= gaps; ++i) {
         const double x = i < gaps ? system.length() * i / gaps : system.length();
         along.push_back({x - part.shaft.ground_from_mm, system.partsAt(x)});
@@ -157,13 +158,14 @@ int gaugeSection(const Project& project) {
     return project.gauge.section.value_or(project.sections / 2);
 }
 
-CompliantPoint freeGaugePoint(const Project& project, const std::vector<CompliantPoint>& sections) {
+CompliantPoint freeGaugePoint(const Project& project, const std::vector<CompliantPoint>& sections,
+                              const std::stop_token& stop) {
     const double x = *project.gauge.position_mm;
     if (project.gauge.compliance_mm_per_n) {
         return {x, *project.gauge.compliance_mm_per_n};
     }
     if (isComputed(project)) {
-        return {x, computedGammas(project, {x}).front()};
+        return {x, computedGammas(project, {x}, stop).front()};
     }
     if (x <= sections.front().position_mm) {
         return {x, sections.front().gamma_mm_n};
@@ -180,20 +182,19 @@ CompliantPoint freeGaugePoint(const Project& project, const std::vector<Complian
 }
 
 std::vector<double> influenceRows(const Project& project, const std::vector<double>& at,
-                                  const std::vector<double>& from) {
+                                  const std::vector<double>& from, const std::stop_token& stop) {
     assert(isComputed(project));
     if (project.part.surface == Surface::internal) {
         return std::vector<double>(at.size() * from.size(), quillGamma(project));
     }
-    const Compliance system = shaftCompliance(project);
     const double ground = project.part.shaft.ground_from_mm;
-    std::vector<double> rows;
-    for (const double x : at) {
-        for (const double s : from) {
-            rows.push_back(system.between(ground + x, ground + s));
+    const auto alongTheShaft = [ground](std::vector<double> places) {
+        for (double& place : places) {
+            place = ground + place;
         }
-    }
-    return rows;
+        return places;
+    };
+    return shaftCompliance(project, stop).rows(alongTheShaft(at), alongTheShaft(from));
 }
 
 } // namespace sparkout

@@ -4,6 +4,7 @@
 #include "core/process/compliance.h"
 #include "core/project/project.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -24,8 +25,10 @@ struct CompliantPoint {
 
 /// The zones РЗ1, НЗ, РЗ2 (at their middles) or the J sections (at the middles of equal slices),
 /// with γ as given or computed from stiffness and shaft: traverse G(x,x), plunge the mean of
-/// G(x,s) over the contact, internal the quill's [MODEL-6].
-[[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project);
+/// G(x,s) over the contact, internal the quill's [MODEL-6]. Here and below what is stopped is not
+/// to be used (see Compliance).
+[[nodiscard]] std::vector<CompliantPoint> compliantPoints(const Project& project,
+                                                          const std::stop_token& stop = {});
 
 /// γ(x) = G(x,x) at a place, and the terms that add up to it.
 struct CompliantPlace {
@@ -45,13 +48,15 @@ struct CompliantPlace {
 /// between the sections' middles (constant beyond the outermost); it stands for no length. Only
 /// with gauge.position_mm.
 [[nodiscard]] CompliantPoint freeGaugePoint(const Project& project,
-                                            const std::vector<CompliantPoint>& sections);
+                                            const std::vector<CompliantPoint>& sections,
+                                            const std::stop_token& stop = {});
 
 /// G(x,s) [mm/N] for each x of `at` (rows) and s of `from` (columns), row by row; positions along
 /// the ground length [mm]. Computed from stiffness and shaft: only when no γ is given. In a bore
 /// every place moves as the quill does.
 [[nodiscard]] std::vector<double> influenceRows(const Project& project,
                                                 const std::vector<double>& at,
-                                                const std::vector<double>& from);
+                                                const std::vector<double>& from,
+                                                const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -81,7 +81,7 @@ public:
         m_project.gauge.section.reset();
         m_project.gauge.position_mm.reset();
         m_project.gauge.compliance_mm_per_n.reset();
-        m_points = compliantPoints(m_project);
+        m_points = compliantPoints(m_project, m_stop);
     }
 
     GaugePosition at(double position_mm) {
@@ -94,7 +94,7 @@ private:
         m_project.gauge.position_mm = position_mm;
         GaugePosition found = summary(simulate(m_project, nullptr, m_stop));
         found.position_mm = position_mm;
-        found.compliance_mm_per_n = freeGaugePoint(m_project, m_points).gamma_mm_n;
+        found.compliance_mm_per_n = freeGaugePoint(m_project, m_points, m_stop).gamma_mm_n;
         return found;
     }
 

@@ -18,7 +18,8 @@ std::vector<double> positionsOf(const std::vector<CompliantPoint>& points, std::
 }
 
 std::vector<double> gaugeInfluence(const Project& project,
-                                   const std::vector<CompliantPoint>& points) {
+                                   const std::vector<CompliantPoint>& points,
+                                   const std::stop_token& stop) {
     if (!project.gauge.position_mm) {
         return {};
     }
@@ -26,29 +27,30 @@ std::vector<double> gaugeInfluence(const Project& project,
     if (project.gauge.compliance_mm_per_n) {
         return std::vector<double>(sections, *project.gauge.compliance_mm_per_n);
     }
-    return influenceRows(project, {points.back().position_mm}, positionsOf(points, sections));
+    return influenceRows(project, {points.back().position_mm}, positionsOf(points, sections), stop);
 }
 
-CoupledSections balance(const Project& project, const std::vector<CompliantPoint>& points) {
+CoupledSections balance(const Project& project, const std::vector<CompliantPoint>& points,
+                        const std::stop_token& stop) {
     const auto sections = static_cast<std::size_t>(project.sections);
     const std::vector<double> middles = positionsOf(points, sections);
     const std::vector<double> widths(sections, project.part.length_mm / project.sections);
-    return {influenceRows(project, middles, middles), widths, forceLaw(project),
+    return {influenceRows(project, middles, middles, stop), widths, forceLaw(project),
             wheelContact(project)};
 }
 
 } // namespace
 
 SectionCoupling::SectionCoupling(const Project& project, const std::vector<CompliantPoint>& points,
-                                 const Blank& blank)
+                                 const Blank& blank, const std::stop_token& stop)
     : m_radii(blank.depth_mm.size())
     , m_sections(static_cast<std::size_t>(project.sections))
     , m_points(points.size())
     , m_sliceWidth(project.part.length_mm / project.sections)
     , m_law(forceLaw(project))
     , m_contact(wheelContact(project))
-    , m_balance(balance(project, points))
-    , m_gaugeInfluence(gaugeInfluence(project, points))
+    , m_balance(balance(project, points, stop))
+    , m_gaugeInfluence(gaugeInfluence(project, points, stop))
     , m_roots(m_radii * m_sections)
     , m_lag(m_sections)
     , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s)

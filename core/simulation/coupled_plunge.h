@@ -28,7 +28,7 @@ class SectionCoupling {
 public:
     /// `points` are the sections, and after them the free gauge if there is one.
     SectionCoupling(const Project& project, const std::vector<CompliantPoint>& points,
-                    const Blank& blank);
+                    const Blank& blank, const std::stop_token& stop = {});
 
     enum class Outcome { solved, notSolved, stopped };
 

@@ -12,10 +12,10 @@ namespace sparkout {
 namespace {
 
 /// The sections, and after them the free gauge position if there is one.
-std::vector<CompliantPoint> points(const Project& project) {
-    std::vector<CompliantPoint> sections = compliantPoints(project);
+std::vector<CompliantPoint> points(const Project& project, const std::stop_token& stop) {
+    std::vector<CompliantPoint> sections = compliantPoints(project, stop);
     if (project.gauge.position_mm) {
-        sections.push_back(freeGaugePoint(project, sections));
+        sections.push_back(freeGaugePoint(project, sections, stop));
     }
     return sections;
 }
@@ -24,7 +24,7 @@ std::vector<CompliantPoint> points(const Project& project) {
 class PlungeSteps : public CycleSteps {
 public:
     PlungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop)
-        : CycleSteps(Run(project, points(project), trajectory, stop), gaugePoint(project))
+        : CycleSteps(Run(project, points(project, stop), trajectory, stop), gaugePoint(project))
         , m_project(project)
         , m_sections(static_cast<std::size_t>(project.sections))
         , m_hasFreeGauge(project.gauge.position_mm.has_value())
@@ -35,7 +35,7 @@ public:
             m_places[j].section = static_cast<int>(j);
         }
         if (isCoupled(project)) {
-            m_coupling.emplace(project, points(project), m_run.blank());
+            m_coupling.emplace(project, points(project, stop), m_run.blank(), stop);
         }
     }
 

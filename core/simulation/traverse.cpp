@@ -25,7 +25,7 @@ class TraverseSteps : public CycleSteps, public RadiusFollower {
 public:
     TraverseSteps(const Project& project, Zone gaugeZone, Trajectory* trajectory,
                   const std::stop_token& stop)
-        : CycleSteps(Run(project, compliantPoints(project), trajectory, stop),
+        : CycleSteps(Run(project, compliantPoints(project, stop), trajectory, stop),
                      static_cast<std::size_t>(gaugeZone))
         , m_project(project)
         , m_plunge1(sharedCut(zoneLengths(project).rz1))

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The compliance of shafts drawn at random: its laws, and a second way to each number.
+#include "core/process/system_compliance.h"
 #include "tests/core/dense.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/core/shafts.h"
 #include "tests/registry.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -128,6 +131,72 @@ private slots:
                             shaft.at(x), 1e-9));
             RC_ASSERT(p.headstock >= 0 && p.tailstock >= 0 && p.bending >= 0 && p.rests <= 0);
         }));
+    }
+
+    // Cut into many segments a shaft is summed up in another way; so is one with many rests.
+    void manySegmentsAndRestsAreTheSameShaft() {
+        for (unsigned seed = 0; seed < 60; ++seed) {
+            ShaftModel model = shaftOfSeed(seed);
+            const Compliance singly(model);
+            ShaftModel cut = model;
+            cut.segments.clear();
+            for (const BeamSegment& segment : model.segments) {
+                for (int i = 0; i < 150; ++i) {
+                    cut.segments.push_back({segment.length_mm / 150, segment.diameter_mm});
+                }
+            }
+            const Compliance running(cut);
+            ShaftModel free = model; // its rests may leave little of it
+            free.rests.clear();
+            const double L = singly.length();
+            const double scale = std::max(Compliance(free).at(L / 2), Compliance(free).at(L));
+            for (const double x : {0.0, 0.11 * L, 0.37 * L, 0.5 * L, 0.83 * L, L}) {
+                for (const double s : {0.02 * L, 0.37 * L, 0.9 * L}) {
+                    QVERIFY(fixtures::within(running.between(x, s), singly.between(x, s),
+                                             1e-11 * scale));
+                    QVERIFY(running.between(x, s) == running.between(s, x));
+                    QVERIFY(fixtures::within(running.mean(x, s / 2, s), singly.mean(x, s / 2, s),
+                                             1e-11 * scale));
+                }
+            }
+            const std::vector<double> places{0.1 * L, 0.4 * L, L};
+            const std::vector<double> rows = running.rows(places, places);
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                QVERIFY(rows[i] == running.between(places[i / 3], places[i % 3]));
+            }
+        }
+    }
+
+    // 1,000 of each: what a run and the drawing ask for, within half a second (four times that on a
+    // busy machine); a stop ends it at once.
+    void aThousandSegmentsAndRestsTakeHalfASecond() {
+        Project p = fixtures::plunge();
+        p.part.length_mm = 400;
+        p.machine.compliance_mm_per_n = std::monostate{};
+        p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+        for (int i = 0; i < 1000; ++i) {
+            p.part.shaft.segments.push_back({1.0, 20.0 + i % 7});
+            p.part.shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
+        }
+        p.part.shaft.ground_from_mm = 300;
+        p.sections = 20;
+        QElapsedTimer took;
+        took.start();
+        const std::vector<CompliantPoint> points = compliantPoints(p);
+        const qint64 points_ms = took.restart();
+        const std::vector<CompliantPlace> along = complianceAlong(p, 241);
+        const qint64 along_ms = took.restart();
+        qInfo("sections %lld ms, along the shaft %lld ms", points_ms, along_ms);
+        QVERIFY(points_ms < 2000 && along_ms < 2000);
+        QCOMPARE(points.size(), 20u);
+        for (const CompliantPoint& point : points) { // between a rigid shaft's and a free one's
+            QVERIFY(point.gamma_mm_n > 1 / 50e3 && point.gamma_mm_n < 1e-3);
+        }
+        std::stop_source stop;
+        stop.request_stop();
+        took.restart();
+        QCOMPARE(compliantPoints(p, stop.get_token()).size(), 20u);
+        QVERIFY(took.elapsed() < 200);
     }
 
     void aRestNeverMakesTheShaftSofter() {
