@@ -2,6 +2,7 @@
 #include "core/optimisation/binding.h"
 
 #include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/grace.h"
 #include "core/optimisation/refine_space.h"
 #include "core/simulation/simulate.h"
 
@@ -125,13 +126,17 @@ private:
 
 /// What breaks in those that are quicker than so long.
 std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::int64_t time_us,
-                                     const Project& project,
-                                     const std::vector<Project>& scenarios) {
+                                     const Project& project, const std::vector<Project>& scenarios,
+                                     const std::stop_token& stop) {
+    const Grace grace(stop);
     std::vector<Project> parts = scenarios;
     parts.insert(parts.begin(), project);
     std::array<bool, constraintKinds> binds{};
     for (const auto& [cycle, machine] : others) {
         for (Project& part : parts) {
+            if (grace.isOver()) {
+                return {};
+            }
             setMachine(part, machine);
             part.cycle = cycle;
             const SimulationResult result = simulate(part);
@@ -155,14 +160,16 @@ std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::
 } // namespace
 
 std::vector<ConstraintKind> bindingRequirements(const Project& project, const FeasibleCycle& best,
-                                                const std::vector<Project>& scenarios) {
-    return brokenIn(neighbours(Variants(project), best), best.time_us, project, scenarios);
+                                                const std::vector<Project>& scenarios,
+                                                const std::stop_token& stop) {
+    return brokenIn(neighbours(Variants(project), best), best.time_us, project, scenarios, stop);
 }
 
 std::vector<ConstraintKind> bindingRequirements(const Project& project, const Cycle& cycle,
                                                 std::int64_t time_us,
-                                                const std::vector<Project>& scenarios) {
-    return brokenIn(OffGrid(project, cycle).neighbours(), time_us, project, scenarios);
+                                                const std::vector<Project>& scenarios,
+                                                const std::stop_token& stop) {
+    return brokenIn(OffGrid(project, cycle).neighbours(), time_us, project, scenarios, stop);
 }
 
 } // namespace sparkout

@@ -91,11 +91,16 @@ private:
     void goOn(const CyclePrefix& from, StageStates& next) {
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
             const int least = from.isBeforeLast() ? 0 : m_runs.leastTaken(from);
+            if (m_options.stop.stop_requested()) {
+                return;
+            }
             if (m_grid.mayGoOn(from.cycle, from.stages, s)
                 && !isUseless(from, from.steps->run(), s, least)) {
                 m_runs.run(
                     from, s,
-                    [&](const Run& run, int taken) { return isUseless(from, run, s, taken); },
+                    [&](const Run& run, int taken) {
+                        return m_options.stop.stop_requested() || isUseless(from, run, s, taken);
+                    },
                     [&](const StageRuns::End& end) { reach(from, s, end, next); }, m_judge.counts);
             }
         }

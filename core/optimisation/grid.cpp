@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -70,6 +71,34 @@ void Grid::readSettings(const Optimisation& asked) {
             m_settings.push_back({0, axialFeed, m_sparkOut});
         }
     }
+    rankSettings();
+}
+
+void Grid::rankSettings() {
+    const auto rank = [this](double StageSetting::*feed, std::vector<std::size_t>& ranks) {
+        std::vector<double> values;
+        for (const StageSetting& setting : m_settings) {
+            values.push_back(setting.*feed);
+        }
+        std::sort(values.begin(), values.end());
+        values.erase(std::unique(values.begin(), values.end()), values.end());
+        for (const StageSetting& setting : m_settings) {
+            const auto at = std::lower_bound(values.begin(), values.end(), setting.*feed);
+            ranks.push_back(static_cast<std::size_t>(at - values.begin()));
+        }
+        return values.size();
+    };
+    m_radials = rank(&StageSetting::radial, m_radialRanks);
+    m_axials = rank(&StageSetting::axialFeed_mm_min, m_axialRanks);
+}
+
+Grid Grid::withSparkOut(int count) const {
+    Grid other = *this;
+    other.m_sparkOut = count;
+    for (StageSetting& setting : other.m_settings) {
+        setting.sparkOut = setting.sparkOut > 0 ? count : 0;
+    }
+    return other;
 }
 
 bool Grid::readShape(const Optimisation& asked, std::size_t stages) {
@@ -146,18 +175,18 @@ bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
     for (std::size_t z = stages; z-- > 0;) {
         bool any = false;
         const bool sparks = z + 1 == stages && m_sparkOut > 0;
+        const bool looksOn = m_nonIncreasing && z + 1 < stages && (m_bounded || m_sparkOut > 0);
+        const std::vector<char> goesOn =
+            looksOn ? overFollowers(shape.allowed[z + 1], char{0},
+                                    [](char a, char b) { return std::max(a, b); })
+                    : std::vector<char>(m_settings.size(), 1);
         for (std::size_t s = 0; s < m_settings.size(); ++s) {
             const StageSetting& setting = m_settings[s];
-            bool may = sparks == (setting.sparkOut > 0)
-                       && (sparks || within(radial, z, setting.radial))
-                       && (!traverse
-                           || within(asked.stage_axial_feed_mm_min, z, setting.axialFeed_mm_min));
-            if (may && m_nonIncreasing && z + 1 < stages && (m_bounded || m_sparkOut > 0)) {
-                may = false;
-                for (std::size_t t = 0; t < m_settings.size() && !may; ++t) {
-                    may = shape.allowed[z + 1][t] != 0 && mayFollow(s, t);
-                }
-            }
+            const bool may =
+                goesOn[s] != 0 && sparks == (setting.sparkOut > 0)
+                && (sparks || within(radial, z, setting.radial))
+                && (!traverse
+                    || within(asked.stage_axial_feed_mm_min, z, setting.axialFeed_mm_min));
             shape.allowed[z][s] = may ? 1 : 0;
             any = any || may;
         }
@@ -197,14 +226,14 @@ bool Grid::mayFollow(std::size_t first, std::size_t second) const {
 }
 
 /// Ways to share the steps among all stages but the last.
-double Grid::splits(const Shape& shape) const {
+long double Grid::splits(const Shape& shape) const {
     if (shape.least.size() == 1) {
         return 1;
     }
-    std::vector<double> ways(static_cast<std::size_t>(m_steps) + 1, 0.0); // by steps taken
+    std::vector<long double> ways(static_cast<std::size_t>(m_steps) + 1, 0.0L); // by steps taken
     ways[0] = 1;
     for (std::size_t z = 0; z + 1 < shape.least.size(); ++z) {
-        std::vector<double> sums(ways.size() + 1, 0.0); // of the ways before
+        std::vector<long double> sums(ways.size() + 1, 0.0L); // of the ways before
         std::partial_sum(ways.begin(), ways.end(), sums.begin() + 1);
         for (int taken = 0; taken <= m_steps; ++taken) {
             const auto to = static_cast<std::size_t>(std::max(taken - shape.least[z] + 1, 0));
@@ -213,27 +242,27 @@ double Grid::splits(const Shape& shape) const {
         }
     }
     return std::accumulate(ways.begin() + std::max(shape.leastBefore, 0),
-                           ways.begin() + shape.mostBefore + 1, 0.0);
+                           ways.begin() + shape.mostBefore + 1, 0.0L);
 }
 
+// From the last stage to the first: ways to go on from a setting of this one.
 std::int64_t Grid::size() const {
-    double total = 0;
+    long double total = 0;
     for (const std::size_t stages : m_stageCounts) {
         const Shape& shape = m_shapes[stages];
-        std::vector<double> ways(shape.allowed[0].begin(), shape.allowed[0].end());
-        for (std::size_t z = 1; z < stages; ++z) { // of setting stages up to this one
-            std::vector<double> longer(m_settings.size(), 0.0);
-            for (std::size_t a = 0; a < m_settings.size(); ++a) {
-                for (std::size_t b = 0; b < m_settings.size() && ways[a] > 0; ++b) {
-                    longer[b] += mayHave(stages, z, b) && mayFollow(a, b) ? ways[a] : 0;
-                }
+        std::vector<long double> ways(m_settings.size(), 1);
+        for (std::size_t z = stages; z-- > 0;) {
+            for (std::size_t s = 0; s < m_settings.size(); ++s) {
+                ways[s] = mayHave(stages, z, s) ? ways[s] : 0;
             }
-            ways = longer;
+            if (z > 0) {
+                ways = overFollowers(ways, 0.0L, std::plus<>());
+            }
         }
-        total += splits(shape) * std::accumulate(ways.begin(), ways.end(), 0.0);
+        total += splits(shape) * std::accumulate(ways.begin(), ways.end(), 0.0L);
     }
     constexpr auto most = std::numeric_limits<std::int64_t>::max();
-    return total < 9e18 ? std::llround(total) : most;
+    return total < 9e18L ? std::llround(total) : most;
 }
 
 namespace {

@@ -82,7 +82,15 @@ public:
         return std::max(asWritten(m_stock_mm - stepsTaken * m_step_mm), 0.0);
     }
 
-    /// The number of cycles, 2^63 − 1 when there are more.
+    /// Of every setting: what the function makes of the values of all settings that may follow it,
+    /// from a first value on; it must not mind their order. In time proportional to the settings.
+    template <class Value, class Combine>
+    [[nodiscard]] std::vector<Value> overFollowers(const std::vector<Value>& each, Value first,
+                                                   Combine combine) const;
+    /// The same grid with another count of spark-outs, above 0 where this one has one.
+    [[nodiscard]] Grid withSparkOut(int count) const;
+
+    /// The number of cycles, 2^63 − 1 when there are more. None is looked at.
     [[nodiscard]] std::int64_t size() const;
     /// The cycles one after the other, in grid order; false after the last. Starts from an empty
     /// cycle.
@@ -111,7 +119,8 @@ private:
     [[nodiscard]] bool readFeeds(const Optimisation& asked, Shape& shape) const;
     void complete(GridCycle& cycle, std::size_t stages) const;
     [[nodiscard]] bool advance(GridCycle& cycle) const;
-    [[nodiscard]] double splits(const Shape& shape) const;
+    [[nodiscard]] long double splits(const Shape& shape) const;
+    void rankSettings();
 
     Operation m_operation;
     double m_stock_mm, m_step_mm = 0;
@@ -119,9 +128,44 @@ private:
     int m_sparkOut = 0;
     bool m_nonIncreasing = false, m_bounded = false;
     std::vector<StageSetting> m_settings;
+    std::vector<std::size_t> m_radialRanks, m_axialRanks; ///< of settings among their feeds
+    std::size_t m_radials = 0, m_axials = 0;              ///< different feeds
     std::vector<std::size_t> m_stageCounts;
     std::vector<Shape> m_shapes; ///< by number of stages
     GridFault m_fault;
 };
+
+// A setting may be followed by those that are not above it in either feed: sums over a corner of a
+// table of both feeds, row by row and then column by column.
+template <class Value, class Combine>
+std::vector<Value> Grid::overFollowers(const std::vector<Value>& each, Value first,
+                                       Combine combine) const {
+    if (!m_nonIncreasing) {
+        Value all = first;
+        for (const Value& value : each) {
+            all = combine(all, value);
+        }
+        return std::vector<Value>(m_settings.size(), all);
+    }
+    std::vector<Value> table(m_radials * m_axials, first);
+    const auto place = [this](std::size_t s) {
+        return m_radialRanks[s] * m_axials + m_axialRanks[s];
+    };
+    for (std::size_t s = 0; s < m_settings.size(); ++s) {
+        table[place(s)] = combine(table[place(s)], each[s]);
+    }
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = i % m_axials > 0 ? combine(table[i], table[i - 1]) : table[i];
+    }
+    for (std::size_t i = m_axials; i < table.size(); ++i) {
+        table[i] = combine(table[i], table[i - m_axials]);
+    }
+    std::vector<Value> over;
+    over.reserve(m_settings.size());
+    for (std::size_t s = 0; s < m_settings.size(); ++s) {
+        over.push_back(table[place(s)]);
+    }
+    return over;
+}
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/limit.h"
 
+#include "core/optimisation/grace.h"
 #include "core/optimisation/variants.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
@@ -122,7 +123,7 @@ double leftByField_mm(const Part& part) {
 }
 
 /// Of one variant.
-double limitOf(const Project& project, bool sparksOut) {
+double limitOf(const Project& project, bool sparksOut, const Grace& grace) {
     const Blank blank = makeBlank(project.part);
     const StepTimes times(project);
     if (times.infeed_mm <= 0) {
@@ -137,8 +138,8 @@ double limitOf(const Project& project, bool sparksOut) {
         const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;
-        for (int i = 1; i <= stockCells && cell > 0; ++i) {
-            sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell);
+        for (int i = 1; i <= stockCells && cell > 0 && !grace.isOver(); ++i) {
+            sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell); // each cell adds to it
         }
         limit_s = std::max(limit_s, sum_s);
     }
@@ -147,10 +148,11 @@ double limitOf(const Project& project, bool sparksOut) {
 
 } // namespace
 
-double steplessLimit_s(const Project& project) {
+double steplessLimit_s(const Project& project, const std::stop_token& stop) {
+    const Grace grace(stop);
     const Variants variants(project);
     if (variants.count() == 0) {
-        return limitOf(project, false);
+        return limitOf(project, false, grace);
     }
     std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
     double least_s = std::numeric_limits<double>::infinity();
@@ -160,7 +162,7 @@ double steplessLimit_s(const Project& project) {
         if (variants.grid(v).fault() == GridFault::none
             && std::find(met.begin(), met.end(), each) == met.end()) {
             met.push_back(each);
-            least_s = std::min(least_s, limitOf(variant, each.second));
+            least_s = std::min(least_s, limitOf(variant, each.second, grace));
         }
     }
     return least_s;

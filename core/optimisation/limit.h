@@ -3,6 +3,8 @@
 
 #include "core/project/project.h"
 
+#include <stop_token>
+
 namespace sparkout {
 
 /// The stepless limit: no cycle that ends by the gauge and holds the requirements on burn, power
@@ -45,7 +47,9 @@ namespace sparkout {
 ///
 /// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
 /// that the requirements are held against: for a free position the second bound alone is taken.
-[[nodiscard]] double steplessLimit_s(const Project& project);
+///
+/// A stop leaves out the integrals, soon after it was requested: what is returned is a bound still.
+[[nodiscard]] double steplessLimit_s(const Project& project, const std::stop_token& stop = {});
 
 /// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T.
 [[nodiscard]] inline double gapToLimit(double time_s, double limit_s) {

@@ -4,6 +4,7 @@
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/dynamic_programming.h"
 #include "core/optimisation/full_search.h"
+#include "core/optimisation/grace.h"
 #include "core/optimisation/pruned_search.h"
 #include "core/optimisation/time_bound.h"
 #include "core/process/profile.h"
@@ -30,8 +31,14 @@ SearchSummary search(const Project& project, const Grid& grid, const SearchOptio
 class VariantSearch {
 public:
     VariantSearch(const Project& project, const SearchOptions& options)
-        : m_variants(project), m_options(options), m_own(options) {
-        for (std::size_t v = 0; v < m_variants.count(); ++v) {
+        : m_project(project)
+        , m_variants(project, options.stop)
+        , m_options(options)
+        , m_own(options) {
+        const Grace grace(options.stop);
+        m_unprepared = m_variants.isCutShort();
+        for (std::size_t v = 0; v < m_variants.count() && !m_unprepared; ++v) {
+            m_unprepared = grace.isOver();
             if (m_variants.grid(v).fault() == GridFault::none) {
                 m_order.push_back({leastTime_s(m_variants.project(v), m_variants.grid(v)), v});
             }
@@ -50,6 +57,12 @@ public:
     }
 
     SearchSummary run() {
+        if (m_unprepared) {
+            SearchSummary none;
+            none.status = SearchStatus::stopped;
+            none.gridSize = gridSize(m_project);
+            return none;
+        }
         m_sum.bound_s = std::numeric_limits<double>::infinity();
         m_size = static_cast<double>(m_variants.size());
         for (m_at = 0; m_at < m_order.size(); ++m_at) {
@@ -124,10 +137,12 @@ private:
         m_sum.gridSize = m_variants.size();
     }
 
+    const Project& m_project;
     Variants m_variants;
     const SearchOptions& m_options;
     SearchOptions m_own;                                 ///< for the variants
     std::vector<std::pair<double, std::size_t>> m_order; ///< least time [s] and variant
+    bool m_unprepared = false;                           ///< stopped before the search
     std::size_t m_at = 0;
     double m_size = 0;
     SearchSummary m_sum;

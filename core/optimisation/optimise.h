@@ -80,6 +80,9 @@ struct SearchOptions {
     /// part joins the scenarios.
     std::function<std::optional<Project>(const FeasibleCycle&)> challenge;
     std::int64_t quickest_us = 0; ///< no cycle that holds is quicker, as was proved before
+    /// A cycle of which a stage makes no step on the part, as the size is reached before, does not
+    /// count: it is one with fewer stages.
+    bool everyStageSteps = false;
 };
 
 enum class SearchStatus {

@@ -241,7 +241,8 @@ private:
         m_runs.run(
             done, setting,
             [&](const Run& run, int taken) {
-                return isSlower(m_runs.bound_s(done, run, setting, taken));
+                return m_options.stop.stop_requested()
+                       || isSlower(m_runs.bound_s(done, run, setting, taken));
             },
             [&](const StageRuns::End& end) {
                 if (done.isBeforeLast()) {

@@ -48,13 +48,15 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
         m_rates.push_back(rate);
     }
     readSparkOuts(grid);
+    std::vector<double> own;
+    for (const Rate& rate : m_rates) {
+        own.push_back(rate.s_per_mm);
+    }
+    const std::vector<double> least =
+        grid.overFollowers(own, std::numeric_limits<double>::infinity(),
+                           [](double a, double b) { return std::min(a, b); });
     for (std::size_t s = 0; s < m_rates.size(); ++s) {
-        m_rates[s].next_s_per_mm = m_rates[s].s_per_mm;
-        for (std::size_t t = 0; t < m_rates.size(); ++t) {
-            if (grid.mayFollow(s, t)) {
-                m_rates[s].next_s_per_mm = std::min(m_rates[s].next_s_per_mm, m_rates[t].s_per_mm);
-            }
-        }
+        m_rates[s].next_s_per_mm = std::min(m_rates[s].s_per_mm, least[s]);
     }
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/variants.h"
 
+#include "core/optimisation/grace.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -20,6 +23,39 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
+/// Work speeds, dwells of a traverse and counts of spark-outs: how many of each to choose from.
+double combinations(const Project& project) {
+    const Optimisation& asked = *project.optimisation;
+    const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
+    const double dwells = project.operation == Operation::plunge
+                              ? 1
+                              : number(asked.dwell_entry_s) * number(asked.dwell_exit_s);
+    return number(asked.work_speed_rpm) * dwells * number(asked.spark_out);
+}
+
+/// The grid with one count of spark-outs.
+Grid gridWith(Project project, double sparkOut) {
+    project.optimisation->spark_out = only(sparkOut);
+    return Grid(project);
+}
+
+/// One for each count: two are read, with and without a spark-out, the others differ in the count.
+std::vector<std::shared_ptr<const Grid>> gridsOf(const Project& project,
+                                                 const std::vector<double>& sparkOuts) {
+    std::vector<std::shared_ptr<const Grid>> grids;
+    std::shared_ptr<const Grid> read;
+    for (const double sparkOut : sparkOuts) {
+        const int count = static_cast<int>(sparkOut);
+        if (count > 0 && read) {
+            grids.push_back(std::make_shared<const Grid>(read->withSparkOut(count)));
+            continue;
+        }
+        grids.push_back(std::make_shared<const Grid>(gridWith(project, sparkOut)));
+        read = count > 0 ? grids.back() : read;
+    }
+    return grids;
+}
+
 } // namespace
 
 MachineSettings machineSettings(const Project& project) {
@@ -33,7 +69,7 @@ void setMachine(Project& project, const MachineSettings& settings) {
     project.machine.dwell_exit_s = settings.dwell_exit_s;
 }
 
-Variants::Variants(const Project& project) {
+Variants::Variants(const Project& project, const std::stop_token& stop) {
     Project plain = project;
     plain.runs.clear();
     if (!project.optimisation) {
@@ -44,37 +80,40 @@ Variants::Variants(const Project& project) {
     if (project.operation == Operation::plunge) {
         asked.dwell_entry_s = asked.dwell_exit_s = {};
     }
-    const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
-    if (number(asked.work_speed_rpm) * number(asked.dwell_entry_s) * number(asked.dwell_exit_s)
-            * number(asked.spark_out)
-        > mostVariants) {
+    if (combinations(project) > mostVariants) {
         m_fault = GridFault::tooManyVariants;
         return;
     }
+    const Grace grace(stop);
     const MachineSettings own = machineSettings(project);
     const std::vector<double> speeds = listed(asked.work_speed_rpm, own.work_speed_rpm),
                               entries = listed(asked.dwell_entry_s, own.dwell_entry_s),
                               exits = listed(asked.dwell_exit_s, own.dwell_exit_s),
                               sparkOuts = listed(asked.spark_out, 0);
+    const std::vector<std::shared_ptr<const Grid>> grids = gridsOf(plain, sparkOuts);
     for (const double speed : speeds) {
+        m_isCutShort = grace.isOver();
+        if (m_isCutShort) {
+            break;
+        }
         for (const double entry : entries) {
             for (const double exit : exits) {
-                for (const double sparkOut : sparkOuts) {
+                for (std::size_t i = 0; i < sparkOuts.size(); ++i) {
                     setMachine(plain, {speed, entry, exit});
                     asked.work_speed_rpm = only(speed);
                     asked.dwell_entry_s = only(entry);
                     asked.dwell_exit_s = only(exit);
-                    asked.spark_out = only(sparkOut);
-                    m_variants.emplace_back(plain);
+                    asked.spark_out = only(sparkOuts[i]);
+                    m_variants.push_back({plain, grids[i]});
                 }
             }
         }
     }
     const bool any = std::any_of(m_variants.begin(), m_variants.end(), [](const Variant& each) {
-        return each.grid.fault() == GridFault::none;
+        return each.grid->fault() == GridFault::none;
     });
-    if (!any) {
-        m_fault = m_variants.front().grid.fault();
+    if (!any && !m_isCutShort) {
+        m_fault = m_variants.front().grid->fault();
         m_variants.clear();
     }
 }
@@ -94,18 +133,36 @@ std::int64_t Variants::size() const {
     std::array<std::optional<std::int64_t>, 2> sizes;
     std::int64_t sum = 0;
     for (const Variant& each : m_variants) {
-        if (each.grid.fault() != GridFault::none) {
+        if (each.grid->fault() != GridFault::none) {
             continue;
         }
-        std::optional<std::int64_t>& size = sizes[each.grid.sparkOut() > 0 ? 1 : 0];
-        size = size ? size : each.grid.size();
+        std::optional<std::int64_t>& size = sizes[each.grid->sparkOut() > 0 ? 1 : 0];
+        size = size ? size : each.grid->size();
         sum = *size > most - sum ? most : sum + *size;
     }
     return sum;
 }
 
 std::int64_t gridSize(const Project& project) {
-    return Variants(project).size();
+    if (!project.optimisation || combinations(project) > mostVariants) {
+        return 0;
+    }
+    Project plain = project;
+    plain.runs.clear();
+    plain.batch.reset();
+    const std::vector<double> sparkOuts = listed(project.optimisation->spark_out, 0);
+    const double others = combinations(project) / static_cast<double>(sparkOuts.size());
+    std::array<std::optional<Grid>, 2> grids;
+    long double sum = 0;
+    for (const double sparkOut : sparkOuts) {
+        std::optional<Grid>& grid = grids[static_cast<int>(sparkOut) > 0 ? 1 : 0];
+        if (!grid) {
+            grid = gridWith(plain, sparkOut);
+        }
+        sum += others * static_cast<long double>(grid->size());
+    }
+    constexpr auto most = std::numeric_limits<std::int64_t>::max();
+    return sum < 9e18L ? std::llround(sum) : most;
 }
 
 } // namespace sparkout

@@ -4,6 +4,8 @@
 #include "core/optimisation/grid.h"
 
 #include <cstdint>
+#include <memory>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -25,33 +27,36 @@ void setMachine(Project& project, const MachineSettings& settings);
 /// What is not listed is as the machine is set, with no spark-out.
 class Variants {
 public:
-    /// With a fault there are none.
-    explicit Variants(const Project& project);
+    /// With a fault there are none. A stop may leave some out.
+    explicit Variants(const Project& project, const std::stop_token& stop = {});
 
     /// Of the first variant, where all have one; else none.
     [[nodiscard]] GridFault fault() const { return m_fault; }
     [[nodiscard]] std::size_t count() const { return m_variants.size(); }
+    /// Not all are there, as they were stopped being made.
+    [[nodiscard]] bool isCutShort() const { return m_isCutShort; }
     /// The project with the variant's machine, whose optimisation lists this variant alone.
     [[nodiscard]] const Project& project(std::size_t variant) const {
         return m_variants[variant].project;
     }
-    [[nodiscard]] const Grid& grid(std::size_t variant) const { return m_variants[variant].grid; }
+    [[nodiscard]] const Grid& grid(std::size_t variant) const { return *m_variants[variant].grid; }
     /// Whether two variants differ in one thing alone.
     [[nodiscard]] bool differInOne(std::size_t a, std::size_t b) const;
     /// The number of cycles of all, 2^63 − 1 when there are more.
     [[nodiscard]] std::int64_t size() const;
 
 private:
+    /// The machine leaves the grid as it is: variants of one count of spark-outs share it.
     struct Variant {
         Project project;
-        Grid grid;
-        explicit Variant(Project each) : project(std::move(each)), grid(project) {}
+        std::shared_ptr<const Grid> grid;
     };
     std::vector<Variant> m_variants;
     GridFault m_fault = GridFault::none;
+    bool m_isCutShort = false;
 };
 
-/// The number of cycles that a project's optimisation asks for.
+/// The number of cycles that a project's optimisation asks for, without making the variants.
 [[nodiscard]] std::int64_t gridSize(const Project& project);
 
 } // namespace sparkout

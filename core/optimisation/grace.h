@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <stop_token>
+#include <utility>
+
+namespace sparkout {
+
+/// What is worked out about an answer after its search: a stop ends it, too, but not before it had
+/// a moment, which is enough for most. Counted from its own begin.
+class Grace {
+public:
+    explicit Grace(std::stop_token stop) : m_stop(std::move(stop)) {}
+
+    [[nodiscard]] bool isOver() const {
+        constexpr std::chrono::milliseconds moment(30);
+        return m_stop.stop_requested() && std::chrono::steady_clock::now() - m_begin > moment;
+    }
+
+private:
+    std::stop_token m_stop;
+    std::chrono::steady_clock::time_point m_begin = std::chrono::steady_clock::now();
+};
+
+} // namespace sparkout
