@@ -39,7 +39,8 @@ simulate   runs the cycle of a project file
   --check    exit status 4 when a requirement fails
   --trace    writes a row for every visit of a radius
 optimize   finds the quickest cycle of the file's grid that holds every requirement
-  --robust   it must hold in every phase of the stock against the feeds, too; a file whose
+  --robust   it must hold for stocks between the steps of the feeds, too: tried on 500 of
+             them drawn afresh, with the confidence stated; a file whose
              optimisation says scenarios corners or batch is searched for those without it
   --refine   from the grid's best on between its levels, in the machine's steps: a
              quicker cycle that holds, if one is met; it is not proved
@@ -48,8 +49,8 @@ optimize   finds the quickest cycle of the file's grid that holds every requirem
              find no cycle where there is one: dp, the dynamic programming that
              was published, and labels, which keeps more ways to each stock level
   --stages   numbers of stages to try, instead of the file's
-  --time-limit  ends the search after so many seconds, as Ctrl+C does: the best
-             so far stays, with the time that no cycle is quicker than
+  --time-limit  ends search and refinement after so many seconds, as Ctrl+C does: the
+             best so far stays, with the time that no cycle is quicker than
   --threads  of the full search, instead of one a processor; the answer is the same
   --json     prints one JSON object
   -o         writes the project with the cycle found

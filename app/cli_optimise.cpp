@@ -157,12 +157,12 @@ bool asksForABatch(const Project& project) {
     return project.optimisation->scenarios != OptimisationScenarios::nominal;
 }
 
-/// Off the grid, from the best of it; Ctrl+C ends it, the time limit is the search's.
-RefineSummary refined(const OptimiseReport& report) {
-    SearchWatch watch(std::nullopt);
+/// Off the grid, from the best of it.
+RefineSummary refined(const OptimiseReport& report, const std::stop_token& stop) {
     RefineOptions options;
-    options.stop = watch.token();
+    options.stop = stop;
     if (report.robust) {
+        options.everyStageSteps = true;
         options.scenarios = report.robust->added;
         options.source = scenariosAskedFor(report.project);
     }
@@ -170,7 +170,7 @@ RefineSummary refined(const OptimiseReport& report) {
 }
 
 OptimiseReport search(const Project& project, const OptimiseOptions& options) {
-    SearchWatch watch(options.timeLimit_s);
+    SearchWatch watch(options.timeLimit_s); // of everything that follows
     SearchOptions search;
     search.method = options.method;
     search.threads = options.threads;
@@ -185,22 +185,22 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     } else {
         report.search = optimise(project, search);
     }
-    report.limit_s = steplessLimit_s(project);
+    report.limit_s = steplessLimit_s(project, watch.token());
     if (report.search.status == SearchStatus::stopped
         || isHeuristic(options.method)) { // no cycle at all is quicker than that
         report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
     }
     if (report.search.best) {
-        report.binding =
-            bindingRequirements(project, *report.search.best,
-                                report.robust ? report.robust->added : std::vector<Project>{});
+        report.binding = bindingRequirements(
+            project, *report.search.best,
+            report.robust ? report.robust->added : std::vector<Project>{}, watch.token());
     }
     if (options.refine && hasAnswer(report)) {
-        report.refined = refined(report);
+        report.refined = refined(report, watch.token());
         if (report.refined->isQuicker) {
             report.binding = bindingRequirements(
                 withBest(project, report.search), report.refined->cycle, report.refined->time_us,
-                report.robust ? report.robust->added : std::vector<Project>{});
+                report.robust ? report.robust->added : std::vector<Project>{}, watch.token());
         }
     }
     return report;

@@ -183,7 +183,8 @@ std::string heuristicText(SearchMethod method) {
 std::string statusText(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     if (search.status == SearchStatus::proved) {
-        return report.robust ? "the quickest of the grid for the part and the stocks added, proved"
+        return report.robust ? "the quickest of the grid that holds for the part and the stocks "
+                               "added: proved for these, not for other phases of the stock"
                              : "the quickest of the grid, proved";
     }
     if (search.status == SearchStatus::found) {
@@ -218,7 +219,10 @@ std::string robustText(const RobustSummary& robust, double best_s) {
     const double nominal_s = static_cast<double>(robust.nominalTime_us) * 1e-6;
     return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
            + std::to_string(robust.rounds) + " rounds; costs "
-           + fixed((best_s / nominal_s - 1) * 100, 1) + " % of time\n";
+           + fixed((best_s / nominal_s - 1) * 100, 1) + " % of time\n"
+           + "confidence           held in all of " + std::to_string(robust.freshPhases)
+           + " phases of the stock drawn afresh: with 95 % confidence at most "
+           + fixed(mostFailing(robust.freshPhases) * 100, 1) + " % of the phases fail\n";
 }
 
 } // namespace
@@ -330,6 +334,14 @@ std::string optimiseJson(const OptimiseReport& report) {
     if (report.robust) {
         root["rounds"] = report.robust->rounds;
         root["holds_in_sample"] = report.robust->holdsInSample;
+        const int phases = report.robust->freshPhases; // 0: there is no answer that was tried
+        root["fresh_phases"] = {{"tried", phases},
+                                {"failed", 0},
+                                {"failing_share_at_most", phases > 0
+                                                              ? ordered_json(mostFailing(phases))
+                                                              : ordered_json(nullptr)},
+                                {"confidence", 0.95},
+                                {"cycles_that_failed", report.robust->freshFailures}};
         root["nominal_time_min"] = minutes(report.robust->nominalTime_us);
     }
     return root.dump(2) + '\n';
@@ -339,7 +351,7 @@ std::string noAnswerSentence(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     std::string text;
     if (search.best) {
-        text = "no cycle was found that holds in every phase of the stock";
+        text = "no cycle was found that holds in all phases of the stock it was tried on";
     } else if (search.status == SearchStatus::stopped) {
         text = "stopped before a feasible cycle was found";
     } else if (search.status == SearchStatus::notFound) {

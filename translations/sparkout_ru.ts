@@ -3917,6 +3917,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ни один цикл сетки не выдерживает всех требований.</translation>
         </message>
         <message>
+            <source>%1 min: of %2 the quickest that holds for the part and the scenarios added; proved for these.</source>
+            <translation>%1 мин: самый быстрый (%2) из годных для детали и добавленных условий; для них доказано.</translation>
+        </message>
+        <message>
             <source>%1 min: the quickest of %2, proved.</source>
             <translation>%1 мин: самый быстрый, доказано (%2).</translation>
         </message>
@@ -3951,6 +3955,10 @@ Reloading takes that version; your changes stay in Undo.</source>
                 <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
                 <numerusform>Годен в последней выборке условий; добавить пришлось %n.</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>It held in all of %1 phases of the stock drawn afresh: with 95 % confidence at most %2 % of the phases fail.</source>
+            <translation>Цикл годен при всех %1 заново выбранных фазах припуска: с доверительной вероятностью 95 % он не годен не более чем при %2 % фаз.</translation>
         </message>
         <message>
             <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>

@@ -5,6 +5,7 @@
 #include "core/optimisation/pass_cuts.h"
 #include "core/simulation/cycle_steps.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -18,6 +19,12 @@ inline constexpr std::int64_t noTime_us = std::numeric_limits<std::int64_t>::max
 [[nodiscard]] std::int64_t comparedTime_us(double time_s);
 [[nodiscard]] inline double seconds(std::int64_t time_us) {
     return static_cast<double>(time_us) * 1e-6;
+}
+
+/// Whether a stage made no step, as its stock was gone before it began.
+[[nodiscard]] inline bool hasIdleStage(const SimulationResult& result) {
+    return std::find(result.countsByStage.begin(), result.countsByStage.end(), 0)
+           != result.countsByStage.end();
 }
 
 /// What a search adds up beside the best cycle.

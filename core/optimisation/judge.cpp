@@ -64,7 +64,7 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
     FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant};
-    if (found.time_us > bestTime_us()) {
+    if (found.time_us > bestTime_us() || (m_options.everyStageSteps && hasIdleStage(result))) {
         return false;
     }
     const std::optional<double> margin = leastMargin(result);

@@ -40,7 +40,7 @@ public:
             setMachine(part, machineSettings(project));
         }
         m_best.runs = runs;
-        const Tried given = tryCycle(cycle);
+        const Tried given = tryCycle(cycle, {}); // what the answer is compared with
         m_best.cycle = cycle;
         m_best.time_us = given.time_us;
         m_best.leastRelativeMargin = given.margin;
@@ -68,14 +68,15 @@ private:
         return m_options.stop.stop_requested() || m_best.runs >= m_mostRuns;
     }
 
-    Tried tryCycle(const Cycle& cycle) {
+    Tried tryCycle(const Cycle& cycle, const std::stop_token& stop) {
         ++m_best.runs;
         Tried tried{0, true, 0, std::numeric_limits<double>::infinity()};
         double broken = 0;
         for (Project& part : m_parts) {
             part.cycle = cycle;
-            const SimulationResult result = simulate(part);
+            const SimulationResult result = simulate(part, nullptr, stop);
             if (&part == &m_parts.front()) {
+                tried.holds = !m_options.everyStageSteps || !hasIdleStage(result);
                 tried.time_us = comparedTime_us(result.time_s);
                 const double beyond = std::min(0.0, result.remainingStock_mm);
                 tried.value = result.time_s * (1 + beyond / part.part.stock_mm);
@@ -114,7 +115,7 @@ private:
         const std::optional<Cycle> cycle = m_space.cycleOf(values);
         double value = m_scale_s * notInTheGrid;
         if (cycle) {
-            const Tried tried = tryCycle(*cycle);
+            const Tried tried = tryCycle(*cycle, m_options.stop);
             value = tried.value;
             const bool better = tried.time_us < m_best.time_us
                                 || (m_best.isQuicker && tried.time_us == m_best.time_us
@@ -239,21 +240,22 @@ private:
     nlopt_opt m_nlopt = nullptr;
 };
 
-/// Of what is drawn the first in which the cycle does not hold.
+/// Of what is drawn the first in which the cycle does not hold, then of the fresh phases one.
 std::optional<Project> failing(const Project& project, const Cycle& cycle,
-                               const FreshScenarios& source, int round) {
+                               const RefineOptions& options, int round) {
     Project best = project;
     best.cycle = cycle;
-    for (Project& scenario : source(best, round)) {
+    for (Project& scenario : options.source(best, round)) {
         scenario.cycle = cycle;
-        const SimulationResult result = simulate(scenario);
+        const SimulationResult result = simulate(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
         if (result.status != RunStatus::completed
             || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
             return std::move(scenario);
         }
     }
-    return std::nullopt;
+    constexpr std::uint32_t otherThanTheSearch = 1U << 31U;
+    return failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round), options.stop);
 }
 
 } // namespace
@@ -267,7 +269,10 @@ RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOpt
         if (!summary.isQuicker || !options.source) {
             return summary;
         }
-        std::optional<Project> fails = failing(project, summary.cycle, options.source, round);
+        std::optional<Project> fails = failing(project, summary.cycle, options, round);
+        if (options.stop.stop_requested()) {
+            break; // a test that is stopped shows nothing
+        }
         if (!fails) {
             return summary;
         }

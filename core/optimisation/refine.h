@@ -24,9 +24,12 @@ namespace sparkout {
 
 struct RefineOptions {
     std::vector<Project> scenarios; ///< in which the cycle must hold, too
-    FreshScenarios source;          ///< where given, it must also hold in what this draws
+    FreshScenarios source;          ///< where given, it must also hold in what this draws and
+                                    ///< in fresh phases (failingPhase)
     int mostRuns = 4000;            ///< of cycles, in each of at most ten rounds with a source
-    std::stop_token stop;           ///< what was found so far is the answer
+    bool everyStageSteps = false;   ///< as SearchOptions has it
+    std::stop_token stop;           ///< what was found so far is the answer; with a source the
+                                    ///< given cycle, unless all its scenarios were tried
 };
 
 struct RefineSummary {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
+#include "core/batch/philox.h"
 #include "core/batch/scenario_source.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
@@ -76,14 +77,20 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     project.notes.clear();
     RobustSummary summary;
     SearchOptions search = options.search;
-    const Variants variants(project);
+    search.everyStageSteps = true;
+    const Variants variants(project, search.stop);
     int draws = 0; // from the source
     Trials trials;
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
         best.cycle = variants.grid(found.variant).cycle(found.cycle);
-        return trials.failing(best, source(best, draws++), options.search.stop);
+        auto failing = trials.failing(best, source(best, draws++), options.search.stop);
+        if (!failing && !options.search.stop.stop_requested()) {
+            failing = failingPhase(best, static_cast<std::uint32_t>(draws), options.search.stop);
+            summary.freshFailures += failing ? 1 : 0;
+        }
+        return failing;
     };
     while (summary.rounds < options.mostRounds) {
         summary.search = optimise(project, search);
@@ -112,6 +119,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         }
         if (!failing) { // a challenge was drawn for this cycle
             summary.holdsInSample = true;
+            summary.freshPhases = freshPhaseCount;
             return summary;
         }
         search.scenarios.push_back(*failing);
@@ -133,6 +141,31 @@ std::vector<Project> stockPhases(const Project& project, int phases, double from
         }
     }
     return spread;
+}
+
+std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
+                                    const std::stop_token& stop, int count) {
+    std::vector<double> infeeds_mm = infeedsOfStages(best);
+    std::erase_if(infeeds_mm, [](double infeed_mm) { return infeed_mm <= 0; });
+    Project drawn = best;
+    drawn.runs.clear();
+    std::optional<Project> worst;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count && !infeeds_mm.empty() && !stop.stop_requested(); ++i) {
+        const auto unit = [&](std::uint32_t factor) {
+            return openUnit(
+                randomBits(draw, RandomStream::plain, static_cast<std::uint64_t>(i), factor));
+        };
+        const auto stage =
+            static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
+        drawn.part.stock_mm = best.part.stock_mm + infeeds_mm[stage] * unit(1);
+        const Trial trial = tried(drawn, stop);
+        if (!trial.holds && (!worst || trial.leastMargin < least)) {
+            worst = drawn;
+            least = trial.leastMargin;
+        }
+    }
+    return worst;
 }
 
 FreshScenarios scenariosAskedFor(const Project& project) {

@@ -131,6 +131,9 @@ void robust(const Project& project, double nominal_s) {
         summary = optimiseRobustly(project, [](const Project& best, int) { return corners(best); });
     });
     report("optimise_robust_64_corners", cpu_s * ns, 10, cpu_s / nominal_s);
+    const Project best = withBest(project, summary.search);
+    const double fresh_s = processorTime_s([&] { (void)failingPhase(best, 0); });
+    std::printf("BENCH optimise_robust_fresh_phases %.4g - -\n", fresh_s * ns); // among it
     beyond |= !summary.holdsInSample;
 }
 

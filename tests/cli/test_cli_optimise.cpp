@@ -9,6 +9,7 @@
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -359,6 +360,13 @@ private slots:
         QVERIFY(answer.at("scenarios_added") > 0); // else the part as it is would have done
         QVERIFY(answer.at("nominal_time_min") == nominal.at("cycle_time_min"));
         QVERIFY(answer.at("cycle_time_min") >= nominal.at("cycle_time_min"));
+        const json& fresh = answer.at("fresh_phases");
+        QVERIFY(fresh.at("tried") == 500 && fresh.at("failed") == 0);
+        QVERIFY(fresh.at("failing_share_at_most") == 0.006 && fresh.at("confidence") == 0.95);
+        const std::string text = optimize({saved, "--robust"}).out; // a confidence, no proof
+        QVERIFY(text.find("proved for these, not for other phases") != std::string::npos);
+        QVERIFY(text.find("with 95 % confidence at most 0.6 % of the phases fail")
+                != std::string::npos);
     }
 
     void interruptKeepsTheBestAndTheBound() {
@@ -377,6 +385,15 @@ private slots:
     void theTimeLimitKeepsTheBestAndTheBound() {
         checkStopped(
             optimize({save("endless.sparkout", endless()), "--time-limit", "2", "--json"}));
+    }
+
+    // A refinement takes some thousand runs: without a limit of its own it takes far longer.
+    void theTimeLimitIsThatOfTheRefinementToo() {
+        QElapsedTimer took;
+        took.start();
+        checkStopped(optimize(
+            {save("endless.sparkout", endless()), "--time-limit", "1", "--refine", "--json"}));
+        QVERIFY2(took.elapsed() < 3000, QByteArray::number(took.elapsed()));
     }
 
     /// The thesis's cycles of table 3 lie in the grid of their examples.

@@ -153,10 +153,10 @@ private slots:
             for (const double x : {0.0, 0.11 * L, 0.37 * L, 0.5 * L, 0.83 * L, L}) {
                 for (const double s : {0.02 * L, 0.37 * L, 0.9 * L}) {
                     QVERIFY(fixtures::within(running.between(x, s), singly.between(x, s),
-                                             1e-11 * scale));
+                                             1e-12 * scale));
                     QVERIFY(running.between(x, s) == running.between(s, x));
                     QVERIFY(fixtures::within(running.mean(x, s / 2, s), singly.mean(x, s / 2, s),
-                                             1e-11 * scale));
+                                             1e-12 * scale));
                 }
             }
             const std::vector<double> places{0.1 * L, 0.4 * L, L};

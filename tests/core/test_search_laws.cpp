@@ -2,9 +2,11 @@
 // The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
 // scenario does to its time, and that none is quicker than the stepless one.
 #include "core/optimisation/binding.h"
+#include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
+#include "core/simulation/stage_control.h"
 
 #include "tests/core/search_checks.h"
 #include "tests/registry.h"
@@ -169,6 +171,7 @@ private slots:
             options.method = SearchMethod::full;
             options.threads = 1;
             options.scenarios = robust.added;
+            options.everyStageSteps = true;
             const SearchSummary full = optimise(p, options);
             QVERIFY2(same(robust.search, full), QByteArray::number(seed));
             QVERIFY(robust.holdsInSample == full.best.has_value());
@@ -221,6 +224,57 @@ private slots:
         }
         QVERIFY2(stopped > 5 && late > 2,
                  QByteArray::number(stopped) + " " + QByteArray::number(late));
+    }
+
+    // 500 phases of the test's own for each answer. A share above 2 % in one that met none in its
+    // own 500 has a chance of 1 in 24,000.
+    void theAnswerHoldsInPhasesThatTheSearchNeverSaw() {
+        int answers = 0, failures = 0;
+        for (unsigned seed = 0; seed < std::max(50U, searches(60)); ++seed) {
+            const Project p = smallCase(seed);
+            const RobustSummary robust = optimiseRobustly(p, freshStockPhases);
+            if (!robust.holdsInSample) {
+                QCOMPARE(robust.freshPhases, 0);
+                continue;
+            }
+            ++answers;
+            failures += robust.freshFailures;
+            QCOMPARE(robust.freshPhases, 500);
+            Project part = withBest(p, robust.search);
+            std::vector<double> infeeds = infeedsOfStages(part);
+            std::erase(infeeds, 0.0);
+            search_cases::Dice dice(seed);
+            int failed = 0;
+            for (int i = 0; i < 500; ++i) {
+                const int stage = dice.integer(0, static_cast<int>(infeeds.size()) - 1);
+                part.part.stock_mm =
+                    p.part.stock_mm + infeeds[static_cast<std::size_t>(stage)] * dice.uniform(0, 1);
+                failed += holds(simulate(part)) ? 0 : 1;
+            }
+            QVERIFY2(failed <= 10, QByteArray::number(seed) + ": " + QByteArray::number(failed));
+        }
+        QVERIFY2(answers > 15 && failures > 0,
+                 QByteArray::number(answers) + " " + QByteArray::number(failures));
+    }
+
+    // A stage that makes no step on the part itself is none.
+    void everyStageOfARobustCycleMakesAStep() {
+        int idle = 0;
+        for (unsigned seed = 0; seed < std::max(100U, searches(120)); ++seed) {
+            Project p = smallCase(seed);
+            p.optimisation->stages = {3};
+            RobustOptions options;
+            options.search.scenarios = stockPhases(p, 2);
+            const RobustSummary robust = optimiseRobustly(
+                p, [](const Project&, int) { return std::vector<Project>{}; }, options);
+            if (robust.search.best) {
+                QVERIFY2(!hasIdleStage(simulate(withBest(p, robust.search))),
+                         QByteArray::number(seed));
+            }
+            const SearchSummary nominal = optimise(p, options.search); // which may have one
+            idle += nominal.best && hasIdleStage(simulate(withBest(p, nominal))) ? 1 : 0;
+        }
+        QVERIFY2(idle > 0, QByteArray::number(idle));
     }
 
     void theRobustCycleHoldsInEveryPhaseOfTheStock() {

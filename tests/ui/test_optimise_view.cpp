@@ -246,6 +246,10 @@ private slots:
         const QString cost = OptimiseText::answer(outcome, {});
         QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
                  qPrintable(cost));
+        QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
+                     && cost.contains(QStringLiteral("at most 0.6 % of the phases fail"))
+                     && cost.contains(QStringLiteral("proved for these")),
+                 qPrintable(cost));
     }
 
     void aSearchIsStoppedAndAnEditDropsIt() {

@@ -23,7 +23,7 @@ public:
 
     Search(const Project& project, SearchWish wish, std::stop_token stop, Note note)
         : m_outcome(std::make_shared<SearchOutcome>())
-        , m_variants(project)
+        , m_variants(project, stop)
         , m_refine(wish.refine)
         , m_stop(std::move(stop))
         , m_note(std::move(note)) {
@@ -64,7 +64,7 @@ private:
     void searchNumber(int stages) {
         Project project = m_outcome->project;
         project.optimisation->stages = {static_cast<double>(stages)};
-        if (Variants(project).fault() != GridFault::none) {
+        if (Variants(project, m_stop).fault() != GridFault::none) {
             return; // the stock cannot be divided so often
         }
         SearchOptions options;
@@ -166,6 +166,7 @@ private:
         options.stop = m_stop;
         if (m_outcome->robust) {
             options.scenarios = m_scenarios;
+            options.everyStageSteps = true;
             options.source = scenariosAskedFor(project);
         }
         const RefineSummary refined = refine(project, best.cycle, options);
@@ -198,11 +199,11 @@ private:
                 numbers.push_back(each.cycle.size());
             }
         }
-        m_outcome->limit_s = steplessLimit_s(m_outcome->project);
+        m_outcome->limit_s = steplessLimit_s(m_outcome->project, m_stop);
         m_outcome->bound_s = bound();
         if (!m_found.empty() && !m_outcome->stopped) { // it takes cycles run to their ends
             m_outcome->binding =
-                bindingRequirements(m_outcome->project, m_found.front().cycle, m_scenarios);
+                bindingRequirements(m_outcome->project, m_found.front().cycle, m_scenarios, m_stop);
         }
     }
 

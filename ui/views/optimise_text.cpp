@@ -162,7 +162,10 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         return lines.join(u' ');
     }
     lines << (outcome.proved()
-                  ? tr("%1 min: the quickest of %2, proved.")
+                  ? (outcome.robust ? tr(
+                         "%1 min: of %2 the quickest that holds for the part and the scenarios "
+                         "added; proved for these.")
+                                    : tr("%1 min: the quickest of %2, proved."))
                         .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.project)))
                   : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
                         .arg(minutes(best->time_s), minutes(outcome.bound_s)));
@@ -195,6 +198,10 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         }
         lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
                     nullptr, added);
+        lines
+            << tr("It held in all of %1 phases of the stock drawn afresh: with 95 % confidence at "
+                  "most %2 % of the phases fail.")
+                   .arg(QLocale().toString(freshPhaseCount), percent(mostFailing(freshPhaseCount)));
         if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
             lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
                          .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
