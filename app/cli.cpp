@@ -6,14 +6,20 @@
 #include "app/cli_report.h"
 #include "app/cli_sweep.h"
 #include "app/examples.h"
+#include "core/printable.h"
+#include "core/project/project_file.h"
+#include "core/project/safe_file.h"
 #include "core/quality/remarks.h"
 #include "core/quality/result_json.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace sparkout::cli {
@@ -31,7 +37,7 @@ constexpr const char* helpText =
   sparkout-cli batch FILE [option…] [--shard I/N | --json | --csv]
   sparkout-cli batch-merge SHARD… [--json | --csv] [--check]
   sparkout-cli sweep FILE [--threads N] [--json | --csv] [--progress]
-  sparkout-cli examples DIR
+  sparkout-cli examples DIR [--force]
   sparkout-cli --version | --help
 
 simulate   runs the cycle of a project file
@@ -74,7 +80,9 @@ batch-merge
 sweep      runs the sweep of a project file: one or two inputs varied over their ranges
   --threads N          threads, instead of one a processor; the answer is the same
   --json, --csv        prints one JSON object, or a row for every point
-examples   writes the example projects into a folder, which is made if need be
+examples   writes the example projects into a folder, which is made if need be;
+           where one of them was edited there, nothing is written
+  --force    replaces those that were edited
 
 Exit status: 0 done; 1 the input is refused; 2 usage; 3 the cycle cannot reach size;
 4 a requirement fails (--check); 5 no cycle of the grid is feasible; 130 or 143 a batch
@@ -100,7 +108,7 @@ int runSimulate(const Options& options) {
     Trajectory trajectory;
     if (!options.trace.empty()) { // a second run: now the trace's size is known
         if (result.visits > maxRecordedVisits) {
-            print(stderr, options.operand + ": the trace would have "
+            print(stderr, printable(options.operand) + ": the trace would have "
                               + std::to_string(result.visits) + " rows; allowed: at most "
                               + std::to_string(maxRecordedVisits) + '\n');
             return refused;
@@ -116,7 +124,7 @@ int runSimulate(const Options& options) {
         }
     }
     if (result.status != RunStatus::completed) {
-        print(stderr, options.operand + ": " + statusSentence(result) + '\n');
+        print(stderr, printable(options.operand) + ": " + statusSentence(result) + '\n');
         return cannotReachSize;
     }
     bool holds = true;
@@ -126,15 +134,43 @@ int runSimulate(const Options& options) {
     return options.check && !holds ? requirementFails : done;
 }
 
-int runExamples(const std::string& folder) {
+/// What stands where an example belongs.
+enum class Standing { nothing, sameExample, another };
+
+Standing standingAt(const std::string& file, const std::string& example) {
+    const auto content = readFile(file, limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&content)) {
+        const bool absent = error->systemError == ENOENT || error->systemError == ENOTDIR;
+        return absent ? Standing::nothing : Standing::another;
+    }
+    return std::get<std::string>(content) == example ? Standing::sameExample : Standing::another;
+}
+
+int runExamples(const std::string& folder, bool force) {
     std::error_code error; // a folder that cannot be made is reported by the first file
     std::filesystem::create_directory(folder, error);
+    std::vector<std::pair<std::string, const Example*>> absent;
+    bool edited = false; // all are looked at before the first is written
     for (const Example& example : examples()) {
-        const std::string file = folder + "/" + example.name;
-        if (const int failed = save(file, example.content)) {
+        std::string file = folder + "/" + example.name;
+        const Standing standing = standingAt(file, example.content);
+        if (standing == Standing::another && !force) {
+            print(stderr, printable(file) + ": differs from the example and is kept\n");
+            edited = true;
+        }
+        if (standing != Standing::sameExample) {
+            absent.emplace_back(std::move(file), &example);
+        }
+    }
+    if (edited) {
+        print(stderr, "sparkout-cli: nothing was written; --force replaces these files\n");
+        return refused;
+    }
+    for (const auto& [file, example] : absent) {
+        if (const int failed = save(file, example->content)) {
             return failed;
         }
-        print(stdout, file + '\n');
+        print(stdout, printable(file) + '\n');
     }
     return done;
 }
@@ -178,7 +214,7 @@ int run(const std::vector<std::string>& arguments) {
     if (command == "validate") {
         return load(options.operand) ? done : refused;
     }
-    return runExamples(options.operand);
+    return runExamples(options.operand, options.force);
 }
 
 } // namespace

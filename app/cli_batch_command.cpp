@@ -6,6 +6,7 @@
 #include "app/cli_io.h"
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
+#include "core/printable.h"
 #include "core/project/blanks_csv.h"
 #include "core/project/project_file.h"
 #include "core/project/strict_json.h"
@@ -37,7 +38,7 @@ bool putMeasuredFile(const std::string& file, Batch& batch) {
     const auto blanks = readMeasuredBlanks(*content);
     if (const auto* fault = std::get_if<TableFault>(&blanks)) {
         print(stderr,
-              file + ": line " + std::to_string(fault->line) + ": "
+              printable(file) + ": line " + std::to_string(fault->line) + ": "
                   + (fault->text.empty() ? "no heading is a factor, as stock_mm"
                                          : "not understood: " + quoted(nlohmann::json(fault->text)))
                   + '\n');
@@ -45,7 +46,7 @@ bool putMeasuredFile(const std::string& file, Batch& batch) {
     }
     const auto& columns = std::get<std::vector<MeasuredColumn>>(blanks);
     for (const MeasuredColumn& column : columns) {
-        print(stderr, file + ": " + std::to_string(column.values.size()) + " values of "
+        print(stderr, printable(file) + ": " + std::to_string(column.values.size()) + " values of "
                           + factorKey(column.kind) + '\n');
     }
     putMeasured(columns, batch);
@@ -75,7 +76,8 @@ std::optional<Project> loadBatch(const Options& options) {
         return std::nullopt;
     }
     if (options.sensitivity && (project->batch->correlation || givenFactors(*project).empty())) {
-        print(stderr, options.operand + ": Sobol indices need factors that are not correlated\n");
+        print(stderr, printable(options.operand)
+                          + ": Sobol indices need factors that are not correlated\n");
         return std::nullopt;
     }
     return project;
@@ -137,7 +139,7 @@ int runBatchMerge(const Options& options) {
         }
         auto shard = readBatchState(*content);
         if (!shard) {
-            print(stderr, file + ": not a shard of a batch\n");
+            print(stderr, printable(file) + ": not a shard of a batch\n");
             return refused;
         }
         shards.push_back(std::move(*shard));

@@ -2,6 +2,7 @@
 #include "app/cli_io.h"
 
 #include "app/cli_report.h"
+#include "core/printable.h"
 #include "core/project/project_file.h"
 
 #include <cerrno>
@@ -26,12 +27,12 @@ bool outputTaken() {
 }
 
 int usageError(const std::string& message) {
-    print(stderr, "sparkout-cli: " + message + "; see sparkout-cli --help\n");
+    print(stderr, "sparkout-cli: " + printable(message) + "; see sparkout-cli --help\n");
     return usage;
 }
 
 std::string describe(const FileError& error) {
-    std::string text = error.path + ": " + fileStepText(error.step);
+    std::string text = printable(error.path) + ": " + fileStepText(error.step);
     if (error.systemError != 0) {
         text += ": " + std::string(std::strerror(error.systemError));
     }
@@ -64,7 +65,7 @@ std::optional<Project> load(const std::string& file) {
     ReadResult read = readProject(*content);
     printIssues(file, read.issues);
     if (read.issues.size() == limits::issues) {
-        print(stderr, file + ": no further faults are listed\n");
+        print(stderr, printable(file) + ": no further faults are listed\n");
     }
     return std::move(read.project);
 }

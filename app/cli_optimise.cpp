@@ -8,6 +8,7 @@
 #include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/limit.h"
+#include "core/printable.h"
 #include "core/project/project_file.h"
 
 #include <algorithm>
@@ -221,7 +222,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
         project->optimisation->stages = options.stages;
     }
     if (const auto reason = refusal(*project, options.method)) {
-        print(stderr, options.file + ": " + *reason + '\n');
+        print(stderr, printable(options.file) + ": " + *reason + '\n');
         return refused;
     }
     if (asksForABatch(*project)) {
@@ -240,7 +241,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
         print(stdout, optimiseText(report));
     }
     if (!hasAnswer(report)) {
-        print(stderr, options.file + ": " + noAnswerSentence(report) + '\n');
+        print(stderr, printable(options.file) + ": " + noAnswerSentence(report) + '\n');
         return nothingFeasible;
     }
     if (!options.output.empty()) {

@@ -120,11 +120,12 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep";
-    return (simulates || batch || sweeps) && name == "--json" ? &options.json
-           : (simulates || batch) && name == "--check"        ? &options.check
-           : (batch || sweeps) && name == "--csv"             ? &options.csv
-           : (runs || sweeps) && name == "--progress"         ? &options.progress
-                                                              : nullptr;
+    return (simulates || batch || sweeps) && name == "--json"   ? &options.json
+           : (simulates || batch) && name == "--check"          ? &options.check
+           : (batch || sweeps) && name == "--csv"               ? &options.csv
+           : (runs || sweeps) && name == "--progress"           ? &options.progress
+           : options.command == "examples" && name == "--force" ? &options.force
+                                                                : nullptr;
 }
 
 /// Options that contradict each other.

@@ -15,7 +15,7 @@ struct Options {
     std::string command, operand;
     std::vector<std::string> operands; ///< after the first, of batch-merge
     std::string trace, measured;
-    bool json = false, csv = false, check = false, progress = false;
+    bool json = false, csv = false, check = false, progress = false, force = false;
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N
     std::optional<double> untilWidth_um;

@@ -2,7 +2,7 @@
 #include "app/cli_report.h"
 
 #include "app/cli_shop.h"
-#include "core/project/strict_json.h"
+#include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/result_names.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/display_start.h"
 #include "app/export_command.h"
 #include "app/report_command.h"
 #include "app/window_io.h"
+#include "core/printable.h"
 #include "core/version.h"
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/file_commands.h"
@@ -13,6 +15,7 @@
 #include "ui/session/operation.h"
 #include "ui/session/program_log.h"
 #include "ui/session/recovery_store.h"
+#include "ui/session/texts.h"
 #include "ui/theme.h"
 #include "ui/views/batch_view.h"
 #include "ui/views/sweep_view.h"
@@ -315,7 +318,7 @@ bool showWantedView(MainWindow& window, const QString& name) {
         names += view->objectName();
     }
     say(stderr, QStringLiteral("sparkout: there is no view “%1”; there are: %2")
-                    .arg(name, names.join(QStringLiteral(", "))));
+                    .arg(printableText(name), names.join(QStringLiteral(", "))));
     return false;
 }
 
@@ -323,12 +326,22 @@ bool showWantedView(MainWindow& window, const QString& name) {
 
 int main(int argc, char** argv) {
     QStringList words;
+    QByteArray unreadable;
     for (int i = 1; i < argc; ++i) {
-        words += QString::fromLocal8Bit(argv[i]);
+        words += QFile::decodeName(argv[i]);
+        if (QFile::encodeName(words.last()) != argv[i]) {
+            unreadable = argv[i];
+        }
+    }
+    if (!unreadable.isEmpty()) { // another file would be read, or written
+        say(stderr, QStringLiteral("sparkout: “%1” is not UTF-8; sparkout-cli takes such names")
+                        .arg(QString::fromStdString(printable(unreadable.toStdString()))));
+        return exitUsage;
     }
     const Options options = readOptions(words);
     if (!options.fault.isEmpty()) {
-        say(stderr, QStringLiteral("sparkout: %1\n\n%2").arg(options.fault, usage()));
+        say(stderr,
+            QStringLiteral("sparkout: %1\n\n%2").arg(printableText(options.fault), usage()));
         return exitUsage;
     }
     if (options.help || options.version) {
@@ -352,7 +365,10 @@ int main(int argc, char** argv) {
     }
     passOverPlatformNotices();
     int noArguments = 1; // the options are ours, Qt reads none of them
+    std::optional<DisplayStart> display(std::in_place);
     QApplication app(noArguments, argv);
+    DisplayStart::checkScreen();
+    display.reset();
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the environment's
     const ProgramLog log;
     ProgramLog::note(QStringLiteral("Sparkout %1, Qt %2, %3")

@@ -4940,6 +4940,10 @@ target, µm</source>
             <source>The document, picture or table could not be made.</source>
             <translation>Не удалось построить документ, рисунок или таблицу.</translation>
         </message>
+        <message>
+            <source>Saved: “%1” in %2</source>
+            <translation>Сохранено: «%1» в папке %2</translation>
+        </message>
     </context>
     <context>
         <name>ShopText</name>
@@ -7369,6 +7373,10 @@ med, µm</source>
             <source>Below: %1</source>
             <translation>Внизу: %1</translation>
         </message>
+        <message>
+            <source>no results kept</source>
+            <translation>результаты не сохранены</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ComplianceBox</name>
@@ -7912,10 +7920,6 @@ med, µm</source>
         <message>
             <source>Export results</source>
             <translation>Экспорт результатов</translation>
-        </message>
-        <message>
-            <source>The results are exported.</source>
-            <translation>Результаты экспортированы.</translation>
         </message>
     </context>
     <context>
@@ -8581,6 +8585,18 @@ mm/min</source>
         <message>
             <source>Opened: %1</source>
             <translation>Открыт: %1</translation>
+        </message>
+        <message>
+            <source>Another window has recovered this work meanwhile.</source>
+            <translation>Эта работа тем временем восстановлена в другом окне.</translation>
+        </message>
+        <message>
+            <source>The settings are the default ones: %1</source>
+            <translation>Действуют настройки по умолчанию: %1</translation>
+        </message>
+        <message>
+            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
+            <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
         </message>
     </context>
     <context>
@@ -9891,14 +9907,6 @@ target, µm</source>
         <message>
             <source>Forward again</source>
             <translation>Снова вперёд</translation>
-        </message>
-        <message>
-            <source>The picture is saved.</source>
-            <translation>Рисунок сохранён.</translation>
-        </message>
-        <message>
-            <source>The data are saved.</source>
-            <translation>Данные сохранены.</translation>
         </message>
         <message>
             <source>Export: %1</source>

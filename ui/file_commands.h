@@ -83,6 +83,7 @@ private:
     void tellSameAsDisk();
     void tellOpened(const Issues& issues);
     void tellReadOnly();
+    void tellStrangeLock();
     void tellChangedOnDisk(const DiskState& state);
     void tellRecovered(const RecoveryHeader& header);
     void tellDamagedSettings();

@@ -23,9 +23,10 @@ const QString recoveredKey = QStringLiteral("recovered");
 const QString keptRunsKey = QStringLiteral("keptRuns");
 const QString autosaveKey = QStringLiteral("autosave");
 const QString settingsKey = QStringLiteral("settings");
+const QString lockKey = QStringLiteral("lock");
 
 QString nameOf(const QString& path) {
-    return QFileInfo(path).fileName();
+    return printableText(QFileInfo(path).fileName());
 }
 
 } // namespace
@@ -35,11 +36,13 @@ void FileCommands::connectNotices() {
         for (const QString& key : {readOnlyKey, diskKey, recoveredKey, keptRunsKey}) {
             m_notices->remove(key);
         }
+        tellStrangeLock();
     });
     connect(this, &FileCommands::saved, this, [this] {
         for (const QString& key : {readOnlyKey, diskKey, recoveredKey}) {
             m_notices->remove(key);
         }
+        tellStrangeLock();
     });
     connect(&m_guard, &FileGuard::changedOnDisk, this, &FileCommands::tellChangedOnDisk);
     connect(&m_guard, &FileGuard::restoredOnDisk, this, [this] { m_notices->remove(diskKey); });
@@ -86,6 +89,22 @@ void FileCommands::tellReadOnly() {
          Mark::none,
          [name] { return tr("“%1” is open read-only. Saving asks for another name.").arg(name); },
          {{[] { return tr("Save as…"); }, [this] { saveAs(); }}}});
+}
+
+void FileCommands::tellStrangeLock() {
+    const QString strange = m_guard.strangeLock();
+    m_notices->remove(lockKey);
+    if (!strange.isEmpty()) {
+        m_notices->add({lockKey,
+                        Mark::warning,
+                        [strange] {
+                            return tr("The file is not locked against other users: “%1” stands "
+                                      "where its lock belongs and is not a lock file. It was "
+                                      "left as it is.")
+                                .arg(printableText(strange));
+                        },
+                        {}});
+    }
 }
 
 void FileCommands::tellChangedOnDisk(const DiskState& state) {
@@ -144,9 +163,18 @@ void FileCommands::tellDamagedSettings() {
                         [aside] {
                             return tr("The settings file was damaged and is kept as %1. The "
                                       "settings are the default ones.")
-                                .arg(aside);
+                                .arg(printableText(aside));
                         },
                         {}});
+    }
+    if (const auto& error = m_settings.unreadable()) {
+        m_notices->add(
+            {settingsKey,
+             Mark::warning,
+             [error = *error] {
+                 return tr("The settings are the default ones: %1").arg(readErrorText(error));
+             },
+             {}});
     }
 }
 
@@ -204,7 +232,16 @@ bool FileCommands::recover(const RecoveryItem& item) {
     if (!content.project) { // it was whole when it was listed
         const auto* error = std::get_if<FileError>(&read);
         showFailure(m_window, tr("The file was not opened"),
-                    error ? readErrorText(*error) : tr("“%1” is damaged.").arg(item.file));
+                    error ? readErrorText(*error)
+                          : tr("“%1” is damaged.").arg(printableText(item.file)));
+        return false;
+    }
+    // Without a lock of its own the work goes on in another recovery file; this one stays.
+    const RecoveryStore& store = *m_guard.recovery();
+    RecoveryClaimPtr claim = store.claim(item);
+    if (!claim && store.inUse(item)) {
+        showFailure(m_window, tr("The file was not opened"),
+                    tr("Another window has recovered this work meanwhile."));
         return false;
     }
     const RecoveryHeader& header = content.header;
@@ -212,7 +249,7 @@ bool FileCommands::recover(const RecoveryItem& item) {
         !header.path.isEmpty()
         && (m_guard.claim(header.path) != FileGuard::Access::write || header.readOnly);
     m_document.recover(std::move(*content.project), header.path, header.diskHash, readOnly);
-    m_guard.adoptRecovery(item.claim);
+    m_guard.adoptRecovery(std::move(claim));
     if (readOnly) {
         tellReadOnly();
     }

@@ -296,7 +296,7 @@ void MainWindow::showTitle() {
     const QString title = QString::fromStdString(m_document.project().title).simplified();
     QString name = m_document.filePath().isEmpty()
                        ? (title.isEmpty() ? tr("Untitled") : tr("%1 (not saved)").arg(title))
-                       : QFileInfo(m_document.filePath()).fileName();
+                       : printableText(QFileInfo(m_document.filePath()).fileName());
     name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
     setWindowTitle(m_document.readOnly() ? tr("%1[*] (read-only) — Sparkout").arg(name)
                                          : tr("%1[*] — Sparkout").arg(name));

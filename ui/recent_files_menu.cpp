@@ -3,6 +3,7 @@
 #include "ui/theme.h"
 
 #include "ui/session/settings.h"
+#include "ui/session/texts.h"
 
 #include <QDir>
 #include <QEvent>
@@ -24,7 +25,7 @@ QString shown(const QString& path) {
         folder = folder.left(longest / 2) + u'…' + folder.right(longest / 2);
     }
     QString text = file.fileName() + QStringLiteral("  —  ") + folder;
-    return text.replace(u'&', QStringLiteral("&&"));
+    return printableText(text).replace(u'&', QStringLiteral("&&"));
 }
 
 } // namespace
@@ -56,7 +57,7 @@ void RecentFilesMenu::fill() {
     m_entries.clear();
     for (const QString& path : m_settings.recentFiles()) {
         auto* action = new QAction(this);
-        action->setToolTip(path);
+        action->setToolTip(printableText(path));
         connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });
         insertAction(m_separator, action);
         m_entries.push_back({path, action});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/strict_json.h"
 
+#include "core/printable.h"
+
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
@@ -207,12 +209,6 @@ void print(const nlohmann::ordered_json& value, std::size_t indent, std::string&
     out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
 }
 
-/// Control characters, marks of direction and line ends of Unicode.
-bool steersTheDisplay(unsigned code) {
-    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F
-           || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
-
 std::string shortened(std::string text) {
     constexpr std::size_t longest = 60;
     if (text.size() > longest) {
@@ -271,28 +267,6 @@ std::string quoted(const json& value) {
         return value.is_object() ? (value.empty() ? "{}" : "{…}") : (value.empty() ? "[]" : "[…]");
     }
     return printable(shortened(value.dump(-1, ' ', false, json::error_handler_t::replace)));
-}
-
-std::string printable(std::string_view text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i]);
-        std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 1;
-        length = std::min(length, text.size() - i);
-        unsigned code = length == 1 ? first : length == 2 ? first & 0x1FU : first & 0x0FU;
-        for (std::size_t k = 1; k < length; ++k) {
-            code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
-        }
-        if (steersTheDisplay(length < 4 ? code : 0x20)) {
-            char escape[8];
-            std::snprintf(escape, sizeof escape, "\\u%04X", code);
-            out += escape;
-        } else {
-            out += text.substr(i, length);
-        }
-        i += length;
-    }
-    return out;
 }
 
 std::string pathStep(const std::string& key) {

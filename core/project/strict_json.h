@@ -21,10 +21,6 @@ namespace sparkout {
 /// A value as it may be quoted in a message: one line, short, valid UTF-8.
 [[nodiscard]] std::string quoted(const nlohmann::json& value);
 
-/// A text without what steers a terminal or reverses the reading direction: such characters are
-/// shown as \uXXXX.
-[[nodiscard]] std::string printable(std::string_view text);
-
 /// A key of a file as one step of a JSON pointer, shortened for messages.
 [[nodiscard]] std::string pathStep(const std::string& key);
 

@@ -3,9 +3,14 @@
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
+#include <QDir>
+#include <QFile>
+
 #include <filesystem>
 #include <map>
 #include <random>
+
+#include <sys/stat.h>
 
 namespace test_cli_surroundings {
 
@@ -85,6 +90,76 @@ private slots:
         QVERIFY(shipped > 0);
         QCOMPARE(run({"examples", m_folder.filePath("no/such/folder")}).status, 1);
         QCOMPARE(run({"examples", samplePath("complete")}).status, 1);
+    }
+
+    void examplesThatWereEditedAreNotReplaced() {
+        const QString folder = m_folder.filePath("edited");
+        QCOMPARE(run({"examples", folder}).status, 0);
+        const Outcome again = run({"examples", folder});
+        QVERIFY2(again.status == 0 && again.out.empty() && again.err.empty(), again.text().c_str());
+        const QStringList names = QDir(folder).entryList(QDir::Files);
+        const QString edited = folder + '/' + names.at(names.size() / 2);
+        const std::string shipped = samples::readText(edited.toStdString());
+        std::ofstream(edited.toStdString()) << "mine";
+        QVERIFY(QFile::remove(folder + '/' + names.front()));
+        const Outcome kept = run({"examples", folder});
+        QCOMPARE(kept.status, 1);
+        QVERIFY2(kept.err.find(edited.toStdString()) != std::string::npos
+                     && kept.err.find("--force") != std::string::npos && lines(kept.err) == 2,
+                 kept.err.c_str());
+        QCOMPARE(samples::readText(edited.toStdString()), std::string("mine"));
+        QVERIFY(!QFile::exists(folder + '/' + names.front()));
+        const Outcome forced = run({"examples", folder, "--force"});
+        QCOMPARE(forced.status, 0);
+        QCOMPARE(lines(forced.out), std::size_t{2});
+        QCOMPARE(samples::readText(edited.toStdString()), shipped);
+        QVERIFY(QFile::exists(folder + '/' + names.front()));
+        QVERIFY(isUsageError(run({"validate", edited, "--force"})));
+    }
+
+    /// To open a pipe is to wait for who writes into it.
+    void whatIsNoOrdinaryFileIsRefusedAtOnce() {
+        const QString pipe = m_folder.filePath("pipe.sparkout");
+        QCOMPARE(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+        const QString complete = samplePath("complete");
+        for (const QStringList& arguments :
+             {QStringList{"validate", pipe}, QStringList{"simulate", pipe},
+              QStringList{"optimize", pipe}, QStringList{"sweep", pipe}, QStringList{"batch", pipe},
+              QStringList{"batch-merge", pipe}, QStringList{"batch", complete, "--measured", pipe},
+              QStringList{"validate", "/dev/zero"}, QStringList{"batch-merge", "/dev/zero"}}) {
+            const Outcome outcome = run(arguments);
+            QVERIFY2(outcome.status == 1,
+                     (arguments.join(' ').toStdString() + outcome.text()).c_str());
+        }
+        std::filesystem::remove(pipe.toStdString());
+    }
+
+    void noFileNameSteersTheTerminal() {
+        const QByteArray name = QByteArray("a\x1b[31m\nb\xc2\x9b\xe0x\x1b\xe2\x80\xae.sparkout");
+        for (const char* command : {"validate", "simulate", "optimize", "sweep", "batch-merge"}) {
+            for (const std::string& text : {std::string(), std::string("{}")}) {
+                const QString file =
+                    m_folder.filePath(QString::fromLatin1(command)) + QString::number(text.size());
+                QVERIFY(QDir().mkpath(file));
+                const std::string path = file.toStdString() + '/' + name.toStdString();
+                if (!text.empty()) {
+                    std::ofstream(path) << text;
+                }
+                QProcess process; // the name is no UTF-8: a shell passes it on
+                process.start("sh",
+                              {"-c", QString("\"%1\" %2 '%3/'\"$(printf "
+                                             "'a\\033[31m\\nb\\302\\233\\340x\\033\\342\\200\\256."
+                                             "sparkout')\"")
+                                         .arg(SPARKOUT_CLI, command, file)});
+                const Outcome outcome = outcomeOf(process);
+                QVERIFY2(outcome.status == 1, outcome.text().c_str());
+                QVERIFY2(outcome.err.find("\\u001B[31m\\u000Ab\\u009B\\xE0x\\u001B\\u202E")
+                             != std::string::npos,
+                         outcome.err.c_str());
+                QVERIFY(outcome.err.find('\x1b') == std::string::npos);
+                std::filesystem::remove_all(file.toStdString()); // Qt cannot remove that name
+            }
+        }
     }
 
     void randomArgumentsEndInADocumentedStatus() {

@@ -47,6 +47,28 @@ private:
     bool m_root;
 };
 
+/// Something that is no ordinary file: "pipe", "zero" (a link to /dev/zero), "huge" (2 GB of
+/// nothing), "folder" or "dangling" (a link to nowhere).
+inline void putStrange(const QString& kind, const QString& path) {
+    const QByteArray name = QFile::encodeName(path);
+    bool made = false;
+    if (kind == u"pipe") {
+        made = ::mkfifo(name.constData(), 0600) == 0;
+    } else if (kind == u"zero") {
+        made = ::symlink("/dev/zero", name.constData()) == 0;
+    } else if (kind == u"dangling") {
+        made = ::symlink("/nowhere/at/all", name.constData()) == 0;
+    } else if (kind == u"folder") {
+        made = ::mkdir(name.constData(), 0700) == 0;
+    } else {
+        write(path, {});
+        made = ::truncate(name.constData(), off_t{2} << 30) == 0;
+    }
+    if (!made) {
+        qFatal("the test cannot make %s", name.constData());
+    }
+}
+
 /// Gives a file or folder to the user that Unprivileged turns into.
 inline void giveAway(const QString& path) {
     if (::geteuid() == 0 && ::chown(QFile::encodeName(path).constData(), nobody, nobody) != 0) {
@@ -92,8 +114,8 @@ inline bool mountSmallDisk(const QString& folder, int kilobytes) {
 
 /// What is in a folder, hidden files too.
 inline QStringList entries(const QString& folder) {
-    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot,
-                                  QDir::Name);
+    return QDir(folder).entryList(
+        QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot, QDir::Name);
 }
 
 } // namespace trouble

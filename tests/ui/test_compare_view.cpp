@@ -9,6 +9,7 @@
 #include "ui/notice_bar.h"
 #include "ui/session/project_io.h"
 #include "ui/views/copy_table.h"
+#include "ui/views/runs_model.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -214,6 +215,50 @@ private slots:
     }
 
     /// The summary was kept by another version and one value of it is another.
+    void aRunWithoutItsResultsHasNoLight_data() {
+        QTest::addColumn<QByteArray>("summary");
+        QTest::newRow("empty") << QByteArray("{}");
+        QTest::newRow("no requirement")
+            << QByteArray(R"({"status":"completed","requirements":[]})");
+        QTest::newRow("nonsense") << QByteArray(R"({"status":7})");
+    }
+
+    void aRunWithoutItsResultsHasNoLight() {
+        QFETCH(QByteArray, summary);
+        Project project = fixtures::traverseProject();
+        const OutcomePtr outcome = fixtures::run(project);
+        project.runs = {keptRun(outcome->result,
+                                summarise(outcome->result, outcome->accuracy, outcome->constraints),
+                                "whole", "2026-03-04T05:06:07Z")};
+        project.runs.push_back(project.runs[0]);
+        project.runs[1].name = "bare";
+        project.runs[1].summary.text = summary.toStdString();
+        Desk desk(project);
+        const auto told = [&](int run) { return desk.row(run).data(Qt::ToolTipRole).toString(); };
+        const auto light = [&](int run) {
+            const QPixmap mark =
+                desk.row(run).data(Qt::DecorationRole).value<QIcon>().pixmap(RunsModel::sample);
+            return mark.toImage().copy(RunsModel::sample.width() - RunsModel::sample.height(), 0,
+                                       RunsModel::sample.height(), RunsModel::sample.height());
+        };
+        const auto isBlank = [](const QImage& image) {
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    if (image.pixelColor(x, y).alpha() > 0) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        };
+        QVERIFY(!isBlank(light(0)));
+        QVERIFY(isBlank(light(1)));
+        for (const Light each : {Light::holds, Light::close, Light::fails}) {
+            QVERIFY2(!told(1).split(u'\n').contains(lightName(each)), qPrintable(told(1)));
+        }
+        QVERIFY2(!told(1).contains(QStringLiteral("0 min")), qPrintable(told(1)));
+    }
+
     void reopeningSaysPlainlyWhatComesOutDifferently() {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("older.sparkout"));

@@ -117,6 +117,16 @@ private slots:
         QVERIFY(tabSeparated(table, QLocale::c()).startsWith(u'\''));
     }
 
+    void noTextCellHoldsWhatACellCannotShow() {
+        CsvTable table;
+        table.header << QStringLiteral("a");
+        table.rows.push_back({QStringLiteral("x\u202Ey") + QChar(0) + QStringLiteral("z\u0007$1")});
+        const QString text = QString::fromUtf8(csvBytes(table, CsvDialect::english));
+        QVERIFY2(text.contains(QStringLiteral("x\uFFFDy\uFFFDz\uFFFD$1")), qPrintable(text));
+        QVERIFY(
+            tabSeparated(table, QLocale::c()).contains(QStringLiteral("x\uFFFDy\uFFFDz\uFFFD$1")));
+    }
+
     void aNegativeNumberIsNoFormula() {
         const CsvTable table = tableOf({-9.6});
         QCOMPARE(cellsOf(csvBytes(table, CsvDialect::russianExcel).mid(3), u';')[1][0],

@@ -4,6 +4,7 @@
 #include "tests/ui/file_guard_bench.h"
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QLockFile>
 #include <QProcess>
 
@@ -108,6 +109,46 @@ private slots:
             QCOMPARE(trouble::bytesOf(bench.lock), text);
             QCOMPARE(lock.takeOver(), State::held);
         }
+    }
+
+    // To open a pipe is to wait for a writer, and /dev/zero has no end.
+    void whatIsNoLockIsNamedAndPassedOver_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("ending");
+        for (const char* kind : {"pipe", "zero", "huge", "folder", "dangling"}) {
+            for (const char* ending : {"", ".rmlock"}) {
+                QTest::addRow("%s%s", kind, ending)
+                    << QString::fromLatin1(kind) << QString::fromLatin1(ending);
+            }
+        }
+    }
+
+    void whatIsNoLockIsNamedAndPassedOver() {
+        QFETCH(QString, kind);
+        QFETCH(QString, ending);
+        Bench bench;
+        const QString path = bench.lock + ending;
+        if (!ending.isEmpty()) { // the helper counts when a dead lock is to be removed
+            trouble::write(bench.lock, "999999999\nsparkout\n"
+                                           + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        }
+        trouble::putStrange(kind, path);
+        const auto before = stampOf(path);
+        QElapsedTimer clock;
+        clock.start();
+        bench.open();
+        QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
+        QCOMPARE(bench.access, Access::write);
+        QCOMPARE(bench.guard.strangeLock(), path);
+        QVERIFY(stampOf(path) == before);
+        setDiameter(bench.document, 31);
+        QCOMPARE(bench.guard.claim(bench.path), Access::write);
+        QVERIFY(!bench.guard.save(bench.path));
+        QCOMPARE(bench.guard.strangeLock(), path);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(31));
+        bench.document.startUntitled(newProject(Operation::traverse));
+        QVERIFY(bench.guard.strangeLock().isEmpty());
+        QVERIFY(stampOf(path) == before);
     }
 
     // QLockFile removes its file by name, whoever it belongs to by then.

@@ -223,6 +223,69 @@ private slots:
         QCOMPARE(bytesOf(path), QByteArray("old"));
     }
 
+    void aNameThatIsNotUtf8IsRefusedAndNoOtherFileIsWritten() {
+        const QTemporaryDir folder;
+        for (const char* words :
+             {"--report card -o \"$name.pdf\" \"$example\"",
+              "--export all -o \"$name.xlsx\" \"$example\"", "--picture \"$name.png\" \"$example\"",
+              "--report card -o card.pdf \"$name.sparkout\""}) {
+            QProcess process;
+            process.setProcessChannelMode(QProcess::MergedChannels);
+            process.setWorkingDirectory(folder.path());
+            process.start(
+                QStringLiteral("sh"),
+                {QStringLiteral("-c"),
+                 QStringLiteral("name=$(printf 'a\\377b'); example=\"%1\"; exec \"%2\" %3")
+                     .arg(example, QStringLiteral(SPARKOUT_PROGRAM), QString::fromLatin1(words))});
+            QVERIFY(process.waitForFinished(60'000));
+            const QByteArray said = process.readAll();
+            QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+            QCOMPARE(process.exitCode(), 2);
+            QVERIFY2(said.contains("a\\xFFb") && said.contains("UTF-8"), said.constData());
+            QVERIFY(QDir(folder.path()).isEmpty());
+        }
+    }
+
+    void anUnusableDisplayEndsInWords_data() {
+        QTest::addColumn<QString>("platform");
+        QTest::addColumn<QString>("named");
+        QTest::newRow("no such display") << QString() << QStringLiteral(":77");
+        QTest::newRow("no such plug-in")
+            << QStringLiteral("nonsense") << QStringLiteral("nonsense");
+        for (const char* name : {"xcb", "eglfs", "minimalegl", "linuxfb", "wayland"}) {
+            QTest::newRow(name) << QString::fromLatin1(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void anUnusableDisplayEndsInWords() {
+        QFETCH(QString, platform);
+        QFETCH(QString, named);
+        for (const QStringList& arguments :
+             {QStringList{},
+              QStringList{QStringLiteral("--picture"), QStringLiteral("/dev/null"), example}}) {
+            if (platform.isEmpty() && !arguments.isEmpty()) {
+                continue; // a picture needs no display
+            }
+            QProcess process;
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert(QStringLiteral("DISPLAY"), QStringLiteral(":77"));
+            environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+            environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+            if (!platform.isEmpty()) {
+                environment.insert(QStringLiteral("QT_QPA_PLATFORM"), platform);
+            }
+            process.setProcessEnvironment(environment);
+            process.setProcessChannelMode(QProcess::MergedChannels);
+            process.start(QStringLiteral(SPARKOUT_PROGRAM), arguments);
+            QVERIFY(process.waitForFinished(20'000));
+            const QString said = QString::fromUtf8(process.readAll());
+            QVERIFY2(process.exitStatus() == QProcess::NormalExit, qPrintable(said));
+            QVERIFY2(process.exitCode() == 2, qPrintable(said));
+            QVERIFY2(said.contains(named) && said.contains(QStringLiteral("sparkout-cli")),
+                     qPrintable(said));
+        }
+    }
+
     void aReportThatCannotBeIsRefused() {
         const QTemporaryDir folder;
         const QString text = folder.filePath(QStringLiteral("card.txt"));

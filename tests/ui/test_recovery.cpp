@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/registry.h"
+#include "tests/tries.h"
 #include "tests/ui/file_trouble.h"
 #include "ui/session/autosave.h"
 #include "ui/session/document.h"
@@ -10,8 +11,13 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QSignalSpy>
+#include <QSysInfo>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <ctime>
+
+#include <unistd.h>
 
 namespace test_recovery {
 
@@ -39,6 +45,11 @@ struct Bench {
     Document document;
     std::unique_ptr<Autosave> autosave;
 };
+
+/// The lock of a program that no longer runs.
+QByteArray deadLock() {
+    return "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n";
+}
 
 RecoveryContent contentOf(const QString& file) {
     return readRecovery(trouble::bytesOf(file).toStdString());
@@ -256,6 +267,96 @@ private slots:
         }
     }
 
+    void whatIsNoOrdinaryFileIsListedAndNeverOpened() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->saved();
+        const QString folder = bench.store.folder() + u'/';
+        for (const char* kind : {"pipe", "zero", "huge", "dangling"}) {
+            const QString name = QString::fromLatin1(kind);
+            trouble::putStrange(name, folder + name + QStringLiteral(".recovery"));
+            // And a good one whose lock is none.
+            trouble::write(folder + QStringLiteral("locked-") + name + QStringLiteral(".recovery"),
+                           good);
+            trouble::putStrange(name, folder + QStringLiteral("locked-") + name
+                                          + QStringLiteral(".lock"));
+        }
+        QElapsedTimer clock;
+        clock.start();
+        auto left = bench.store.left();
+        QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
+        QCOMPARE(left.size(), std::size_t{8});
+        for (const RecoveryItem& item : left) {
+            const bool locked = QFileInfo(item.file).fileName().startsWith(u"locked-");
+            QCOMPARE(item.state == RecoveryItem::State::ready, locked);
+            if (locked) {
+                QVERIFY(!bench.store.claim(item) && !bench.store.inUse(item));
+            }
+            QVERIFY2(bench.store.discard(item.file), qPrintable(item.file));
+        }
+        left.clear();
+        QVERIFY(bench.store.left().empty());
+        QCOMPARE(bench.store.discarded().size(), std::size_t{8});
+        QVERIFY(clock.elapsed() < 2000);
+    }
+
+    void thousandsOfRecoveryFilesAreListedWithinASecond_data() {
+        QTest::addColumn<bool>("locked");
+        QTest::newRow("without locks") << false;
+        QTest::newRow("with the locks of dead programs") << true;
+    }
+
+    void thousandsOfRecoveryFilesAreListedWithinASecond() {
+        QFETCH(bool, locked);
+        constexpr int files = 5000;
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->saved();
+        const QString first = bench.store.folder() + QStringLiteral("/0");
+        trouble::write(first + QStringLiteral(".recovery"), good);
+        trouble::write(first + QStringLiteral(".lock"), deadLock());
+        for (int i = 1; i < files; ++i) { // other names of the same file cost nothing to make
+            const QString name = bench.store.folder() + QStringLiteral("/%1").arg(i);
+            for (const QString& ending : {QStringLiteral(".recovery"), QStringLiteral(".lock")}) {
+                QVERIFY((!locked && ending == u".lock")
+                        || ::link(QFile::encodeName(first + ending).constData(),
+                                  QFile::encodeName(name + ending).constData())
+                               == 0);
+            }
+        }
+        std::vector<RecoveryItem> left;
+        // The time of the processor: what the disk and other programs take is not the window's.
+        const double time_ms = leastOfTries_ms(1000, [&] {
+            left.clear(); // the offer ends
+            const std::clock_t before = std::clock();
+            left = bench.store.left();
+            return 1000.0 * double(std::clock() - before) / CLOCKS_PER_SEC;
+        });
+        qInfo("5,000 recovery files are listed in %.0f ms", time_ms);
+        QCOMPARE(left.size(), std::size_t(files));
+        QVERIFY2(time_ms < 1000, qPrintable(QString::number(time_ms)));
+        QVERIFY(bench.store.claim(left.back())); // the last of them can be recovered, too
+    }
+
+    void recoveredWorkIsOfferedToNobodyElse() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        const RecoveryClaimPtr claim = bench.store.claim(left[0]);
+        QVERIFY(claim);
+        QCOMPARE(claim->file(), left[0].file);
+        QVERIFY(bench.store.inUse(left[0]));
+        QVERIFY(!bench.store.claim(left[0]));
+        left.clear();
+        QVERIFY2(bench.store.left().empty(), "its session runs");
+    }
+
     void discardedFilesAreKeptFourteenDays() {
         Bench bench;
         setDiameter(bench.document, 31);
@@ -278,7 +379,7 @@ private slots:
         Document document;
         Autosave autosave(document, bench.store, {20ms, 300ms});
         document.recover(*content.project, content.header.path, content.header.diskHash, true);
-        autosave.adopt(left[0].claim);
+        autosave.adopt(bench.store.claim(left[0]));
         QVERIFY(document.modified());
         QVERIFY(document.readOnly());
         QVERIFY(!document.canUndo());
@@ -328,8 +429,7 @@ private slots:
     void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {
         Bench bench;
         QVERIFY(makePrivateFolder(bench.store.folder()));
-        trouble::write(bench.store.folder() + QStringLiteral("/abc.lock"),
-                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        trouble::write(bench.store.folder() + QStringLiteral("/abc.lock"), deadLock());
         QVERIFY(bench.store.left().empty());
         QVERIFY(trouble::entries(bench.store.folder()).isEmpty());
     }

@@ -253,7 +253,8 @@ private slots:
 
     void hostileTextsStayTexts() {
         Project project = fixtures::traverseProject();
-        project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
+        project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\" $x^2$ \u202Etxt";
+        project.title.push_back('\0');
         project.part.name = "</title><svg onload=x>";
         project.machine.name = "a | b <img src=x>";
         project.notes = "<script>alert(2)</script>\n| x | y |\n# no heading\n1. no list\n*no*";
@@ -264,6 +265,10 @@ private slots:
         const QString markdown = QString::fromUtf8(made(outcome, Format::markdown));
         QVERIFY(!markdown.contains(u'<')
                 || markdown.count(u'<') == markdown.count(QStringLiteral("<br>")));
+        for (const QString& text : {markdown, QString::fromUtf8(html)}) {
+            QVERIFY(!text.contains(QChar(0)) && !text.contains(QChar(0x202e)));
+        }
+        QVERIFY(markdown.contains(QStringLiteral("\\$x^2\\$")));
         QVERIFY(markdown.contains(QStringLiteral("a \\| b")));
         QVERIFY(markdown.contains(QStringLiteral("\n\\# no heading")));
         QVERIFY(markdown.contains(QStringLiteral("\n1\\. no list")));

@@ -3,6 +3,7 @@
 #include "tests/ui/file_trouble.h"
 #include "ui/session/settings.h"
 
+#include <QFileInfo>
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
@@ -156,6 +157,39 @@ private slots:
         const auto error = settings.flush();
         QVERIFY(error && error->step == FileStep::notRegular);
         QVERIFY(QFileInfo(file).isDir());
+    }
+
+    void whatCannotBeReadIsNamedAndLeftAlone_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("pipe") << QStringLiteral("pipe");
+        QTest::newRow("zero") << QStringLiteral("zero");
+        QTest::newRow("folder") << QStringLiteral("folder");
+    }
+
+    void whatCannotBeReadIsNamedAndLeftAlone() {
+        QFETCH(QString, kind);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::putStrange(kind, file);
+        {
+            Settings settings(file);
+            QVERIFY(settings.unreadable());
+            QCOMPARE(settings.unreadable()->step, FileStep::notRegular);
+            QCOMPARE(QString::fromStdString(settings.unreadable()->path), file);
+            QCOMPARE(settings.theme(), QStringLiteral("system"));
+            settings.setTheme(QStringLiteral("dark"));
+        }
+        QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+        QVERIFY(!Settings(folder.filePath(QStringLiteral("absent.json"))).unreadable());
+    }
+
+    void aHugeFileIsPutAsideUnread() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::putStrange(QStringLiteral("huge"), file);
+        const Settings settings(file);
+        QCOMPARE(settings.damaged(), file + QStringLiteral(".damaged"));
+        QVERIFY(!QFileInfo::exists(file));
     }
 
     void transientSettingsTouchNoDisk() {

@@ -33,7 +33,7 @@ QStringList FaultsDialog::lines(const Issues& issues) {
 FaultsDialog::FaultsDialog(const QString& file, const Issues& issues, QWidget* parent, File state)
     : QDialog(parent) {
     setHelpTopic(*this, QStringLiteral("files#faults"));
-    const QString name = QFileInfo(file).fileName();
+    const QString name = printableText(QFileInfo(file).fileName());
     setWindowTitle(state == File::refused ? tr("The file was not opened")
                                           : tr("Faults of the file"));
     auto* head = new QLabel(state == File::refused

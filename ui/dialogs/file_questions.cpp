@@ -30,9 +30,10 @@ public:
 
     /// A long path may be broken after each slash.
     void breakPath(const QString& path) {
-        QString broken = path;
+        const QString shown = printableText(path);
+        QString broken = shown;
         broken.replace(u'/', QStringLiteral("/\u200b"));
-        m_box.setText(m_box.text().replace(path, broken));
+        m_box.setText(m_box.text().replace(shown, broken));
     }
 
     QAbstractButton* add(const QString& text, QMessageBox::ButtonRole role, const char* name) {
@@ -78,7 +79,7 @@ QString unsavedText(const Document& document, const QStringList& refused) {
     const QString path = document.filePath();
     QString text = path.isEmpty() ? Words::tr("“%1” has never been saved. Save it?")
                                         .arg(title.isEmpty() ? Words::tr("Untitled") : title)
-                                  : Words::tr("Save the changes to “%1”?").arg(path);
+                                  : Words::tr("Save the changes to “%1”?").arg(printableText(path));
     if (const QStringList edits = document.unsavedEdits(); !edits.isEmpty()) {
         text += listed(Words::tr("Not saved:"), edits);
     }
@@ -98,7 +99,7 @@ void showFailure(QWidget* window, const QString& title, const QString& text) {
 
 bool mayReplace(QWidget* window, const QString& path) {
     Question question(window, QMessageBox::Question, Words::tr("Replace the file?"),
-                      Words::tr("“%1” exists already. Replace it?").arg(path));
+                      Words::tr("“%1” exists already. Replace it?").arg(printableText(path)));
     question.breakPath(path);
     question.add(Words::tr("&Replace"), QMessageBox::AcceptRole, "replace");
     question.addCancel();
@@ -139,12 +140,14 @@ QString holderText(const LockHolder& holder) {
             .arg(holder.user, since);
     }
     return Words::tr("User: %1\nComputer: %2\nProgram: %3, process %4\nSince: %5")
-        .arg(holder.user, holder.host, holder.program, QString::number(holder.process), since);
+        .arg(holder.user, printableText(holder.host), printableText(holder.program),
+             QString::number(holder.process), since);
 }
 
 LockedAnswer askLocked(QWidget* window, const QString& path, const LockHolder& holder) {
-    QString text = holder.readable ? Words::tr("“%1” is open already.").arg(path)
-                                   : Words::tr("“%1” seems to be open already.").arg(path);
+    QString text = holder.readable
+                       ? Words::tr("“%1” is open already.").arg(printableText(path))
+                       : Words::tr("“%1” seems to be open already.").arg(printableText(path));
     text += QStringLiteral("\n\n") + holderText(holder) + QStringLiteral("\n\n")
             + Words::tr("Take it over only if nobody works in it any more.");
     Question question(window, QMessageBox::Warning, Words::tr("The file is in use"), text);
@@ -174,11 +177,12 @@ SaveAnswer saveAnswer(const QString& answer) {
 SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing) {
     Question question(
         window, QMessageBox::Warning, Words::tr("Changed outside"),
-        missing ? Words::tr("“%1” has been removed or renamed since it was opened.").arg(path)
+        missing ? Words::tr("“%1” has been removed or renamed since it was opened.")
+                      .arg(printableText(path))
                 : Words::tr("“%1” was changed by another program since it was opened.\n\nSaving "
                             "replaces that version; it is kept as the previous one.\nReloading "
                             "takes that version; your changes stay in Undo.")
-                      .arg(path));
+                      .arg(printableText(path)));
     question.breakPath(path);
     question.add(Words::tr("Save an&yway"),
                  missing ? QMessageBox::AcceptRole : QMessageBox::DestructiveRole, "proceed");
@@ -192,7 +196,7 @@ SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing)
 
 SaveAnswer askSaveLocked(QWidget* window, const QString& path, const LockHolder& holder) {
     Question question(window, QMessageBox::Warning, Words::tr("The file is in use"),
-                      Words::tr("“%1” is open in another window.").arg(path)
+                      Words::tr("“%1” is open in another window.").arg(printableText(path))
                           + QStringLiteral("\n\n") + holderText(holder));
     question.breakPath(path);
     question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
@@ -206,7 +210,7 @@ SaveAnswer askHardLinks(QWidget* window, const QString& path, std::uint64_t link
                       Words::tr("“%1” has %n other names (hard links). They will keep the old text "
                                 "and no longer be the same file.",
                                 nullptr, int(links) - 1)
-                          .arg(path));
+                          .arg(printableText(path)));
     question.breakPath(path);
     question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
     question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");

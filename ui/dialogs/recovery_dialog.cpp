@@ -3,6 +3,7 @@
 
 #include "ui/help/help_topic.h"
 #include "ui/inputs/mark.h"
+#include "ui/session/texts.h"
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -79,14 +80,16 @@ void RecoveryDialog::fill() {
     const QSignalBlocker blocker(m_list); // its rows are not the items until it is full
     m_list->clear();
     for (const RecoveryItem& item : m_items) {
-        const QString title = item.header.title.simplified();
-        const QString path = item.header.path.isEmpty() ? tr("never saved") : item.header.path;
+        const QString title = printableText(item.header.title.simplified());
+        const QString path =
+            item.header.path.isEmpty() ? tr("never saved") : printableText(item.header.path);
         const bool unknown = item.state == RecoveryItem::State::damaged && title.isEmpty();
         auto* row = new QTreeWidgetItem(
-            m_list, {title.isEmpty() ? tr("Untitled") : title, unknown ? item.file : path,
-                     QLocale().toString(item.header.when.toLocalTime(), QLocale::ShortFormat),
-                     stateText(item)});
-        row->setToolTip(1, unknown ? item.file : path);
+            m_list,
+            {title.isEmpty() ? tr("Untitled") : title, unknown ? printableText(item.file) : path,
+             QLocale().toString(item.header.when.toLocalTime(), QLocale::ShortFormat),
+             stateText(item)});
+        row->setToolTip(1, unknown ? printableText(item.file) : path);
         if (item.state == RecoveryItem::State::damaged) {
             row->setIcon(3, markIcon(Mark::warning));
         }
@@ -108,7 +111,7 @@ void RecoveryDialog::followSelection() {
     const int index = current();
     const RecoveryItem* item = index < 0 ? nullptr : &m_items[std::size_t(index)];
     m_recover->setEnabled(item != nullptr && item->state != RecoveryItem::State::damaged);
-    m_discard->setEnabled(item != nullptr && item->claim != nullptr);
+    m_discard->setEnabled(item != nullptr && item->offer != nullptr);
 }
 
 void RecoveryDialog::discard() {

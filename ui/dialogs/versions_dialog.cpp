@@ -2,6 +2,7 @@
 #include "ui/dialogs/versions_dialog.h"
 
 #include "ui/help/help_topic.h"
+#include "ui/session/texts.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
@@ -19,13 +20,13 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
     : QDialog(parent), m_versions(std::move(versions)), m_list(new QTreeWidget(this)) {
     setWindowTitle(tr("Earlier versions"));
     setHelpTopic(*this, QStringLiteral("files#versions"));
-    auto* head = new QLabel(
-        m_versions.empty()
-            ? tr("No earlier version of “%1” is kept yet.").arg(QFileInfo(project).fileName())
-            : tr("Versions of “%1” that a save has replaced. The chosen one is "
-                 "opened as a copy; the file stays as it is.")
-                  .arg(QFileInfo(project).fileName()),
-        this);
+    auto* head = new QLabel(m_versions.empty()
+                                ? tr("No earlier version of “%1” is kept yet.")
+                                      .arg(printableText(QFileInfo(project).fileName()))
+                                : tr("Versions of “%1” that a save has replaced. The chosen one is "
+                                     "opened as a copy; the file stays as it is.")
+                                      .arg(printableText(QFileInfo(project).fileName())),
+                            this);
     head->setTextFormat(Qt::PlainText);
     head->setWordWrap(true);
     m_list->setAccessibleName(tr("Earlier versions"));
@@ -35,8 +36,8 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
     for (const EarlierVersion& earlier : m_versions) {
         auto* row = new QTreeWidgetItem(
             m_list, {QLocale().toString(earlier.when.toLocalTime(), QLocale::ShortFormat),
-                     QLocale().formattedDataSize(earlier.bytes), earlier.file});
-        row->setToolTip(2, earlier.file);
+                     QLocale().formattedDataSize(earlier.bytes), printableText(earlier.file)});
+        row->setToolTip(2, printableText(earlier.file));
     }
     for (const int column : {0, 1}) {
         m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);

@@ -155,7 +155,7 @@ void FactorBox::askForFile() {
 }
 
 void FactorBox::readFrom(const QString& path) {
-    const auto refuse = [this, name = QFileInfo(path).fileName()](auto reason) {
+    const auto refuse = [this, name = printableText(QFileInfo(path).fileName())](auto reason) {
         m_fileFault = [name, reason] { return tr("“%1” was not taken: %2").arg(name, reason()); };
         showRemark();
     };

@@ -57,7 +57,7 @@ void RadiiEditor::askForFile() {
 }
 
 void RadiiEditor::readFrom(const QString& path) {
-    const QString name = QFileInfo(path).fileName();
+    const QString name = printableText(QFileInfo(path).fileName());
     const auto read = readFile({QFile::encodeName(path).toStdString()}, largestFile);
     if (const auto* error = std::get_if<FileError>(&read)) {
         m_refused = readErrorText(*error);

@@ -156,7 +156,7 @@ public:
     [[nodiscard]] const QString& text() const { return m_text; }
     /// Signs that mean something to Markdown or HTML stand for themselves.
     static QString plain(const QString& text) {
-        static const QRegularExpression signs(QStringLiteral("([\\\\`*_{}\\[\\]#|~])"));
+        static const QRegularExpression signs(QStringLiteral("([\\\\`*_{}\\[\\]#|~$])"));
         QString out = text;
         out.replace(signs, QStringLiteral("\\\\1"));
         return out.replace(u'&', QStringLiteral("&amp;"))
@@ -196,30 +196,31 @@ QByteArray html(const Report& report) {
     }
     const QString title = report.title.toHtmlEscaped();
     const QString subject = report.subject.toHtmlEscaped();
-    return QStringList{
-        QStringLiteral("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\""),
-        report.language,
-        QStringLiteral("\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>"),
-        title,
-        QStringLiteral(" – "),
-        subject,
-        QStringLiteral("</title>\n<meta name=\"author\" content=\""),
-        report.author.toHtmlEscaped(),
-        QStringLiteral("\"/>\n<meta name=\"generator\" content=\""),
-        report.program.toHtmlEscaped(),
-        QStringLiteral("\"/>\n<style>"),
-        QString::fromLatin1(styleSheet),
-        QStringLiteral("</style>\n</head>\n<body>\n<h1>"),
-        title,
-        QStringLiteral("</h1>\n<p>"),
-        subject,
-        QStringLiteral("</p>\n"),
-        body.text(),
-        QStringLiteral("<footer>"),
-        report.origin().toHtmlEscaped(),
-        QStringLiteral("</footer>\n</body>\n</html>\n")}
-        .join(QString())
-        .toUtf8();
+    const QString page =
+        QStringList{
+            QStringLiteral("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\""),
+            report.language,
+            QStringLiteral("\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>"),
+            title,
+            QStringLiteral(" – "),
+            subject,
+            QStringLiteral("</title>\n<meta name=\"author\" content=\""),
+            report.author.toHtmlEscaped(),
+            QStringLiteral("\"/>\n<meta name=\"generator\" content=\""),
+            report.program.toHtmlEscaped(),
+            QStringLiteral("\"/>\n<style>"),
+            QString::fromLatin1(styleSheet),
+            QStringLiteral("</style>\n</head>\n<body>\n<h1>"),
+            title,
+            QStringLiteral("</h1>\n<p>"),
+            subject,
+            QStringLiteral("</p>\n"),
+            body.text(),
+            QStringLiteral("<footer>"),
+            report.origin().toHtmlEscaped(),
+            QStringLiteral("</footer>\n</body>\n</html>\n")}
+            .join(QString());
+    return harmlessText(page).toUtf8();
 }
 
 QByteArray markdown(const Report& report) {
@@ -227,9 +228,10 @@ QByteArray markdown(const Report& report) {
     for (const Block& block : report.blocks) {
         std::visit(body, block);
     }
-    return (QStringLiteral("# ") + Markdown::plain(report.title) + QStringLiteral("\n\n")
-            + Markdown::plain(report.subject) + QStringLiteral("\n\n") + body.text()
-            + QStringLiteral("---\n\n") + Markdown::plain(report.origin()) + u'\n')
+    return harmlessText(QStringLiteral("# ") + Markdown::plain(report.title)
+                        + QStringLiteral("\n\n") + Markdown::plain(report.subject)
+                        + QStringLiteral("\n\n") + body.text() + QStringLiteral("---\n\n")
+                        + Markdown::plain(report.origin()) + u'\n')
         .toUtf8();
 }
 

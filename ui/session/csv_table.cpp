@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/csv_table.h"
 
+#include "ui/session/texts.h"
+
 #include <cmath>
 
 namespace sparkout {
@@ -29,7 +31,7 @@ QString cellText(const CsvCell& cell, QChar decimal) {
         return std::isfinite(*number) ? numberText(*number, decimal) : QString();
     }
     const auto* text = std::get_if<QString>(&cell);
-    return text ? harmlessCell(*text) : QString();
+    return text ? harmlessCell(harmlessText(*text)) : QString();
 }
 
 std::vector<CsvCell> headerCells(const CsvTable& table) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/texts.h"
 
+#include "core/printable.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -28,11 +30,11 @@ QString details(const FileError& error) {
 
 QString readErrorText(const FileError& error) {
     return QCoreApplication::translate("FileError", "“%1” was not opened: %2.")
-        .arg(QString::fromStdString(error.path), details(error));
+        .arg(QString::fromStdString(printable(error.path)), details(error));
 }
 
 QString saveErrorText(const FileError& error) {
-    const QString path = QString::fromStdString(error.path);
+    const QString path = QString::fromStdString(printable(error.path));
     if (error.replaced) {
         return QCoreApplication::translate(
                    "FileError", "“%1” was written, but the disk did not confirm it: %2. Save "

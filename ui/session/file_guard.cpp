@@ -54,7 +54,7 @@ FileGuard::Access FileGuard::claim(const QString& path) {
     switch (m_claim.acquire(path)) {
     case FileLock::State::conflict: return Access::conflict;
     case FileLock::State::noRight: return Access::readOnly;
-    default: return Access::write; // a lock that a full disk refuses keeps nobody from working
+    default: return Access::write; // no lock, of a full disk for one, keeps nobody from working
     }
 }
 

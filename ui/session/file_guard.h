@@ -42,6 +42,8 @@ public:
     Access takeOver(); ///< after a conflict
     void dropClaim();
     [[nodiscard]] const LockHolder& holder() const { return m_claim.holder(); }
+    /// What keeps the document's file from being locked; empty: nothing.
+    [[nodiscard]] const QString& strangeLock() const { return m_lock.strange(); }
 
     /// What stands at a path, if it is the document's file and somebody else has changed it.
     [[nodiscard]] std::optional<DiskState> changedOutside(const QString& path) const;

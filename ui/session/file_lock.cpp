@@ -8,16 +8,23 @@
 #include <cstdio>
 #include <utility>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace sparkout {
 
 namespace {
 
-/// QLockFile guards the removal of a dead lock by a helper file; a program killed meanwhile leaves
-/// it behind.
+constexpr off_t largestLock = 4096; ///< in bytes; a lock has some hundred
+
+/// QLockFile guards the removal of a dead lock by a helper file.
+QString helperOf(const QString& lock) {
+    return lock + QStringLiteral(".rmlock");
+}
+
+/// A program killed while it removed a dead lock leaves the helper behind.
 void removeHelper(const QString& lock) {
-    const QString helper = lock + QStringLiteral(".rmlock");
+    const QString helper = helperOf(lock);
     if (QFileInfo::exists(helper)) {
         QLockFile file(helper);
         file.setStaleLockTime(0);
@@ -32,6 +39,17 @@ bool sameLock(const FileStamp& a, const FileStamp& b) {
 
 } // namespace
 
+QString strangeLock(const QString& lock) {
+    for (const QString& path : {lock, helperOf(lock)}) {
+        struct stat found {};
+        if (::lstat(QFile::encodeName(path).constData(), &found) == 0
+            && (!S_ISREG(found.st_mode) || found.st_size > largestLock)) {
+            return path;
+        }
+    }
+    return {};
+}
+
 FileLock::FileLock() = default;
 FileLock::~FileLock() {
     release();
@@ -41,7 +59,8 @@ FileLock::FileLock(FileLock&& other) noexcept
     , m_path(std::exchange(other.m_path, {}))
     , m_stamp(std::exchange(other.m_stamp, {}))
     , m_state(std::exchange(other.m_state, State::none))
-    , m_holder(std::exchange(other.m_holder, {})) {}
+    , m_holder(std::exchange(other.m_holder, {}))
+    , m_strange(std::exchange(other.m_strange, {})) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
     if (this != &other) {
@@ -51,6 +70,7 @@ FileLock& FileLock::operator=(FileLock&& other) noexcept {
         m_stamp = std::exchange(other.m_stamp, {});
         m_state = std::exchange(other.m_state, State::none);
         m_holder = std::exchange(other.m_holder, {});
+        m_strange = std::exchange(other.m_strange, {});
     }
     return *this;
 }
@@ -63,6 +83,11 @@ QString FileLock::lockPath(const QString& file) {
 FileLock::State FileLock::acquire(const QString& file) {
     release();
     m_path = lockPath(file);
+    m_strange = strangeLock(m_path);
+    if (!m_strange.isEmpty()) {
+        m_state = State::noLock;
+        return m_state;
+    }
     m_lock = std::make_unique<QLockFile>(m_path);
     m_lock->setStaleLockTime(0);
     return tryLock();
@@ -127,6 +152,7 @@ void FileLock::release() {
     m_state = State::none;
     m_stamp.reset();
     m_path.clear();
+    m_strange.clear();
 }
 
 } // namespace sparkout

@@ -34,6 +34,7 @@ public:
         conflict, ///< somebody else has it, see holder()
         noRight,  ///< the folder takes no files
         failed,   ///< the lock could not be written, by a full disk for one
+        noLock,   ///< what stands at the lock's name is no lock: see strange()
     };
 
     FileLock();
@@ -47,6 +48,8 @@ public:
 
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] const LockHolder& holder() const { return m_holder; }
+    /// What stood in the way, with State::noLock.
+    [[nodiscard]] const QString& strange() const { return m_strange; }
     /// Whether a held lock is still the one on the disk: somebody else may have taken it over.
     [[nodiscard]] bool stillOurs() const;
 
@@ -61,6 +64,12 @@ private:
     std::optional<FileStamp> m_stamp;
     State m_state = State::none;
     LockHolder m_holder;
+    QString m_strange;
 };
+
+/// What stands at the name of a lock, or of the helper that removes a dead one, and is no lock: a
+/// link, a pipe, a device, a folder, a file of more than a lock holds. It is never opened, for
+/// that may not come back. Empty: a lock, or nothing.
+[[nodiscard]] QString strangeLock(const QString& lock);
 
 } // namespace sparkout

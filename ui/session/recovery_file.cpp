@@ -26,6 +26,13 @@ QByteArray hexOf(const QJsonObject& object, const QString& key) {
     return QByteArray::fromHex(object.value(key).toString().toLatin1());
 }
 
+/// The line before the project's text; empty where there is none.
+std::string_view headOf(std::string_view text) {
+    const std::size_t end = text.find('\n');
+    return end == std::string_view::npos || end > longestHeader ? std::string_view()
+                                                                : text.substr(0, end);
+}
+
 } // namespace
 
 std::string recoveryText(const RecoveryHeader& header, const Project& project) {
@@ -43,18 +50,15 @@ std::string recoveryText(const RecoveryHeader& header, const Project& project) {
     return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + '\n' + text;
 }
 
-RecoveryContent readRecovery(std::string_view text) {
-    RecoveryContent content;
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos || end > longestHeader) {
-        return content;
-    }
+RecoveryGlance glanceAtRecovery(std::string_view text) {
+    RecoveryGlance glance;
+    const std::string_view head = headOf(text);
     const QJsonObject object =
-        QJsonDocument::fromJson(QByteArray(text.data(), qsizetype(end))).object();
+        QJsonDocument::fromJson(QByteArray(head.data(), qsizetype(head.size()))).object();
     if (object.value(formatKey).toString() != format) {
-        return content;
+        return glance;
     }
-    content.header = {
+    glance.header = {
         object.value(titleKey).toString(),
         object.value(pathKey).toString(),
         QDateTime::fromString(object.value(whenKey).toString(), Qt::ISODateWithMs),
@@ -62,9 +66,15 @@ RecoveryContent readRecovery(std::string_view text) {
         object.value(readOnlyKey).toBool(),
         object.value(modifiedKey).toBool(true),
     };
-    const std::string_view body = text.substr(end + 1);
-    if (contentHash(body) == hexOf(object, hashKey)) {
-        content.project = parseProject(body).project;
+    glance.whole = contentHash(text.substr(head.size() + 1)) == hexOf(object, hashKey);
+    return glance;
+}
+
+RecoveryContent readRecovery(std::string_view text) {
+    RecoveryGlance glance = glanceAtRecovery(text);
+    RecoveryContent content{std::move(glance.header), std::nullopt};
+    if (glance.whole) {
+        content.project = parseProject(text.substr(headOf(text).size() + 1)).project;
     }
     return content;
 }

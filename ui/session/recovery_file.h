@@ -30,9 +30,17 @@ struct RecoveryContent {
     std::optional<Project> project; ///< absent: the file is damaged
 };
 
+/// The header alone, and whether the text behind it is the one that was written.
+struct RecoveryGlance {
+    RecoveryHeader header;
+    bool whole = false;
+};
+
 [[nodiscard]] std::string recoveryText(const RecoveryHeader& header, const Project& project);
 
 /// What can be read of it: of a damaged file perhaps the header, perhaps nothing.
 [[nodiscard]] RecoveryContent readRecovery(std::string_view text);
+/// Much quicker: the project is not read.
+[[nodiscard]] RecoveryGlance glanceAtRecovery(std::string_view text);
 
 } // namespace sparkout

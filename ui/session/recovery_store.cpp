@@ -3,17 +3,24 @@
 
 #include "core/project/project_file.h"
 #include "core/project/temporary_file.h"
+#include "ui/session/file_lock.h"
 #include "ui/session/project_io.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLockFile>
+#include <QSysInfo>
 #include <QUuid>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <limits>
 
 #include <fcntl.h>
+#include <sys/file.h>
 
 namespace sparkout {
 
@@ -22,6 +29,23 @@ namespace {
 const QString suffix = QStringLiteral(".recovery");
 const QString lockSuffix = QStringLiteral(".lock");
 const QString timeFormat = QStringLiteral("yyyyMMdd'T'HHmmss");
+
+/// Whether a lock is surely that of a program that no longer runs. QLockFile knows more, but to
+/// ask it is to take the lock, which waits for the disk.
+bool surelyDead(const QString& lock) {
+    qint64 process = 0;
+    QString host, program;
+    return QLockFile(lock).getLockInfo(&process, &host, &program)
+           && host == QSysInfo::machineHostName() && process > 0
+           && process <= std::numeric_limits<pid_t>::max()
+           && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+}
+
+/// The recovery files of a folder, also those that are pipes and the like: they are listed, and
+/// not read.
+QStringList recoveryNames(const QDir& folder) {
+    return folder.entryList({u'*' + suffix}, QDir::Files | QDir::System, QDir::Name);
+}
 
 QString idOf(const QString& file) {
     return QFileInfo(file).completeBaseName();
@@ -43,6 +67,14 @@ void sortNewestFirst(std::vector<RecoveryItem>& items) {
 
 } // namespace
 
+class RecoveryOffer {
+public:
+    explicit RecoveryOffer(Descriptor folder) : m_folder(std::move(folder)) {}
+
+private:
+    Descriptor m_folder; ///< locked; the lock goes with the program, however it ends
+};
+
 RecoveryClaim::RecoveryClaim(QString file, std::unique_ptr<QLockFile> lock)
     : m_file(std::move(file)), m_lock(std::move(lock)) {}
 RecoveryClaim::~RecoveryClaim() = default;
@@ -56,8 +88,15 @@ RecoveryClaimPtr RecoveryStore::claimNew() const {
                                        : nullptr;
 }
 
+QString RecoveryStore::lockOf(const QString& id) const {
+    return m_folder + u'/' + id + lockSuffix;
+}
+
 RecoveryClaimPtr RecoveryStore::claim(const QString& id) const {
-    auto lock = std::make_unique<QLockFile>(m_folder + u'/' + id + lockSuffix);
+    if (!strangeLock(lockOf(id)).isEmpty()) {
+        return nullptr;
+    }
+    auto lock = std::make_unique<QLockFile>(lockOf(id));
     lock->setStaleLockTime(0);
     if (!lock->tryLock(0)) {
         return nullptr;
@@ -65,12 +104,32 @@ RecoveryClaimPtr RecoveryStore::claim(const QString& id) const {
     return RecoveryClaimPtr(new RecoveryClaim(m_folder + u'/' + id + suffix, std::move(lock)));
 }
 
+RecoveryClaimPtr RecoveryStore::claim(const RecoveryItem& item) const {
+    return item.offer ? claim(idOf(item.file)) : nullptr;
+}
+
+bool RecoveryStore::inUse(const RecoveryItem& item) const {
+    return item.offer && inUse(idOf(item.file));
+}
+
+/// What is no lock is passed over: nobody holds it.
+bool RecoveryStore::inUse(const QString& id) const {
+    const QString lock = lockOf(id);
+    const bool free = !QFileInfo::exists(lock) || !strangeLock(lock).isEmpty() || surelyDead(lock);
+    return !free && !claim(id);
+}
+
 std::vector<RecoveryItem> RecoveryStore::left() const {
     std::vector<RecoveryItem> items;
+    Descriptor locked =
+        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
+    if (locked && ::flock(locked.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        return items; // another instance is offering them
+    }
+    const auto offer = std::make_shared<const RecoveryOffer>(std::move(locked));
     const QDir folder(m_folder);
-    for (const QString& name : folder.entryList({u'*' + suffix}, QDir::Files, QDir::Name)) {
-        RecoveryClaimPtr claimed = claim(idOf(name));
-        if (!claimed) {
+    for (const QString& name : recoveryNames(folder)) {
+        if (inUse(idOf(name))) {
             continue; // its session runs
         }
         RecoveryItem item = readItem(folder.filePath(name));
@@ -78,7 +137,7 @@ std::vector<RecoveryItem> RecoveryStore::left() const {
             (void)discard(item.file); // the edits had been undone: nothing is lost
             continue;
         }
-        item.claim = std::move(claimed);
+        item.offer = offer;
         items.push_back(std::move(item));
     }
     for (const QString& name : folder.entryList({u'*' + lockSuffix}, QDir::Files)) {
@@ -90,17 +149,19 @@ std::vector<RecoveryItem> RecoveryStore::left() const {
 
 /// What a session left that was killed before its first recovery file was whole.
 void RecoveryStore::tidy(const QString& id) const {
-    const QString file = m_folder + u'/' + id + suffix;
-    if (QFileInfo::exists(file)) {
+    const QString lock = lockOf(id);
+    if (QFileInfo::exists(m_folder + u'/' + id + suffix) || !strangeLock(lock).isEmpty()) {
         return;
     }
-    if (const RecoveryClaimPtr claimed = claim(id)) { // its end removes the lock
-        const Descriptor folder =
-            openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
-        if (folder) {
-            removeLeftovers(folder.get(),
-                            temporaryPrefix(QFile::encodeName(id + suffix).toStdString()));
-        }
+    const RecoveryClaimPtr claimed = surelyDead(lock) ? nullptr : claim(id); // removed at its end
+    if (!claimed && !(surelyDead(lock) && QFile::remove(lock))) {
+        return;
+    }
+    const Descriptor folder =
+        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
+    if (folder) {
+        removeLeftovers(folder.get(),
+                        temporaryPrefix(QFile::encodeName(id + suffix).toStdString()));
     }
 }
 
@@ -111,9 +172,9 @@ RecoveryItem RecoveryStore::readItem(const QString& file) {
     // The header comes on top of what a project may hold.
     const auto read = readFile(systemPath(file), limits::fileBytes + (64u << 10));
     if (const auto* text = std::get_if<std::string>(&read)) {
-        RecoveryContent content = readRecovery(*text);
-        item.header = std::move(content.header);
-        if (content.project) {
+        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when it is chosen
+        item.header = std::move(glance.header);
+        if (glance.whole) {
             item.state = RecoveryItem::State::ready;
         }
     }
@@ -126,7 +187,7 @@ RecoveryItem RecoveryStore::readItem(const QString& file) {
 std::vector<RecoveryItem> RecoveryStore::discarded() const {
     std::vector<RecoveryItem> items;
     const QDir folder(m_discarded);
-    for (const QString& name : folder.entryList({u'*' + suffix}, QDir::Files)) {
+    for (const QString& name : recoveryNames(folder)) {
         RecoveryItem item = readItem(folder.filePath(name));
         if (item.state == RecoveryItem::State::ready) {
             item.state = RecoveryItem::State::discarded;
@@ -138,18 +199,22 @@ std::vector<RecoveryItem> RecoveryStore::discarded() const {
 }
 
 bool RecoveryStore::discard(const QString& file) const {
-    if (!QFileInfo::exists(file) || !makePrivateFolder(m_discarded)) {
+    const QFileInfo found(file);
+    if ((!found.exists() && !found.isSymLink()) || !makePrivateFolder(m_discarded)) {
         return false;
     }
     // A number of its own: the same session may discard twice a second.
     const QString name = QDateTime::currentDateTimeUtc().toString(timeFormat) + u'-'
                          + QUuid::createUuid().toString(QUuid::Id128) + suffix;
-    return QFile::rename(file, m_discarded + u'/' + name);
+    // Not QFile::rename(): what it cannot rename it opens and copies.
+    return std::rename(QFile::encodeName(file).constData(),
+                       QFile::encodeName(m_discarded + u'/' + name).constData())
+           == 0;
 }
 
 void RecoveryStore::removeOldDiscarded(const QDateTime& now) const {
     const QDir folder(m_discarded);
-    for (const QString& name : folder.entryList({u'*' + suffix}, QDir::Files)) {
+    for (const QString& name : recoveryNames(folder)) {
         const QDateTime when = discardedWhen(name);
         if (when.isValid() && when.daysTo(now.toUTC()) > discardedDays) {
             QFile::remove(folder.filePath(name));

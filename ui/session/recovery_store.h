@@ -29,13 +29,18 @@ private:
 };
 using RecoveryClaimPtr = std::shared_ptr<const RecoveryClaim>;
 
+/// The right to offer what crashes left: as long as this object lives, no other instance offers it
+/// as well. One for all files: there may be thousands of them.
+class RecoveryOffer;
+using RecoveryOfferPtr = std::shared_ptr<const RecoveryOffer>;
+
 /// One recovery file found at the start.
 struct RecoveryItem {
     enum class State { ready, damaged, discarded };
     State state = State::ready;
     QString file;
     RecoveryHeader header;
-    RecoveryClaimPtr claim; ///< null for a discarded one
+    RecoveryOfferPtr offer; ///< null for a discarded one
 };
 
 /// The folder with the recovery files of all sessions, and the folder of the discarded ones.
@@ -50,8 +55,14 @@ public:
     /// A new name, locked; null when the folder cannot be used.
     [[nodiscard]] RecoveryClaimPtr claimNew() const;
 
-    /// What sessions that no longer run left behind, newest first; each is claimed.
+    /// What sessions that no longer run left behind, newest first; nothing while another instance
+    /// is offering it.
     [[nodiscard]] std::vector<RecoveryItem> left() const;
+    /// The name of an item, for the session that goes on in its file. Null: another session was
+    /// quicker, or what stands at the name of its lock is none.
+    [[nodiscard]] RecoveryClaimPtr claim(const RecoveryItem& item) const;
+    /// Whether another session goes on in its file.
+    [[nodiscard]] bool inUse(const RecoveryItem& item) const;
     [[nodiscard]] std::vector<RecoveryItem> discarded() const; ///< newest first
 
     /// Moves a recovery file to the discarded ones; false when it stayed where it was.
@@ -63,6 +74,8 @@ public:
 private:
     [[nodiscard]] RecoveryClaimPtr claim(const QString& id) const;
     [[nodiscard]] static RecoveryItem readItem(const QString& file);
+    [[nodiscard]] QString lockOf(const QString& id) const;
+    [[nodiscard]] bool inUse(const QString& id) const;
     void tidy(const QString& id) const;
 
     QString m_folder;

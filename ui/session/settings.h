@@ -48,6 +48,10 @@ public:
     std::optional<FileError> flush() { return m_file->flush(); } ///< writes now what is unwritten
     /// Where a damaged settings file was put aside; empty when it was in order.
     [[nodiscard]] const QString& damaged() const { return m_file->damaged(); }
+    /// Why a settings file that is there could not be read; it is left as it is.
+    [[nodiscard]] const std::optional<FileError>& unreadable() const {
+        return m_file->unreadable();
+    }
 
     static constexpr int recentFilesKept = 9; ///< as many as there are digits to choose one by
 

@@ -10,6 +10,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <cerrno>
+#include <cstdio>
+
 namespace sparkout {
 
 namespace {
@@ -36,11 +39,14 @@ QVariantMap SettingsFile::read() {
     const auto bytes = readFile(systemPath(m_path), largest);
     const auto* text = std::get_if<std::string>(&bytes);
     const auto* error = std::get_if<FileError>(&bytes);
-    if (error != nullptr) {
+    m_unreadable.reset();
+    if (error != nullptr) { // the defaults hold
         if (error->step == FileStep::tooLarge) {
             putAside();
+        } else if (error->systemError != ENOENT && error->systemError != ENOTDIR) {
+            m_unreadable = *error;
         }
-        return {}; // absent, or nothing one could read: the defaults hold
+        return {};
     }
     QJsonParseError fault;
     const QJsonDocument document =
@@ -54,8 +60,9 @@ QVariantMap SettingsFile::read() {
 
 void SettingsFile::putAside() {
     const QString aside = m_path + QStringLiteral(".damaged");
-    QFile::remove(aside);
-    if (QFile::rename(m_path, aside)) {
+    // Not QFile::rename(): what it cannot rename it opens and copies.
+    if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(aside).constData())
+        == 0) {
         m_damaged = aside;
     }
 }

@@ -30,6 +30,8 @@ public:
 
     /// Where a damaged file was put aside; empty when it was in order.
     [[nodiscard]] const QString& damaged() const { return m_damaged; }
+    /// Why a file that is there was not read: a pipe, a device, no right to read it.
+    [[nodiscard]] const std::optional<FileError>& unreadable() const { return m_unreadable; }
 
 private:
     [[nodiscard]] QVariantMap read();
@@ -37,6 +39,7 @@ private:
 
     QString m_path;
     QString m_damaged;
+    std::optional<FileError> m_unreadable;
     QVariantMap m_values;
     QVariantMap m_changed; ///< set here and not written yet
     QTimer m_later;

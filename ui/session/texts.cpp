@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/texts.h"
 
+#include "core/printable.h"
 #include "core/project/project.h"
 #include "ui/session/member.h"
 #include "ui/session/number_text.h"
@@ -65,12 +66,13 @@ std::array<QRegularExpression, N> patterns(const std::array<const char*, N>& tex
     return all;
 }
 
-/// "L_p" → "Lₚ", where there are signs for all of an index.
+/// "L_p" → "Lₚ", where there are signs for all of an index. A key, as diameter_mm, stays as typed.
 QString withSubscripts(QString text) {
     static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
     static const QString below = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
-    static const QRegularExpression index(QStringLiteral("(?<=\\w)_(\\w+)"),
-                                          QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression index(
+        QStringLiteral("(?<=\\b\\w|\\bΔ\\w|\\b\\d\\w)_([^\\W_]+)\\b"),
+        QRegularExpression::UseUnicodePropertiesOption);
     qsizetype from = 0;
     for (auto found = index.match(text); found.hasMatch(); found = index.match(text, from)) {
         QString written = found.captured(1);
@@ -227,6 +229,24 @@ QString locationText(const std::string& path) {
         }
     }
     return words.join(QStringLiteral(" › "));
+}
+
+QString printableText(const QString& text) {
+    return QString::fromStdString(printable(text.toStdString()));
+}
+
+QString harmlessText(QString text) {
+    for (QChar& c : text) {
+        const bool control = (c < u' ' && c != u'\n' && c != u'\t' && c != u'\r')
+                             || (c >= QChar(0x7f) && c < QChar(0xa0));
+        const bool turns = c == QChar(0x061c) || c == QChar(0x200e) || c == QChar(0x200f)
+                           || (c >= QChar(0x202a) && c <= QChar(0x202e))
+                           || (c >= QChar(0x2066) && c <= QChar(0x2069));
+        if (control || turns || c.isNonCharacter()) {
+            c = QChar::ReplacementCharacter;
+        }
+    }
+    return text;
 }
 
 QString withIndices(const QString& text) {

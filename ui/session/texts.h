@@ -28,6 +28,13 @@ namespace sparkout {
 /// Where an issue is, in words: "Cycle › Stage 2 › Axial feed".
 [[nodiscard]] QString locationText(const std::string& path);
 
+/// A file name or another text from outside as it may stand in a message of one line.
+[[nodiscard]] QString printableText(const QString& text);
+
+/// A text of many lines for a file of another program: what such a file cannot hold or would obey
+/// (NUL, marks that turn the reading direction) is shown as U+FFFD.
+[[nodiscard]] QString harmlessText(QString text);
+
 /// Why a file was not read, or not saved.
 [[nodiscard]] QString readErrorText(const FileError& error);
 [[nodiscard]] QString saveErrorText(const FileError& error);

@@ -117,7 +117,10 @@ QString CompareView::detailOf(int run) const {
     if (!summary) {
         return run < 0 ? tr("not computed yet") : tr("results not readable");
     }
-    const QString time = tr("%1 min").arg(Names::significant(summary->cycle_time_min));
+    const ReadSummary* const read = run >= 0 ? m_kept.summary(run) : nullptr;
+    const QString time = read && read->missing.contains("/cycle_time_min")
+                             ? tr("no results kept")
+                             : tr("%1 min").arg(Names::significant(summary->cycle_time_min));
     const RecalledRun* const now = run < 0 ? nullptr : m_kept.recalled(run);
     return run < 0                  ? time
            : !now                   ? time + u'\n' + tr("computing…")
@@ -128,7 +131,9 @@ QString CompareView::detailOf(int run) const {
 
 std::optional<Light> CompareView::lightOfRun(int run) const {
     const RunSummary* const summary = summaryOf(run);
-    return summary ? std::optional(verdictOf(*summary)) : std::nullopt;
+    const ReadSummary* const read = run >= 0 ? m_kept.summary(run) : nullptr;
+    const bool unknown = !summary || (read && read->missing.contains("/status"));
+    return unknown ? std::nullopt : verdictOf(*summary);
 }
 
 QString CompareView::toldOf(int run) const {

@@ -135,8 +135,10 @@ void addRequirements(const RunSummary& summary, RunValues& values) {
                                       percentShown(worst->relative_margin));
         values.push_back({"/worst", RunTable::tr("Worst margin"), {}, text, text});
     }
-    const QString verdict = lightName(verdictOf(summary));
-    values.push_back({"/verdict", RunTable::tr("Verdict"), {}, verdict, verdict});
+    if (const std::optional<Light> light = verdictOf(summary)) {
+        const QString verdict = lightName(*light);
+        values.push_back({"/verdict", RunTable::tr("Verdict"), {}, verdict, verdict});
+    }
 }
 
 void addCounts(const std::vector<double>& counts, const std::string& path, RunValues& values) {
@@ -325,7 +327,10 @@ CsvTable cycleTable(const RunSummary& summary) {
     return table;
 }
 
-Light verdictOf(const RunSummary& summary) {
+std::optional<Light> verdictOf(const RunSummary& summary) {
+    if (summary.requirements.empty()) {
+        return std::nullopt;
+    }
     Light light = summary.status == RunStatus::completed ? Light::holds : Light::fails;
     for (const RequirementSummary& requirement : summary.requirements) {
         if (const auto constraint = constraintOf(requirement)) {

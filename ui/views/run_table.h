@@ -42,7 +42,7 @@ struct RunRow {
 /// What the cycle as a whole comes to, a row a number or verdict.
 [[nodiscard]] CsvTable cycleTable(const RunSummary& summary);
 
-/// The verdict's light by a summary alone.
-[[nodiscard]] Light verdictOf(const RunSummary& summary);
+/// The verdict's light by a summary alone; none where it holds no requirement.
+[[nodiscard]] std::optional<Light> verdictOf(const RunSummary& summary);
 
 } // namespace sparkout

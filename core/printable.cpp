@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/printable.h"
+
+#include <cstddef>
+#include <cstdio>
+
+namespace sparkout {
+
+namespace {
+
+/// Control characters, marks of direction and line ends of Unicode.
+bool steersTheDisplay(unsigned code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E
+           || code == 0x200F || (code >= 0x2028 && code <= 0x202E)
+           || (code >= 0x2066 && code <= 0x2069);
+}
+
+bool continues(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+/// How many bytes the character at the beginning has; 0: it is no UTF-8.
+std::size_t lengthOf(std::string_view text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    const std::size_t length = first < 0x80                     ? 1
+                               : first >= 0xC2 && first < 0xE0  ? 2
+                               : first >= 0xE0 && first < 0xF0  ? 3
+                               : first >= 0xF0 && first <= 0xF4 ? 4
+                                                                : 0;
+    if (length > text.size()) {
+        return 0;
+    }
+    for (std::size_t k = 1; k < length; ++k) {
+        if (!continues(text[k])) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+/// The code of a character of so many bytes.
+unsigned codeOf(std::string_view text) {
+    unsigned code = static_cast<unsigned char>(text.front());
+    if (text.size() > 1) {
+        code &= 0x7FU >> text.size();
+    }
+    for (const char byte : text.substr(1)) {
+        code = code << 6U | (static_cast<unsigned char>(byte) & 0x3FU);
+    }
+    return code;
+}
+
+std::string escape(const char* format, unsigned value) {
+    char text[8];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+} // namespace
+
+std::string printable(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t length = lengthOf(text);
+        if (length == 0) {
+            out += escape("\\x%02X", static_cast<unsigned char>(text.front()));
+            text.remove_prefix(1);
+            continue;
+        }
+        const std::string_view character = text.substr(0, length);
+        if (const unsigned code = codeOf(character); steersTheDisplay(code)) {
+            out += escape("\\u%04X", code);
+        } else {
+            out += character;
+        }
+        text.remove_prefix(length);
+    }
+    return out;
+}
+
+} // namespace sparkout
