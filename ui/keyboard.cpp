@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/keyboard.h"
 
+#include "ui/focus_frame.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QMainWindow>
@@ -146,6 +148,7 @@ void movePanel(const QList<QWidget*>& panels, int by) {
         if (panel.isVisible() && target) {
             panel.window()->activateWindow();
             target->setFocus(by > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+            FocusFrame::showRound(*target);
             return;
         }
     }

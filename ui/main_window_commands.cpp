@@ -73,7 +73,6 @@ void MainWindow::connectReports() {
         },
         m_settings, this);
     auto* exports = new ExportCommands(outcomeOfNow, m_settings, this);
-    connect(exports, &ExportCommands::told, this, &MainWindow::tell);
     const auto on = [this](QAction* action, const std::function<void()>& command) {
         connect(action, &QAction::triggered, this, [this, command] {
             m_inputs->endTyping(); // first

@@ -8,7 +8,11 @@
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/export/export_dialog.h"
+#include "ui/view_tabs.h"
+#include "ui/views/feeds_view.h"
+#include "ui/views/plot_tools.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QElapsedTimer>
@@ -16,12 +20,14 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QThread>
 #include <QTimer>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <utility>
 
 namespace test_export_dialog {
 
@@ -103,6 +109,50 @@ private slots:
         QCOMPARE(read.names().value(0),
                  language == u"ru" ? QStringLiteral("Исходные данные") : QStringLiteral("Inputs"));
         QCOMPARE(read.names().size(), 6);
+    }
+
+    void everyExportSaysWhereTheFileIs_data() { languageRows(); }
+    void everyExportSaysWhereTheFileIs() {
+        QFETCH(QString, language);
+        Bench bench(language);
+        QVERIFY(bench.open(examplePaths().front()));
+        const auto* bar = bench.window->findChild<QStatusBar*>();
+        auto* feeds = bench.window->findChild<FeedsView*>();
+        bench.window->viewTabs().detach(feeds); // a window of its own has no status bar
+        const std::pair<QAction*, const char*> exports[] = {
+            {bench.action("pdf-card"), "card.pdf"},
+            {feeds->tools()->pdf, "plot.pdf"},
+            {feeds->tools()->csvRussian, "curves.csv"},
+            {bench.action("exportResults"), "results.xlsx"},
+        };
+        for (const auto& [action, name] : exports) {
+            QVERIFY(action);
+            const QString file = QString::fromLatin1(name);
+            QStringList wanted{QStringLiteral("file:") + m_folder.filePath(language + file)};
+            if (file.startsWith(u"results")) {
+                wanted.prepend(QStringLiteral("exportGo"));
+            }
+            const DialogAnswers answers(wanted);
+            action->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(QFile::exists(m_folder.filePath(language + file)));
+            const QString said = bar->currentMessage();
+            QVERIFY2(said.contains(language + file) && said.contains(m_folder.path()),
+                     qPrintable(file + QStringLiteral(": ") + said));
+            QVERIFY2(language == u"en" || said.startsWith(QStringLiteral("Сохранено")),
+                     qPrintable(said));
+        }
+    }
+
+    void anExportThatIsGivenUpConfirmsNothing() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const auto* bar = bench.window->findChild<QStatusBar*>();
+        const QString before = bar->currentMessage();
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        bench.action("pdf-card")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(bar->currentMessage(), before);
     }
 
     void aFullDiskLeavesTheOldFileWithAMessage() {

@@ -157,6 +157,19 @@ private slots:
         }
     }
 
+    // A key that somebody is to type is no symbol.
+    void keysStandInAMessageAsTheyAreTyped() {
+        Issue issue;
+        issue.code = IssueCode::unknownKey;
+        issue.path = "/part";
+        for (const char* key : {"diameter_mm", "spark_out", "stock_mm", "d_mm_x", "at_mm"}) {
+            issue.value = key;
+            issue.limit = key;
+            const QString text = issueText(issue);
+            QVERIFY2(text.contains(QString::fromLatin1(key)), qPrintable(text));
+        }
+    }
+
     // The place is given in numbers, the words around them are translated.
     void theFaultOfAFileThatIsNoJsonNamesLineAndColumn() {
         const Issues issues = parseProject("{\n  \"part\": }").issues;
@@ -203,6 +216,31 @@ private slots:
         table.setCurrentIndex(table.model()->index(0, 1));
         QTRY_VERIFY2(text->text().contains(QStringLiteral("Table speed")),
                      qPrintable(text->text()));
+    }
+
+    // Every place of a page that takes the focus by Tab, also those that are no input themselves.
+    void theStripFollowsTheFocusIntoTheToleranceClass() {
+        Bench bench;
+        bench.panel.showPage(0);
+        QApplication::setActiveWindow(&bench.panel);
+        const auto* text =
+            bench.panel.findChild<QWidget*>(QStringLiteral("hintStrip"))->findChild<QLabel*>();
+        bench.field("/part/length_mm")->setFocus();
+        QTRY_VERIFY(text->text().contains(QStringLiteral("Length of the ground surface")));
+        bench.panel.findChild<QWidget*>(QStringLiteral("sizeField"))->setFocus();
+        QTRY_VERIFY2(text->text().contains(QStringLiteral("30h6 fills diameter and limits")),
+                     qPrintable(text->text()));
+        bench.field("/part/tolerance/roundness_um")->setFocus();
+        QTRY_VERIFY2(text->text().contains(hintMarkup(*tableOf<Tolerance>().find("roundness_um"))
+                                               .section(u'<', 2, 2)
+                                               .section(u'>', 1)),
+                     qPrintable(text->text()));
+        bench.panel.findChild<QWidget*>(QStringLiteral("sizeField"))->setFocus();
+        QTRY_VERIFY(text->text().contains(QStringLiteral("30h6 fills")));
+        bench.panel.retranslate();
+        QVERIFY(text->text().contains(QStringLiteral("30h6 fills")));
+        bench.panel.showPage(1); // the field is out of sight
+        QTRY_VERIFY(!text->text().contains(QStringLiteral("30h6 fills")));
     }
 
     void onlyInputsWithADefaultAreMarkedAndAClickTakesThemBack() {

@@ -3,6 +3,7 @@
 #include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
+#include "ui/focus_frame.h"
 #include "ui/inputs/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
@@ -17,10 +18,12 @@
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QDockWidget>
+#include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QSet>
 #include <QShortcut>
 #include <QTest>
 
@@ -290,6 +293,56 @@ private slots:
         bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->close();
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
         QCOMPARE(at(), 2); // a closed panel is passed over
+    }
+
+    void theFocusIsSeenAtEachF6_data() {
+        QTest::addColumn<int>("theme");
+        QTest::newRow("light") << int(Theme::light);
+        QTest::newRow("dark") << int(Theme::dark);
+        QTest::newRow("high contrast") << int(Theme::contrast);
+    }
+
+    /// The frame stands round what has the focus, is drawn there, in a colour that is seen on the
+    /// window, and goes with the focus.
+    void theFocusIsSeenAtEachF6() {
+        QFETCH(int, theme);
+        Bench bench(QStringLiteral("en"), Theme(theme));
+        QVERIFY(bench.open(examplePaths().front()));
+        QVERIFY(QTest::qWaitForWindowActive(bench.window.get()));
+        MainWindow& window = *bench.window;
+        window.inputs().showPage(0);
+        window.findChild<QWidget*>(QStringLiteral("/part/diameter_mm"))->setFocus();
+        QSet<const QWidget*> seen;
+        for (const auto modifier : {Qt::NoModifier, Qt::ShiftModifier}) {
+            for (int i = 0; i < 6; ++i) {
+                const QImage before = window.grab().toImage();
+                QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, modifier);
+                bench.settle();
+                const QWidget* const focus = QApplication::focusWidget();
+                seen += focus;
+                const auto* frame = window.findChild<FocusFrame*>();
+                QVERIFY2(frame && frame->isVisible(), focus->metaObject()->className());
+                const QRect place(focus->mapTo(&window, QPoint(0, 0)), focus->size());
+                QVERIFY(frame->geometry().intersects(place));
+                const QImage after = window.grab().toImage();
+                const QColor colour = frame->palette().color(QPalette::Link);
+                int drawn = 0, changed = 0, all = 0;
+                const QRect ring = frame->geometry();
+                for (int x = ring.left(); x <= ring.right(); ++x) {
+                    for (const int y : {ring.top(), ring.bottom()}) {
+                        drawn += after.pixelColor(x, y) == colour;
+                        changed += after.pixel(x, y) != before.pixel(x, y);
+                        ++all;
+                    }
+                }
+                QCOMPARE(drawn, all);
+                QVERIFY2(changed > all / 2, focus->metaObject()->className());
+            }
+        }
+        QVERIFY(seen.size() >= 5);
+        auto* field = window.findChild<QWidget*>(QStringLiteral("/part/length_mm"));
+        field->setFocus(Qt::MouseFocusReason);
+        QVERIFY(!window.findChild<FocusFrame*>()->isVisible());
     }
 
     void controlAndANumberShowAView() {

@@ -13,6 +13,7 @@
 #include <QDockWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
 
 namespace test_tour {
 
@@ -78,6 +79,39 @@ private slots:
         QVERIFY(!tourOf(bench).running());
         QCOMPARE(titles.size(), steps);
         QVERIFY(places.size() >= steps - 1); // beside each part
+    }
+
+    void theFirstStepPointsAtTheButtonItNames_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<int>("width");
+        for (const char* code : {"en", "ru"}) {
+            for (const int width : {1024, 1366, 1920}) {
+                QTest::addRow("%s %d", code, width) << QString::fromLatin1(code) << width;
+            }
+        }
+    }
+
+    void theFirstStepPointsAtTheButtonItNames() {
+        QFETCH(QString, language);
+        QFETCH(int, width);
+        Bench bench(language);
+        bench.window->resize(width, 768);
+        QVERIFY(bench.open(examplePaths().front()) && ready(bench));
+        bench.action("tour")->trigger();
+        bench.settle();
+        const auto* bar = bench.window->findChild<QToolBar*>(QStringLiteral("toolBar"));
+        const QWidget* button = bar->widgetForAction(bench.action("examples"));
+        QCOMPARE(bar->actions().back(), bench.action("examples")); // "the last button"
+        QVERIFY(button->isVisible());
+        const QRect place(button->mapTo(bench.window.get(), QPoint(0, 0)), button->size());
+        const QPoint tip = tourOf(bench).balloon()->tip();
+        QVERIFY2(place.contains(tip),
+                 qPrintable(QStringLiteral("%1 %2").arg(tip.x()).arg(tip.y())));
+        QVERIFY(!tourOf(bench)
+                     .balloon()
+                     ->body()
+                     .translated(tourOf(bench).balloon()->pos())
+                     .intersects(place));
     }
 
     void backAndEscape() {

@@ -42,9 +42,7 @@ void ExportCommands::exportResults() {
                               exportFilter(choice.format),
                               {},
                               exportWork(outcome, choice, QDateTime::currentDateTime())};
-    if (saveWithDialog(m_window, &m_settings, request)) {
-        emit told(tr("The results are exported."));
-    }
+    (void)saveWithDialog(m_window, &m_settings, request);
 }
 
 } // namespace sparkout

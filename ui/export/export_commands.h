@@ -21,9 +21,6 @@ public:
 
     void exportResults();
 
-signals:
-    void told(const QString& text); ///< what was done, for the status bar
-
 private:
     std::function<OutcomePtr()> m_outcome;
     Settings& m_settings;

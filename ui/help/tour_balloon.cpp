@@ -114,6 +114,10 @@ QRect TourBalloon::body() const {
     return rect().adjusted(tipSize, tipSize, -tipSize, -tipSize);
 }
 
+QPoint TourBalloon::tip() const {
+    return mapToParent(m_tip);
+}
+
 QString TourBalloon::title() const {
     return m_title->text();
 }

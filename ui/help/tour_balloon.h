@@ -20,7 +20,9 @@ public:
         bool first = false, last = false;
     };
     void show(const Text& text, const QRect& target); ///< in the window's coordinates
-    [[nodiscard]] QRect body() const;                 ///< of the balloon, without the tip
+    [[nodiscard]] QRect body() const;
+    [[nodiscard]] QPoint tip() const; ///< what it points at, in the window                 ///< of
+                                      ///< the balloon, without the tip
     [[nodiscard]] QString title() const;
 
 signals:

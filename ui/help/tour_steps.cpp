@@ -11,6 +11,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QToolBar>
 #include <QWidget>
 
 namespace sparkout {
@@ -27,6 +28,18 @@ QRect placeOf(const QWidget* part) {
         return {};
     }
     return {part->mapTo(part->window(), QPoint(0, 0)), part->size()};
+}
+
+/// The last button of the tool bar; where it has no room, the one that shows the rest of them.
+QRect placeOfLastButton(const QMainWindow& window) {
+    const auto* bar = window.findChild<QToolBar*>(QStringLiteral("toolBar"));
+    if (!bar || bar->actions().isEmpty()) {
+        return {};
+    }
+    const QRect button = placeOf(bar->widgetForAction(bar->actions().back()));
+    return button.isEmpty()
+               ? placeOf(bar->findChild<QWidget*>(QStringLiteral("qt_toolbar_ext_button")))
+               : button;
 }
 
 /// The part of the window of a name.
@@ -63,7 +76,7 @@ QRect placeOfHelpMenu(const QMainWindow& window) {
 
 std::vector<TourStep> tourSteps(QMainWindow& window, InputsPanel& inputs, ViewTabs& tabs) {
     return {
-        {namedPart(window, "toolBar"),
+        {[&window] { return placeOfLastButton(window); },
          tourText(QT_TRANSLATE_NOOP("Tour", "An example to begin with")),
          tourText(QT_TRANSLATE_NOOP(
              "Tour",

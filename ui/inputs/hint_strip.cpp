@@ -4,9 +4,12 @@
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/hint_text.h"
 
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
 #include <QApplication>
 #include <QEvent>
 #include <QLabel>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 namespace sparkout {
@@ -15,6 +18,20 @@ namespace {
 
 constexpr const char* fieldProperty = "sparkoutField";
 constexpr int lines = 4;
+
+/// A widget, or what it stands in on its page, that says what it is for. Buttons say it themselves.
+const QWidget* withToolTip(const QWidget* widget) {
+    if (qobject_cast<const QAbstractButton*>(widget)) {
+        return nullptr;
+    }
+    for (; widget && !qobject_cast<const QAbstractScrollArea*>(widget);
+         widget = widget->parentWidget()) {
+        if (!widget->toolTip().isEmpty()) {
+            return widget;
+        }
+    }
+    return nullptr;
+}
 
 } // namespace
 
@@ -64,25 +81,39 @@ void HintStrip::changeEvent(QEvent* event) {
 }
 
 void HintStrip::follow(const QWidget* focused) {
-    const Field* field = hintField(focused);
-    if (field && parentWidget()->isAncestorOf(focused)) {
+    if (!focused || !parentWidget()->isAncestorOf(focused) || focused == m_helper) {
+        return;
+    }
+    if (const Field* field = hintField(focused)) {
         showField(*field);
+    } else if (const QWidget* helper = withToolTip(focused)) {
+        m_field = nullptr;
+        m_helper = helper;
+        fill();
     }
 }
 
 void HintStrip::showField(const Field& field) {
     if (&field != m_field) {
         m_field = &field;
+        m_helper = nullptr;
         fill();
     }
 }
 
 void HintStrip::showFieldOf(const QWidget* widget) {
     m_field = hintField(widget);
+    m_helper = m_field || !widget ? nullptr : withToolTip(widget);
     fill();
 }
 
 void HintStrip::fill() {
+    if (m_helper) {
+        const QString tip = m_helper->toolTip();
+        m_text->setText(
+            Qt::mightBeRichText(tip) ? tip : Qt::convertFromPlainText(tip, Qt::WhiteSpaceNormal));
+        return;
+    }
     if (!m_field) {
         m_text->setText(tr("What the input in focus means, and what it may be, stands here."));
         return;

@@ -4,6 +4,7 @@
 #include "core/field.h"
 
 #include <QFrame>
+#include <QPointer>
 
 class QLabel;
 
@@ -37,6 +38,7 @@ private:
 
     QLabel* m_text;
     const Field* m_field = nullptr;
+    QPointer<const QWidget> m_helper; ///< what is no input itself, as a tolerance class: its tip
 };
 
 } // namespace sparkout

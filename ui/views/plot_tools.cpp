@@ -213,15 +213,11 @@ void PlotTools::savePicture(const QString& suffix, const QString& filter,
                             const std::function<PictureWork(const PlotPicture&)>& draw) {
     SaveRequest request{tr("Save the picture"), fileName(), suffix, filter,
                         [&] { return inLightLook(draw); }};
-    if (saveWithDialog(m_plot.window(), m_settings, request)) {
-        say(tr("The picture is saved."));
-    }
+    (void)saveWithDialog(m_plot.window(), m_settings, request);
 }
 
 void PlotTools::saveData(TableFormat format) {
-    if (saveTable(m_plot.window(), m_settings, {m_subject.heading(), m_subject.table()}, format)) {
-        say(tr("The data are saved."));
-    }
+    (void)saveTable(m_plot.window(), m_settings, {m_subject.heading(), m_subject.table()}, format);
 }
 
 void PlotTools::say(const QString& text) {
