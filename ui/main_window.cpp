@@ -13,6 +13,7 @@
 #include "ui/run_keeper.h"
 #include "ui/session/kept_runs.h"
 #include "ui/session/texts.h"
+#include "ui/tool_tips.h"
 #include "ui/view_tabs.h"
 #include "ui/views/batch_view.h"
 #include "ui/views/compare_view.h"
@@ -82,6 +83,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_files(new FileCommands(m_document, settings, this))
     , m_help(new HelpDesk(*this, settings, *m_inputs, *m_tabs, *m_actions))
     , m_runs(nullptr, std::move(runner)) {
+    ToolTips::install();
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();

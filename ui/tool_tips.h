@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QHelpEvent;
+class QWidget;
+
+namespace sparkout {
+
+/// Shows the tool tips of the whole program: of widgets, cells and headings of tables, tabs and
+/// entries of menus. A line has some sixty characters. Only the markup of the program's own hints
+/// is markup; any other text, as of a file, is shown letter by letter.
+class ToolTips : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int lineLength = 60; ///< characters; a longer word has a line of its own
+
+    /// For the whole program; once is enough, more do no harm.
+    static void install();
+
+    /// The text as it is handed to Qt.
+    [[nodiscard]] static QString shown(const QString& text);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    using QObject::QObject;
+    static bool show(QWidget& widget, const QHelpEvent& event);
+};
+
+} // namespace sparkout
