@@ -60,6 +60,7 @@ struct ConstraintResult {
     bool isLeast = false;      ///< the limit is the least that holds, else the greatest
     std::optional<Place> at{}; ///< where in the cycle the value was reached, when in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
+    std::optional<double> otherEnd{}; ///< of a range of the machine; `limit` is the nearer one
 };
 
 /// Name of a constraint in files and on the command line.

@@ -82,6 +82,7 @@ void addSettings(const Project& project, std::vector<ConstraintResult>& found) {
         result.value = check.value;
         result.isLeast = check.value - check.low < check.high - check.value;
         result.limit = result.isLeast ? check.low : check.high;
+        result.otherEnd = result.isLeast ? check.high : check.low;
         result.margin = check.margin;
         result.relativeMargin = check.relativeMargin;
         result.holds = check.holds;

@@ -116,6 +116,43 @@ private slots:
         QVERIFY(shown.plot().stepless()->dataCount() > 2);
     }
 
+    void anEditAndItsUndoLeadToTheSameAxes() {
+        const OutcomePtr first = run(limitedProject());
+        Project edited = limitedProject();
+        edited.cycle.stages.front().radial_feed_mm =
+            *edited.cycle.stages.front().radial_feed_mm * 3;
+        edited.part.stock_mm *= 1.5;
+        const OutcomePtr second = run(edited);
+        Shown shown(first);
+        shown.plot().setRun(first, shown.plot().group());
+        const QCPAxis &stock = *shown.plot().stockAxis(), &feeds = *shown.plot().feedAxis();
+        const QCPRange stockBefore = stock.range(), feedsBefore = feeds.range();
+        shown.show(second);
+        QVERIFY(feeds.range() != feedsBefore);
+        shown.show(first);
+        QCOMPARE(stock.range(), stockBefore);
+        QCOMPARE(feeds.range(), feedsBefore);
+    }
+
+    void whatTheUserZoomedStaysOverAnEditAndItsUndo() {
+        const OutcomePtr first = run(limitedProject());
+        Project edited = limitedProject();
+        edited.part.stock_mm *= 1.5;
+        const OutcomePtr second = run(edited);
+        Shown shown(first);
+        shown.view.tools()->navigation().zoom(0.5);
+        const QCPRange stock = shown.plot().stockAxis()->range();
+        const QCPRange feeds = shown.plot().feedAxis()->range();
+        for (const OutcomePtr& outcome : {second, first, second}) {
+            shown.show(outcome);
+            QCOMPARE(shown.plot().stockAxis()->range(), stock);
+            QCOMPARE(shown.plot().feedAxis()->range(), feeds);
+        }
+        shown.view.forget(); // another document
+        shown.show(first);
+        QVERIFY(shown.plot().stockAxis()->range() != stock);
+    }
+
     void theCycleRunsFromLeftToRight() {
         Shown shown(run(limitedProject()));
         const QCPAxis* axis = shown.plot().stockAxis();

@@ -10,6 +10,7 @@
 #include "ui/view_tabs.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/limit_names.h"
+#include "ui/views/names.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -20,6 +21,7 @@
 #include <QSignalSpy>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string_view>
 #include <variant>
@@ -50,6 +52,44 @@ private slots:
         QCOMPARE(usageOf(power), std::max(power.value / power.limit, 0.0));
         shown.part<QCheckBox>("everyPlace").click();
         QCOMPARE(model.rowCount(), static_cast<int>(outcome->constraints.size()));
+    }
+
+    void aSettingIsToldByTheEndsOfItsRange() {
+        Project project = limitedProject();
+        const double feed = *project.cycle.stages.front().radial_feed_mm;
+        project.machine.limits.radial_feed_mm = {feed / 2, feed * 50, 0};
+        for (Stage& stage : project.cycle.stages) {
+            stage.radial_feed_mm = stage.radial_feed_mm ? std::optional(feed) : std::nullopt;
+        }
+        const Shown shown(run(project));
+        const MarginModel& model = *shown.view.margins();
+        const int row = shown.rowOf(ConstraintKind::rangeRadialFeed);
+        QVERIFY(row >= 0);
+        const ConstraintResult& c = model.at(row);
+        QVERIFY(std::abs(c.relativeMargin) < 0.05); // the share of its field: next to nothing
+        QCOMPARE(model.index(row, MarginModel::usage).data().toString(), QStringLiteral("2 × min"));
+        QVERIFY(model.index(row, MarginModel::usage)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("2 × the lower limit, range ")));
+        const double place = placeInRange(c).value();
+        QVERIFY(std::abs(place - std::log(2) / std::log(100)) < 1e-9);
+        const QStringList cells = model.asTsv().split(u'\n').at(row + 1).split(u'\t');
+        QVERIFY(cells.at(1).isEmpty()); // no share is used up
+        QCOMPARE(cells.at(6).toDouble(), 2.0);
+        QCOMPARE(Names::limit(c).left(1), QStringLiteral("≥"));
+
+        ConstraintResult end = c; // at the upper end exactly
+        end.value = end.limit = feed * 50;
+        end.otherEnd = feed / 2;
+        end.isLeast = false;
+        end.margin = end.relativeMargin = 0;
+        QCOMPARE(Names::limit(end).left(1), QStringLiteral("≤"));
+        QCOMPARE(Names::inRange(end, true), QStringLiteral("1 × max"));
+        end.value *= 1.004;
+        end.holds = false;
+        QCOMPARE(Names::inRange(end, true), QStringLiteral("1.004 × max"));
+        QCOMPARE(placeInRange(end).value(), 1.0);
     }
 
     void aRowLeadsToItsPlaceAndItsFormula() {

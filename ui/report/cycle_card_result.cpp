@@ -93,10 +93,10 @@ Table CycleCard::requirements(const Outcome& outcome) {
     for (const ConstraintResult& c : outcome.constraints) {
         const bool sign =
             c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-        table.rows.push_back(
-            {Names::where(c), Names::constraint(c.kind), Names::amount(c.kind, c.value, sign),
-             Names::amount(c.kind, c.limit, sign), Names::amount(c.kind, c.margin, true),
-             cell(unitText(constraintUnit(c.kind))), lightName(lightOf(c))});
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind),
+                              Names::amount(c.kind, c.value, sign), Names::limit(c),
+                              Names::margin(c), cell(unitText(constraintUnit(c.kind))),
+                              lightName(lightOf(c))});
     }
     return table;
 }

@@ -264,7 +264,7 @@ Table Passport::requirements(const Outcome& outcome) {
             return Names::amount(c.kind, value, withSign);
         };
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), amount(c.value, sign),
-                              amount(c.limit, sign), amount(c.margin, true),
+                              Names::limit(c), Names::margin(c),
                               cell(unitText(constraintUnit(c.kind))),
                               c.at ? Names::place(*c.at, outcome.result.project.operation)
                               : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")

@@ -105,8 +105,8 @@ const LimitGroup* ConstraintsPlot::shownGroup() const {
 }
 
 void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
-    const auto stock = [](const OutcomePtr& o) { return o->limits.deepest_mm; };
-    const bool same = m_outcome && m_group == group && stock(m_outcome) == stock(outcome);
+    const bool same = m_outcome && m_group == group && !m_fitNext;
+    m_fitNext = false;
     m_outcome = std::move(outcome);
     m_group = group;
     fill();
@@ -243,13 +243,16 @@ void ConstraintsPlot::fit() {
     fitFeeds();
 }
 
-/// Each axis nobody has zoomed, where what is drawn has grown out of it.
+/// Each axis nobody has zoomed, so that one run has one picture, whether an edit or its undo led
+/// to it; and the stock's where nothing of the cycle would be left of it.
 void ConstraintsPlot::refit() {
-    if (stockAxis()->range() == m_fittedStock
-        && m_outcome->limits.least_mm * umPerMm < m_fittedStock.lower) {
+    const QCPRange stock = stockAxis()->range();
+    const LimitSeries& series = m_outcome->limits;
+    if (stock == m_fittedStock || series.deepest_mm * umPerMm < stock.lower
+        || series.least_mm * umPerMm > stock.upper) {
         fitStock();
     }
-    if (feedAxis()->range() == m_fittedFeeds && highestFeed() > m_fittedFeeds.upper) {
+    if (feedAxis()->range() == m_fittedFeeds) {
         fitFeeds();
     }
 }

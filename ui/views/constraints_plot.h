@@ -31,6 +31,7 @@ public:
     void setMarked(const std::optional<ConstraintResult>& requirement);
     void setMoment(std::optional<double> stock_mm); ///< left where the cycle stands
     void fit();
+    void fitNext() { m_fitNext = true; } ///< the next run is of another part
     void toggleCurve(int key);
     void showOnly(int key);
     void restyle() override;
@@ -90,6 +91,7 @@ private:
     HairLine* m_moment = nullptr;
     QCPRange m_fittedStock; ///< of the axis, as it was fitted last
     QCPRange m_fittedFeeds; ///< likewise
+    bool m_fitNext = false;
 };
 
 } // namespace sparkout

@@ -80,6 +80,10 @@ QString ConstraintsView::title() const {
     return tr("Constraints");
 }
 
+void ConstraintsView::forget() {
+    m_plot->fitNext();
+}
+
 void ConstraintsView::showOutcome() {
     const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
     if (ran) {
@@ -89,6 +93,7 @@ void ConstraintsView::showOutcome() {
         if (!m_good || kind(m_good) != kind(latest())) {
             m_group.reset();
             m_chosen.reset();
+            m_plot->fitNext();
         }
         m_good = latest();
         m_model->setOutcome(m_good);

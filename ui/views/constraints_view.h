@@ -42,6 +42,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     void retranslate() override;
+    void forget() override;
 
 signals:
     /// Chosen: other views may follow; entered: it wants to be seen where it came about.

@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -22,6 +23,8 @@ namespace {
 constexpr double fullBar = 1.25; ///< usage at the end of a bar
 constexpr int barWidth = 76;
 constexpr int air = 4;
+constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
+constexpr double tiny = 1e-12;                      ///< in place of 0, to divide by
 
 Tone toneOf(Light light) {
     switch (light) {
@@ -40,7 +43,33 @@ std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
 } // namespace
 
 double usageOf(const ConstraintResult& requirement) {
-    return std::max(1 - requirement.relativeMargin, 0.0);
+    if (!Names::isRange(requirement.kind)) {
+        return std::max(1 - requirement.relativeMargin, 0.0);
+    }
+    const double end = requirement.limit, value = requirement.value;
+    return end <= 0 ? 0 : requirement.isLeast ? end / std::max(value, tiny) : value / end;
+}
+
+std::optional<double> placeInRange(const ConstraintResult& requirement) {
+    if (!requirement.otherEnd) {
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
+    const double value = std::clamp(requirement.value, low, high);
+    if (high <= low) {
+        return 0.5;
+    }
+    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+QString rangeText(const ConstraintResult& c) {
+    if (!c.otherEnd) {
+        return Names::inRange(c, false);
+    }
+    const auto [low, high] = std::minmax(c.limit, *c.otherEnd);
+    return MarginModel::tr("%1, range %2…%3 %4")
+        .arg(Names::inRange(c, false), Names::amount(c.kind, low, false),
+             Names::amount(c.kind, high, false), unitText(constraintUnit(c.kind)));
 }
 
 void MarginModel::setOutcome(OutcomePtr outcome) {
@@ -101,7 +130,8 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     switch (column) {
     case requirement:
         return QStringLiteral("%1, %2").arg(Names::constraint(c.kind), Names::where(c));
-    case usage: return LimitNames::percent(usageOf(c));
+    case usage:
+        return Names::isRange(c.kind) ? Names::inRange(c, true) : LimitNames::percent(usageOf(c));
     case value:
         return QStringLiteral("%1 / %2 %3")
             .arg(Names::amount(c.kind, c.value, deviation), Names::limit(c),
@@ -128,10 +158,15 @@ QVariant MarginModel::data(const QModelIndex& index, int role) const {
                                 | Qt::AlignVCenter);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        return tr("%1, %2 used, %3: %4")
-            .arg(text(c, requirement), text(c, usage), text(c, value), lightName(light));
+        return (Names::isRange(c.kind) ? tr("%1, %2, %3: %4") : tr("%1, %2 used, %3: %4"))
+            .arg(text(c, requirement), Names::isRange(c.kind) ? rangeText(c) : text(c, usage),
+                 text(c, value), lightName(light));
     case usageRole: return usageOf(c);
     case lightRole: return static_cast<int>(light);
+    case placeRole: {
+        const std::optional<double> place = placeInRange(c);
+        return place ? QVariant(*place) : QVariant();
+    }
     default: return {};
     }
 }
@@ -157,13 +192,20 @@ QVariant MarginModel::headerData(int section, Qt::Orientation orientation, int r
 
 QString MarginModel::asTsv() const {
     QStringList lines{QStringList{tr("Requirement"), tr("Used up, %"), tr("Value"), tr("Limit"),
-                                  tr("Margin"), tr("Unit"), tr("Verdict")}
+                                  tr("Margin"), tr("Unit"), tr("Setting / nearer end of the range"),
+                                  tr("Verdict")}
                           .join(u'\t')};
     for (const ConstraintResult& c : m_rows) {
         const auto number = [&c](double v) { return Names::amount(c.kind, v, false); };
-        lines << QStringList{text(c, requirement), Names::significant(100 * usageOf(c)),
-                             number(c.value),      number(c.limit),
-                             number(c.margin),     unitText(constraintUnit(c.kind)),
+        const bool range = Names::isRange(c.kind);
+        lines << QStringList{text(c, requirement),
+                             range ? QString() : Names::significant(100 * usageOf(c)),
+                             number(c.value),
+                             Names::limit(c),
+                             number(c.margin),
+                             unitText(constraintUnit(c.kind)),
+                             range && c.limit > 0 ? Names::significant(c.value / c.limit)
+                                                  : QString(),
                              lightName(lightOf(c))}
                      .join(u'\t');
     }
@@ -175,6 +217,29 @@ CsvTable MarginModel::table() const {
 }
 
 // --- the bar ------------------------------------------------------------------------------------
+
+namespace {
+
+/// A range from end to end, below the text, with the setting on it.
+void drawScale(QPainter& painter, const QRectF& area, double place, QColor fill, const QColor& ink,
+               const QString& text) {
+    const QRectF scale(area.left(), area.bottom() - scaleHeight, area.width(), scaleHeight);
+    QColor faint = ink;
+    faint.setAlphaF(0.2F);
+    painter.fillRect(scale, faint);
+    fill.setAlphaF(1);
+    painter.fillRect(QRectF(scale.left() + place * (scale.width() - pointerWidth), scale.top() - 2,
+                            pointerWidth, scaleHeight + 4),
+                     fill);
+    painter.setPen(QPen(ink, 1));
+    for (const double end : {scale.left(), scale.right()}) {
+        painter.drawLine(QLineF(end, scale.top() - 2, end, scale.bottom() + 2));
+    }
+    painter.drawText(area.adjusted(air, -air, 0, -scaleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     text);
+}
+
+} // namespace
 
 void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
                       const QModelIndex& index) const {
@@ -190,6 +255,12 @@ void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
     const QColor ink = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
     QColor fill = tone(toneOf(light), option.palette);
     fill.setAlphaF(selected ? 0.6F : 0.45F);
+    if (const QVariant place = index.data(MarginModel::placeRole); place.isValid()) {
+        painter->save();
+        drawScale(*painter, area, place.toDouble(), fill, ink, text);
+        painter->restore();
+        return;
+    }
     painter->save();
     painter->fillRect(QRectF(area.left(), area.top(), area.width() * std::min(usage / fullBar, 1.0),
                              area.height()),

@@ -14,8 +14,16 @@
 
 namespace sparkout {
 
-/// How much of its field or limit a requirement uses up: 1 at the limit.
+/// How much of its field or limit a requirement uses up: 1 at the limit. Of a range of the machine
+/// how close its nearer end is: half of a setting that is twice the least one.
 [[nodiscard]] double usageOf(const ConstraintResult& requirement);
+
+/// Where a setting lies in its range of the machine, from 0 to 1: by its ratios to the ends, of a
+/// range from 0 by its distances. Nothing of other requirements.
+[[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
+
+/// A setting in its range of the machine: "2 × the lower limit, range 0.001…0.05 mm".
+[[nodiscard]] QString rangeText(const ConstraintResult& requirement);
 
 /// The requirements by how much of their limit they use up, the most first and settings of the
 /// machine last: of each kind the worst, or all.
@@ -25,6 +33,7 @@ public:
     enum Column { requirement, usage, value, columnCount_ };
     static constexpr int usageRole = Qt::UserRole;     ///< double
     static constexpr int lightRole = Qt::UserRole + 1; ///< Light
+    static constexpr int placeRole = Qt::UserRole + 2; ///< double, of a range; else nothing
 
     using QAbstractTableModel::QAbstractTableModel;
 
@@ -57,7 +66,8 @@ private:
     bool m_all = false;
 };
 
-/// Draws the usage as a bar with its percentage; a line marks the limit.
+/// Draws the usage as a bar with its percentage; a line marks the limit. A range of the machine is
+/// a scale from end to end with the setting on it.
 class MarginBar : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -165,18 +165,40 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     return (withSign && value > 0 ? QStringLiteral("+") : QString()) + text;
 }
 
+bool Names::isRange(ConstraintKind kind) {
+    return kind == ConstraintKind::rangeRadialFeed || kind == ConstraintKind::rangeAxialFeed
+           || kind == ConstraintKind::rangePlungeFeed || kind == ConstraintKind::rangeWorkSpeed;
+}
+
 QString Names::limit(const ConstraintResult& c) {
     const bool deviation =
         c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
     const QString text = amount(c.kind, c.limit, deviation);
-    switch (c.kind) {
-    case ConstraintKind::rangeRadialFeed:
-    case ConstraintKind::rangeAxialFeed:
-    case ConstraintKind::rangePlungeFeed:
-    case ConstraintKind::rangeWorkSpeed: // the end that is nearer
-        return (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text;
-    default: return text;
+    return isRange(c.kind) ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
+}
+
+QString Names::margin(const ConstraintResult& c) {
+    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, c.margin, true);
+}
+
+QString Names::inRange(const ConstraintResult& c, bool brief) {
+    if (c.limit <= 0) {
+        return c.holds ? tr("in range") : tr("out of range");
     }
+    const double times = c.value / c.limit;
+    int digits = 2;
+    while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
+        ++digits; // what is beyond the end, or not quite, is not shown as the end
+    }
+    QString text = significant(times, digits);
+    while (text.contains(numbers().decimalPoint())
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1);
+    }
+    if (brief) {
+        return (c.isLeast ? tr("%1 × min") : tr("%1 × max")).arg(text);
+    }
+    return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(text);
 }
 
 QString Names::issue(const Issue& issue) {

@@ -32,7 +32,12 @@ public:
     /// A value, limit or margin in the unit of its kind, which constraintUnit() names.
     static QString amount(ConstraintKind kind, double value, bool withSign);
     static QString limit(const ConstraintResult& c); ///< of a range "≥50" or "≤500"
-    static QString issue(const Issue& issue);        ///< the sentence after its place in words
+    static bool isRange(ConstraintKind kind);        ///< of the machine: with two ends
+    /// A setting against the nearer end of its range: "2 × lower limit"; brief "2 × min". Of a
+    /// range from 0, whose end is no measure, whether it is inside.
+    static QString inRange(const ConstraintResult& c, bool brief);
+    static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
+    static QString issue(const Issue& issue);         ///< the sentence after its place in words
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
 

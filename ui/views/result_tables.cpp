@@ -38,13 +38,16 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
     table.header << ResultTables::tr("Requirement") << ResultTables::tr("Zone or section")
                  << ResultTables::tr("Value") << ResultTables::tr("Limit")
                  << ResultTables::tr("Margin") << ResultTables::tr("Unit")
-                 << ResultTables::tr("Used up, %") << ResultTables::tr("Verdict")
-                 << ResultTables::tr("Worst place");
+                 << ResultTables::tr("Used up, %")
+                 << ResultTables::tr("Setting / nearer end of the range")
+                 << ResultTables::tr("Verdict") << ResultTables::tr("Worst place");
     for (const ConstraintResult& c : requirements) {
-        table.rows.push_back({Names::constraint(c.kind), Names::where(c), c.value, c.limit,
-                              c.margin, unitText(constraintUnit(c.kind)), 100 * usageOf(c),
-                              lightName(lightOf(c)),
-                              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
+        const bool range = Names::isRange(c.kind);
+        table.rows.push_back(
+            {Names::constraint(c.kind), Names::where(c), c.value, c.limit, c.margin,
+             unitText(constraintUnit(c.kind)), range ? CsvCell() : CsvCell(100 * usageOf(c)),
+             range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(lightOf(c)),
+             c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
     }
     return table;
 }

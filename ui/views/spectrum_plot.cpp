@@ -76,8 +76,8 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
     retranslate();
     if (!same) {
         fit();
-    } else if (amplitudeAxis()->range() == m_fitted && highestBar() > m_fitted.upper) {
-        fitAmplitudes(); // nobody has zoomed, and the bars have grown out of it
+    } else if (amplitudeAxis()->range() == m_fitted) {
+        fitAmplitudes(); // nobody has zoomed
     }
 }
 

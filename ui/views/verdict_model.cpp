@@ -3,6 +3,7 @@
 
 #include "ui/session/texts.h"
 #include "ui/views/estimate_names.h"
+#include "ui/views/margin_model.h"
 #include "ui/views/names.h"
 #include "ui/views/result_tables.h"
 
@@ -173,7 +174,7 @@ QString VerdictModel::text(const ConstraintResult& c, int column) const {
     case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
     case value: return number(c.value);
     case limit: return Names::limit(c);
-    case margin: return Names::amount(c.kind, c.margin, true);
+    case margin: return Names::margin(c);
     default: return {};
     }
 }
@@ -233,7 +234,8 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         if (role == Qt::AccessibleTextRole) {
             return told;
         }
-        QStringList lines{told, measuredBy(kind), EstimateNames::behind(kind),
+        QStringList lines{told, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
+                          measuredBy(kind), EstimateNames::behind(kind),
                           guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
                                   : QString()};
         lines.removeAll(QString());
