@@ -20,6 +20,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
@@ -368,6 +369,65 @@ private slots:
         QVERIFY(std::abs(length - 2 * 3.14159265) < 0.01);
         const auto none = [](std::size_t, std::size_t) { return std::nan(""); };
         QVERIFY(zeroLines(places, places, none).empty());
+    }
+
+    // Fields of noise are full of saddles.
+    void aContourNeverCrossesItself() {
+        QRandomGenerator random(5);
+        constexpr std::size_t count = 9;
+        for (int round = 0; round < 60; ++round) {
+            std::vector<double> across, up, values;
+            for (std::size_t i = 0; i < count; ++i) {
+                across.push_back((i == 0 ? 0 : across.back()) + 0.1 + random.generateDouble());
+                up.push_back((i == 0 ? 0 : up.back()) + 0.1 + random.generateDouble());
+            }
+            for (std::size_t i = 0; i < count * count; ++i) { // some corners are on the contour
+                const double value = random.generateDouble() - 0.5;
+                values.push_back(random.bounded(10) == 0 ? 0 : value);
+            }
+            const std::vector<QLineF> pieces = zeroLines(
+                across, up, [&](std::size_t i, std::size_t j) { return values[j * count + i]; });
+            QVERIFY(pieces.size() > 20);
+            for (std::size_t a = 0; a < pieces.size(); ++a) {
+                for (std::size_t b = 0; b < a; ++b) {
+                    QPointF at;
+                    if (pieces[a].length() < 1e-12 || pieces[b].length() < 1e-12
+                        || pieces[a].intersects(pieces[b], &at) != QLineF::BoundedIntersection) {
+                        continue;
+                    }
+                    const auto isEnd = [&at](const QLineF& piece) {
+                        return QLineF(at, piece.p1()).length() < 1e-9
+                               || QLineF(at, piece.p2()).length() < 1e-9;
+                    };
+                    QVERIFY(isEnd(pieces[a]) && isEnd(pieces[b]));
+                }
+            }
+        }
+    }
+
+    void whatIsDrawnOfAMapIsInItsLegendAsItIsDrawn() {
+        Bench bench(swept(shaft(), {{dullness, 0.005, 0.08, 12}, {"/part/stock_mm", 0.1, 0.2, 6}}));
+        bench.click("sweepRun");
+        QVERIFY(bench.settled());
+        SweepMap& map = *bench.view.map();
+        bench.clickPoint(map, bench.view.sweep()->result.index(3, 3));
+        std::set<int> keys;
+        for (const LegendEntry& entry : map.legendEntries()) {
+            keys.insert(entry.key);
+            for (const auto& [key, line] :
+                 {std::pair<int, QCPCurve*>{SweepPlot::limitKey, map.limitLine()},
+                  {SweepPlot::holdsKey, map.holdsLine()}}) {
+                if (entry.key == key) {
+                    QCOMPARE(entry.colour, line->pen().color());
+                    QCOMPARE(entry.pen, line->pen().style());
+                    QVERIFY(entry.halo.isValid());
+                }
+            }
+        }
+        QCOMPARE(keys.contains(SweepPlot::limitKey), !map.limitLine()->data()->isEmpty());
+        QCOMPARE(keys.contains(SweepPlot::holdsKey), !map.holdsLine()->data()->isEmpty());
+        QVERIFY(keys.contains(SweepPlot::presentKey));
+        QVERIFY(keys.contains(SweepPlot::chosenKey));
     }
 };
 

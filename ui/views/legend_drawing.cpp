@@ -12,6 +12,7 @@ constexpr int sample = 22;
 constexpr int sampleGap = 5;
 constexpr int between = 14;
 constexpr int swatchHeight = 10;
+constexpr int haloWidth = 4;
 constexpr double hiddenOpacity = 0.45; ///< opacity of what is hidden
 } // namespace
 
@@ -44,13 +45,18 @@ void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& r
     if (entry.pen == Qt::NoPen) {
         const QRect swatch(rect.left() + 4, middle - swatchHeight / 2 + 1, sample - 8,
                            swatchHeight);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(entry.colour);
-        painter.drawRect(swatch);
+        const bool frame = entry.fill == Qt::NoBrush;
+        painter.setPen(frame ? QPen(entry.colour, 2) : QPen(Qt::NoPen));
+        painter.setBrush(QBrush(entry.colour, entry.fill));
+        painter.drawRect(frame ? swatch.adjusted(4, 0, -4, 0) : swatch);
     } else {
         QPen pen(entry.colour, 2, entry.pen, Qt::FlatCap);
         if (!entry.dash.isEmpty()) {
             pen.setDashPattern(entry.dash);
+        }
+        if (entry.halo.isValid()) {
+            painter.setPen(QPen(entry.halo, haloWidth, Qt::SolidLine, Qt::FlatCap));
+            painter.drawLine(rect.left(), middle, rect.left() + sample, middle);
         }
         painter.setPen(pen);
         painter.drawLine(rect.left(), middle, rect.left() + sample, middle);

@@ -22,6 +22,8 @@ struct LegendEntry {
     int key = -1;             ///< what a click hides or shows; below 0: nothing
     bool shown = true;        ///< false: hidden by the user, drawn faintly
     QVector<qreal> dash = {}; ///< of the line, in widths of the pen; empty: as `pen` says
+    QColor halo = {};         ///< around the line; none: nothing
+    Qt::BrushStyle fill = Qt::SolidPattern; ///< of a swatch; NoBrush: a frame
 };
 using LegendEntries = std::vector<LegendEntry>;
 

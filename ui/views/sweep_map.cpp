@@ -258,6 +258,7 @@ void SweepMap::showChoice() {
     m_refused->setVisible(choice().shows(refusedKey));
     m_notReached->setVisible(choice().shows(notReachedKey));
     m_present->setVisible(choice().shows(presentKey));
+    m_chosenMark->setVisible(choice().shows(chosenKey));
 }
 
 LegendEntries SweepMap::legendEntries() const {
@@ -269,14 +270,22 @@ LegendEntries SweepMap::legendEntries() const {
         entries.push_back({of, pen, text, key, choice().shows(key)});
     };
     if (!m_limit->data()->isEmpty()) {
-        add(palette().color(QPalette::Text), Qt::SolidLine, tr("limit of this result"), limitKey);
+        add(m_limit->pen().color(), Qt::SolidLine, tr("limit of this result"), limitKey);
+        entries.back().halo = m_limitHalo->pen().color();
     }
     if (!m_holds->data()->isEmpty()) {
         add(m_holds->pen().color(), Qt::SolidLine, tr("every requirement holds: its edge"),
             holdsKey);
+        entries.back().halo = m_holdsHalo->pen().color();
     }
     if (!m_present->data()->isEmpty()) {
         add(palette().color(QPalette::Text), Qt::NoPen, tr("present values (◇)"), presentKey);
+        entries.back().fill = Qt::NoBrush;
+    }
+    if (!m_chosenMark->data()->isEmpty()) {
+        add(m_chosenMark->scatterStyle().pen().color(), Qt::NoPen, tr("chosen point (□)"),
+            chosenKey);
+        entries.back().fill = Qt::NoBrush;
     }
     addStatusEntries(entries);
     return entries;

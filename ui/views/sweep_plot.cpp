@@ -74,6 +74,7 @@ void SweepPlot::setChosen(std::optional<std::size_t> point) {
     if (isBuilt()) {
         fillMarks();
         showChoice();
+        emit contentChanged(); // the legend names it
     }
 }
 
