@@ -161,6 +161,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::ParetoPlot</name>
+        <message numerus="yes">
+            <source>%1: %n part(s), %2 % of the batch</source>
+            <translation>
+                <numerusform>%1: %n part, %2 % of the batch</numerusform>
+                <numerusform>%1: %n parts, %2 % of the batch</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::RadiiEditor</name>
         <message numerus="yes">
             <source>%n values, %1…%2 %3</source>

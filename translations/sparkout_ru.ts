@@ -900,10 +900,6 @@
             <translation>Добавить партию</translation>
         </message>
         <message>
-            <source>Worst part of the batch</source>
-            <translation>Худшая деталь партии</translation>
-        </message>
-        <message>
             <source>Keep the present run</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
@@ -3810,6 +3806,30 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Within revolution %1 of %2</source>
             <translation>Внутри оборота %1 из %2</translation>
         </message>
+        <message>
+            <source>in range</source>
+            <translation>в диапазоне</translation>
+        </message>
+        <message>
+            <source>out of range</source>
+            <translation>вне диапазона</translation>
+        </message>
+        <message>
+            <source>%1 × min</source>
+            <translation>%1 × мин.</translation>
+        </message>
+        <message>
+            <source>%1 × max</source>
+            <translation>%1 × макс.</translation>
+        </message>
+        <message>
+            <source>%1 × the lower limit</source>
+            <translation>%1 × нижний предел</translation>
+        </message>
+        <message>
+            <source>%1 × the upper limit</source>
+            <translation>%1 × верхний предел</translation>
+        </message>
     </context>
     <context>
         <name>OperationNotice</name>
@@ -4857,6 +4877,10 @@ target, µm</source>
         <message>
             <source>Roughness Ra, µm</source>
             <translation>Шероховатость Ra, мкм</translation>
+        </message>
+        <message>
+            <source>Setting / nearer end of the range</source>
+            <translation>Настройка / ближний предел диапазона</translation>
         </message>
     </context>
     <context>
@@ -6818,10 +6842,6 @@ target, µm</source>
             <translation>Худшая деталь</translation>
         </message>
         <message>
-            <source>Put the inputs of the part with the least margin into this project, to see it in all views; undo brings yours back</source>
-            <translation>Взять в этот проект исходные данные детали с наименьшим запасом, чтобы увидеть её во всех видах; отмена вернёт ваши</translation>
-        </message>
-        <message>
             <source>Add a usual batch</source>
             <translation>Добавить обычную партию</translation>
         </message>
@@ -6832,6 +6852,26 @@ target, µm</source>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs; can be undone and changed on the page Batch</source>
             <translation>50 деталей, у которых припуск, биение и затупление рассеиваются вокруг нынешних значений; можно отменить и изменить на странице «Партия»</translation>
+        </message>
+        <message>
+            <source>No part of this batch fails a requirement.</source>
+            <translation>Все детали этой партии выдержали все требования.</translation>
+        </message>
+        <message>
+            <source>Rejects by cause</source>
+            <translation>Брак по причинам</translation>
+        </message>
+        <message>
+            <source>Rejects by cause, the most frequent first</source>
+            <translation>Брак по причинам, сначала самая частая</translation>
+        </message>
+        <message>
+            <source>Keep the part with the least margin as a run beside this project and compare the two; the project stays as it is</source>
+            <translation>Сохранить деталь с наименьшим запасом как расчёт рядом с проектом и сравнить их; сам проект не изменится</translation>
+        </message>
+        <message>
+            <source>Worst part, no. %1</source>
+            <translation>Худшая деталь, № %1</translation>
         </message>
     </context>
     <context>
@@ -9373,6 +9413,18 @@ target, µm</source>
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
+        <message>
+            <source>%1, range %2…%3 %4</source>
+            <translation>%1, диапазон %2…%3 %4</translation>
+        </message>
+        <message>
+            <source>%1, %2, %3: %4</source>
+            <translation>%1; %2; %3: %4</translation>
+        </message>
+        <message>
+            <source>Setting / nearer end of the range</source>
+            <translation>Настройка / ближний предел диапазона</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::MarkingHelper</name>
@@ -9700,6 +9752,45 @@ target, µm</source>
         <message>
             <source>Go on from the quickest cycle between the levels of the grid, in the machine's steps: every cycle is run in full, but that none is quicker is not proved</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ParetoPlot</name>
+        <message>
+            <source>parts that fail it; a part that fails several counts at each</source>
+            <translation>детали с нарушением; деталь с несколькими учтена в каждом</translation>
+        </message>
+        <message>
+            <source>share of all failures, summed up</source>
+            <translation>накопленная доля всех нарушений</translation>
+        </message>
+        <message>
+            <source>Size not reached</source>
+            <translation>Размер не достигнут</translation>
+        </message>
+        <message>
+            <source>Cause</source>
+            <translation>Причина</translation>
+        </message>
+        <message>
+            <source>Parts</source>
+            <translation>Детали</translation>
+        </message>
+        <message>
+            <source>Share of the parts, %</source>
+            <translation>Доля деталей, %</translation>
+        </message>
+        <message>
+            <source>Share of all failures, summed up, %</source>
+            <translation>Накопленная доля всех нарушений, %</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1: %n part(s), %2 % of the batch</source>
+            <translation>
+                <numerusform>%1: %n деталь, %2 % партии</numerusform>
+                <numerusform>%1: %n детали, %2 % партии</numerusform>
+                <numerusform>%1: %n деталей, %2 % партии</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -11057,6 +11148,10 @@ target, µm</source>
         <message>
             <source>present values (◇)</source>
             <translation>текущие значения (◇)</translation>
+        </message>
+        <message>
+            <source>chosen point (□)</source>
+            <translation>выбранная точка (□)</translation>
         </message>
     </context>
     <context>

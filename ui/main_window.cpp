@@ -118,6 +118,9 @@ void MainWindow::buildViews() {
         m_document.edit(change(m_document.project()), text);
     };
     connect(m_batch, &BatchView::editWanted, this, edit);
+    connect(m_batch, &BatchView::runWanted, this, [this](const auto& change, const QString& name) {
+        m_keeper->keepAside(change(m_document.project()), name);
+    });
     connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* sweep = new SweepView(this, &m_settings);
     connect(sweep, &SweepView::editWanted, this, edit);

@@ -3,7 +3,6 @@
 
 #include "ui/notice_bar.h"
 #include "ui/session/kept_runs.h"
-#include "ui/session/run_controller.h"
 
 #include <QStringList>
 
@@ -23,6 +22,7 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     connect(&kept, &KeptRuns::replaced, this, [this] {
         m_waiting = false;
         m_told = false;
+        m_asideName.clear(); // of another document
         m_notices.remove(keepKey);
         m_notices.remove(changedKey);
     });
@@ -32,6 +32,12 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
         }
     });
     connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::tellChanged);
+    connect(&m_aside, &RunController::finished, this, [this](const OutcomePtr& outcome) {
+        const QString name = std::exchange(m_asideName, {});
+        if (!name.isEmpty()) {
+            keepOutcome(*outcome, name);
+        }
+    });
 }
 
 void RunKeeper::keep() {
@@ -49,10 +55,22 @@ void RunKeeper::setOutcome(OutcomePtr outcome) {
     }
 }
 
+void RunKeeper::keepAside(Project project, const QString& name) {
+    m_asideName = name;
+    m_aside.request(std::move(project));
+}
+
 void RunKeeper::keepNow() {
+    keepOutcome(*m_outcome);
+}
+
+void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
     m_notices.remove(keepKey);
-    const KeptRuns::Kept kept = m_kept.keep(*m_outcome);
+    const KeptRuns::Kept kept = m_kept.keep(outcome, name);
     if (kept == KeptRuns::Kept::yes) {
+        if (!name.isEmpty()) {
+            emit compareWanted();
+        }
         emit told(tr("Kept as “%1”; the view Compare lays it over the present run.")
                       .arg(QString::fromStdString(m_kept.all().back().name)));
         return;

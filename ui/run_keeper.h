@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/outcome.h"
+#include "ui/session/run_controller.h"
 
 #include <QObject>
 
@@ -9,7 +9,6 @@ namespace sparkout {
 
 class KeptRuns;
 class NoticeBar;
-class RunController;
 
 /// The window's command to keep the present run, and what it tells of kept runs.
 class RunKeeper : public QObject {
@@ -20,6 +19,8 @@ public:
 
     void keep(); ///< the run of the present inputs: at once, or when it is computed
     void setOutcome(OutcomePtr outcome);
+    /// Runs other inputs aside, keeps them under a name and asks for the view that compares.
+    void keepAside(Project project, const QString& name);
 
 signals:
     void told(const QString& text); ///< for the status bar
@@ -27,6 +28,7 @@ signals:
 
 private:
     void keepNow();
+    void keepOutcome(const Outcome& outcome, const QString& name = {});
     void tellChanged();
 
     KeptRuns& m_kept;
@@ -35,6 +37,8 @@ private:
     OutcomePtr m_outcome;
     bool m_waiting = false; ///< for the run of the inputs to be kept
     bool m_told = false;    ///< that kept runs of this project come out differently
+    QString m_asideName;    ///< of the run aside that is wanted; empty: none
+    RunController m_aside;  ///< last: stopped before what it reports to is gone
 };
 
 } // namespace sparkout

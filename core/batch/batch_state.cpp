@@ -52,9 +52,10 @@ Json statisticsJson(const BatchStatistics& statistics) {
     for (const PartRow& row : statistics.rows) {
         rows.push_back(rowJson(row));
     }
-    return {{"parts", statistics.parts},   {"failed", statistics.failed},
-            {"bad", statistics.bad},       {"worst", partValueJson(statistics.worst)},
-            {"values", std::move(values)}, {"rows", std::move(rows)}};
+    return {{"parts", statistics.parts},     {"failed", statistics.failed},
+            {"bad", statistics.bad},         {"worst", partValueJson(statistics.worst)},
+            {"rejects", statistics.rejects}, {"values", std::move(values)},
+            {"rows", std::move(rows)}};
 }
 
 JoinFault joinFault(const std::vector<BatchResult>& shards) {

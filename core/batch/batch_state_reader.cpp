@@ -63,6 +63,14 @@ private:
         statistics.parts = wholeIn(state.at("parts"), 0, m_result.range.end - m_result.range.first);
         statistics.failed = wholeIn(state.at("failed"), 0, statistics.parts);
         statistics.bad = wholeIn(state.at("bad"), statistics.failed, statistics.parts);
+        const json& rejects = state.at("rejects");
+        std::int64_t causes = 0;
+        expect(rejects.size() == statistics.rejects.size());
+        for (std::size_t i = 0; i < statistics.rejects.size(); ++i) {
+            statistics.rejects[i] = wholeIn(rejects.at(i), 0, statistics.bad - statistics.failed);
+            causes += statistics.rejects[i];
+        }
+        expect(causes >= statistics.bad - statistics.failed); // each of these has one at least
         statistics.worst = partValue(state.at("worst"), statistics.parts == 0);
         const std::int64_t measured = statistics.parts - statistics.failed;
         for (const json& values : state.at("values")) {

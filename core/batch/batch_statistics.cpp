@@ -71,6 +71,9 @@ void BatchStatistics::add(const PartOutcome& outcome, std::int64_t part,
     ++parts;
     failed += outcome.completed ? 0 : 1;
     bad += outcome.good ? 0 : 1;
+    for (std::size_t i = 0; i < rejects.size(); ++i) {
+        rejects[i] += outcome.fails[i] ? 1 : 0;
+    }
     keepLeast(worst,
               {outcome.completed ? outcome.margin : std::numeric_limits<double>::lowest(), part});
     values.resize(characteristics.size());
@@ -88,6 +91,9 @@ void BatchStatistics::add(const BatchStatistics& other) {
     parts += other.parts;
     failed += other.failed;
     bad += other.bad;
+    for (std::size_t i = 0; i < rejects.size(); ++i) {
+        rejects[i] += other.rejects[i];
+    }
     keepLeast(worst, other.worst);
     values.resize(std::max(values.size(), other.values.size()));
     for (std::size_t i = 0; i < other.values.size(); ++i) {
@@ -117,7 +123,7 @@ bool operator==(const BatchStatistics& a, const BatchStatistics& b) {
                              sameBitsOf);
     };
     return a.parts == b.parts && a.failed == b.failed && a.bad == b.bad && a.worst == b.worst
-           && a.values == b.values
+           && a.rejects == b.rejects && a.values == b.values
            && std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), sameRow);
 }
 

@@ -47,6 +47,8 @@ struct BatchStatistics {
     std::int64_t parts = 0;
     std::int64_t failed = 0; ///< whose cycle did not reach size: no values
     std::int64_t bad = 0;    ///< these, and those a requirement fails
+    /// Parts that fail a requirement of each kind; one that fails several counts at each of them.
+    std::array<std::int64_t, constraintKinds> rejects{};
     PartValue worst; ///< least relative margin; a failed part has the lowest number there is
     std::vector<ValueStatistics> values; ///< by characteristic
     std::vector<PartRow> rows;           ///< of the parts below keptRows, in any order until sorted

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace sparkout {
 
@@ -135,6 +136,9 @@ private:
             summary.normality = jarqueBeraProbability(summary.moments.skewness,
                                                       summary.moments.excess, summary.count);
         }
+        if (std::string_view(unit) == "%") {
+            return; // of a limit of its own: no size that a process holds
+        }
         if (low && high) {
             const double cp = (*high - *low) / (6 * s);
             summary.cp = Capability{cp, cpInterval(cp, summary.count, confidence95)};
@@ -154,6 +158,21 @@ private:
 
 } // namespace
 
+namespace {
+
+std::vector<RejectCause> causesOf(const BatchStatistics& statistics) {
+    std::vector<RejectCause> causes{{std::nullopt, statistics.failed}};
+    for (std::size_t i = 0; i < statistics.rejects.size(); ++i) {
+        causes.push_back({static_cast<ConstraintKind>(i), statistics.rejects[i]});
+    }
+    std::erase_if(causes, [](const RejectCause& cause) { return cause.count == 0; });
+    std::stable_sort(causes.begin(), causes.end(),
+                     [](const RejectCause& a, const RejectCause& b) { return a.count > b.count; });
+    return causes;
+}
+
+} // namespace
+
 BatchSummary summarise(const BatchResult& result) {
     const ScenarioSource source(result.project);
     const BatchStatistics& statistics = result.statistics;
@@ -163,6 +182,7 @@ BatchSummary summarise(const BatchResult& result) {
     summary.parts = statistics.parts;
     summary.failed = statistics.failed;
     summary.bad = shareOf(statistics.bad, statistics.parts, source.isSample());
+    summary.causes = causesOf(statistics);
     summary.worstPart = statistics.worst.part;
     summary.exactPercentiles = summariser.exact();
     const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());

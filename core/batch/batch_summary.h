@@ -35,6 +35,12 @@ struct Share {
     std::optional<Interval> interval; ///< not for corners
 };
 
+/// Parts that one cause makes bad; a part of several causes counts at each of them.
+struct RejectCause {
+    std::optional<ConstraintKind> kind; ///< none: the cycle did not reach size
+    std::int64_t count = 0;
+};
+
 struct CharacteristicSummary {
     Characteristic characteristic;
     std::int64_t count = 0;
@@ -53,6 +59,7 @@ struct BatchSummary {
     bool isSample = true;
     std::int64_t parts = 0, failed = 0;
     Share bad;
+    std::vector<RejectCause> causes; ///< that any part failed, the most frequent first
     std::int64_t worstPart = -1;
     bool exactPercentiles = false; ///< else to within the characteristic's resolution
     std::vector<CharacteristicSummary> characteristics;

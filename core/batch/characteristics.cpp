@@ -2,6 +2,7 @@
 #include "core/batch/characteristics.h"
 
 #include "core/quality/constraints.h"
+#include "core/quality/self_sharpening.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -16,6 +17,13 @@ namespace {
 
 constexpr const char* diameterName = "diameter";
 constexpr const char* timeName = "time";
+constexpr double wholeLimit = 100; ///< [%]
+
+/// Whether the limit differs from part to part.
+bool isRelative(const char* name) {
+    return name == constraintName(ConstraintKind::burn)
+           || name == constraintName(ConstraintKind::selfSharpening);
+}
 
 /// The greatest power of two not above a thousandth of the width.
 double resolutionFor(double width) {
@@ -36,6 +44,12 @@ public:
         const Tolerance& tolerance = m_project.part.tolerance;
         addUpper(ConstraintKind::cylindricity, tolerance.cylindricity_um);
         addUpper(ConstraintKind::totalRunout, tolerance.total_runout_um);
+        if (m_project.material.burn_rise_k) {
+            addUpper(ConstraintKind::burn, wholeLimit);
+        }
+        if (selfSharpening(m_project)) {
+            addUpper(ConstraintKind::selfSharpening, wholeLimit);
+        }
         addUpper(ConstraintKind::wheelPower, m_project.machine.wheel_drive_kw);
         addUpper(ConstraintKind::workPower, m_project.machine.work_drive_kw);
         m_list.push_back({timeName, "s", Zone::section, -1, {}, {}, 0x1p-4});
@@ -69,7 +83,7 @@ private:
     void addUpper(ConstraintKind kind, const std::optional<double>& limit) {
         if (limit) {
             m_list.push_back({constraintName(kind),
-                              constraintUnit(kind),
+                              isRelative(constraintName(kind)) ? "%" : constraintUnit(kind),
                               m_zone,
                               m_section,
                               {},
@@ -102,7 +116,9 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
     for (const ConstraintResult& constraint : constraints) {
         if (constraintName(constraint.kind) == name
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
-            worst = std::isnan(worst) ? constraint.value : std::max(worst, constraint.value);
+            const double value =
+                isRelative(name) ? wholeLimit * (1 - constraint.relativeMargin) : constraint.value;
+            worst = std::isnan(worst) ? value : std::max(worst, value);
         }
     }
     return worst;
@@ -133,6 +149,9 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
     outcome.margin = std::numeric_limits<double>::max();
     for (const ConstraintResult& constraint : constraints) {
         outcome.good = outcome.good && constraint.holds;
+        if (!constraint.holds) {
+            outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
+        }
         if (scopeOf(constraint.kind) != ConstraintScope::setting) {
             outcome.margin = std::min(outcome.margin, constraint.relativeMargin);
         }

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/constraints.h"
 #include "core/simulation/result.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace sparkout {
 
 /// What is measured of every part of a batch: of each zone or section the mean, least and greatest
-/// diameter and the radial runout, and what else the drawing and the drives limit; of the part the
-/// time.
+/// diameter and the radial runout, and what else the drawing, the drives, burn and self-sharpening
+/// limit; of the part the time. Burn and self-sharpening, whose limits differ from part to part,
+/// are measured in per cent of them.
 struct Characteristic {
     const char* name = ""; ///< "diameter", "time", or that of the requirement
-    const char* unit = ""; ///< µm, kW, s
+    const char* unit = ""; ///< µm, kW, s, %
     Zone zone = Zone::section;
     int section = -1;                ///< index of the zone or section; −1: of the whole part
     std::optional<double> low, high; ///< limits
@@ -27,9 +30,10 @@ struct Characteristic {
 
 /// One part of a batch, measured.
 struct PartOutcome {
-    bool completed = false;     ///< the cycle reached size; else nothing was measured
-    bool good = false;          ///< and every requirement holds
-    double margin = 0;          ///< least relative margin of its requirements
+    bool completed = false; ///< the cycle reached size; else nothing was measured
+    bool good = false;      ///< and every requirement holds
+    double margin = 0;      ///< least relative margin of its requirements
+    std::array<bool, constraintKinds> fails{}; ///< by kind: somewhere on the part
     std::vector<double> values; ///< of the characteristics; NaN: none, as the roughness of no cut
 };
 

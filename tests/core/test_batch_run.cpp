@@ -13,6 +13,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -139,6 +141,8 @@ private slots:
         row("/statistics/parts", 7);
         row("/statistics/failed", 1);
         row("/statistics/bad", -1);
+        row("/statistics/rejects/0", -1);
+        row("/statistics/rejects/15", 7);
         row("/statistics/worst/1", 6);
         row("/statistics/values/0/count", 7);
         row("/statistics/values/0/below", 7);
@@ -232,6 +236,68 @@ private slots:
             }
             QCOMPARE(bars, row.count);
             QCOMPARE(row.count + result.statistics.failed, std::int64_t{50});
+        }
+    }
+
+    // Counted again from the parts one by one, over shards; a part counts at each of its causes.
+    void causesAreCountedAtEveryPartThatFailsThem() {
+        Project project = shaftBatch(60);
+        project.part.tolerance.roundness_um = 1e-6;
+        project.part.tolerance.radial_runout_um = 1e-6;
+        project.material.burn_rise_k = 500;
+        const ScenarioSource source(project);
+        std::map<ConstraintKind, std::int64_t> counted;
+        std::int64_t failed = 0, several = 0;
+        for (std::int64_t part = 0; part < 60; ++part) {
+            const SimulationResult result = simulate(source.project(part));
+            failed += result.status == RunStatus::completed ? 0 : 1;
+            std::set<ConstraintKind> kinds;
+            for (const ConstraintResult& c : evaluateConstraints(result)) {
+                if (result.status == RunStatus::completed && !c.holds) {
+                    kinds.insert(c.kind);
+                }
+            }
+            several += kinds.size() > 1 ? 1 : 0;
+            for (const ConstraintKind kind : kinds) {
+                ++counted[kind];
+            }
+        }
+        QVERIFY(several > 0 && counted.size() >= 2);
+        const JoinedBatch joined = joinBatches(
+            {runShard(project, 1, 3), runShard(project, 2, 3), runShard(project, 3, 3)});
+        QVERIFY(joined.fault == JoinFault::none);
+        const std::vector<RejectCause> causes = summarise(joined.result).causes;
+        QCOMPARE(causes.size(), counted.size() + (failed > 0 ? 1 : 0));
+        for (std::size_t i = 0; i < causes.size(); ++i) {
+            QCOMPARE(causes[i].count, causes[i].kind ? counted[*causes[i].kind] : failed);
+            QVERIFY(i == 0 || causes[i].count <= causes[i - 1].count);
+        }
+    }
+
+    void everyRequirementOfThePassesIsAQuantity() {
+        Project project = shaftBatch(8);
+        project.material.burn_rise_k = 700;
+        project.part.tolerance = {4, 6, 5, 8, 0.8};
+        project.machine.wheel_drive_kw = 4;
+        project.machine.work_drive_kw = 1;
+        const BatchResult result = runWith(project, 1);
+        const ScenarioSource source(project);
+        const auto characteristics = characteristicsOf(source.nominal());
+        for (const ConstraintResult& c :
+             evaluateConstraints(simulate(source.project(result.statistics.rows[3].part)))) {
+            bool listed = scopeOf(c.kind) == ConstraintScope::setting;
+            for (std::size_t i = 0; i < characteristics.size(); ++i) {
+                if (std::string(characteristics[i].name) != constraintName(c.kind)) {
+                    continue;
+                }
+                listed = true;
+                if (c.kind == ConstraintKind::burn) { // in per cent of the part's own limit
+                    QCOMPARE(characteristics[i].high.value(), 100.0);
+                    QVERIFY(
+                        close(result.statistics.rows[3].values[i], 100 * c.value / c.limit, 1e-9));
+                }
+            }
+            QVERIFY2(listed, constraintName(c.kind));
         }
     }
 

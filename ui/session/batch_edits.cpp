@@ -17,6 +17,7 @@ namespace {
 
 constexpr double leastShare = 0.93, mostShare = 1.07; ///< of a value that scatters about itself
 constexpr int betweenDressings = 25;                  ///< parts
+constexpr int shownDigits = 6;                        ///< of a part's numbers
 
 /// To two digits.
 double toTwoDigits(double value) {
@@ -55,6 +56,57 @@ Factor normalFactor(std::vector<double> normal, std::vector<double> within) {
     factor.normal = std::move(normal);
     factor.within = std::move(within);
     return factor;
+}
+
+/// To as many digits as a person reads; what a part measures then differs by less than its digits.
+void shorten(double& value) {
+    if (value != 0 && std::isfinite(value)) {
+        const int digits =
+            shownDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+        const double scale = std::pow(10, std::abs(digits));
+        value = digits >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+    }
+}
+
+/// The numbers that the factors of a batch scale, where they are not the nominal ones.
+Project shortened(Project made, const Project& nominal) {
+    const auto tidy = [](double& value, double before) {
+        if (value != before) {
+            shorten(value);
+        }
+    };
+    Machine& machine = made.machine;
+    tidy(machine.wheel_speed_m_s, nominal.machine.wheel_speed_m_s);
+    tidy(made.part.shaft.youngs_modulus_gpa, nominal.part.shaft.youngs_modulus_gpa);
+    if (made.part.shaft.youngs_modulus_gpa == nominal.part.shaft.youngs_modulus_gpa) {
+        return made; // the compliance is the nominal one
+    }
+    if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
+        for (double* gamma : {&zones->rz1, &zones->nz, &zones->rz2}) {
+            shorten(*gamma);
+        }
+    } else if (auto* each = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
+        std::ranges::for_each(*each, shorten);
+    }
+    if (machine.stiffness_n_um) {
+        for (double* stiffness :
+             {&machine.stiffness_n_um->headstock, &machine.stiffness_n_um->tailstock,
+              &machine.stiffness_n_um->wheel_head}) {
+            shorten(*stiffness);
+        }
+    }
+    for (SteadyRest& rest : made.part.shaft.steady_rests) {
+        shorten(rest.stiffness_n_um);
+    }
+    if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
+        for (std::vector<double>& row : *machine.wheel_contact->n_um_at_n) {
+            shorten(row[1]);
+        }
+    }
+    if (made.gauge.compliance_mm_per_n) {
+        shorten(*made.gauge.compliance_mm_per_n);
+    }
+    return made;
 }
 
 /// What does not make a part and stays with the user's project.
@@ -274,7 +326,10 @@ Project withUsualBatch(Project project) {
 }
 
 Project withPart(Project project, const BatchResult& batch, std::int64_t part) {
-    Project made = ScenarioSource(batch.project).project(part);
+    const ScenarioSource source(batch.project);
+    std::vector<double> values = source.values(part);
+    std::ranges::for_each(values, shorten);
+    Project made = shortened(source.projectWith(values), source.nominal());
     keepOwn(made, std::move(project));
     return made;
 }

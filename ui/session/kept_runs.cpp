@@ -68,15 +68,15 @@ KeptRuns::KeptRuns(Document& document, QObject* parent) : QObject(parent), m_doc
 
 // --- edits --------------------------------------------------------------------------------------
 
-KeptRuns::Kept KeptRuns::keep(const Outcome& outcome) {
+KeptRuns::Kept KeptRuns::keep(const Outcome& outcome, const QString& name) {
     if (!outcome.ran()) {
         return Kept::refused;
     }
     Project project = m_document.project();
     const QString when = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
-    project.runs.push_back(keptRun(outcome.result,
-                                   summarise(outcome.result, outcome.accuracy, outcome.constraints),
-                                   freeName(all()), when.toStdString()));
+    project.runs.push_back(
+        keptRun(outcome.result, summarise(outcome.result, outcome.accuracy, outcome.constraints),
+                name.isEmpty() ? freeName(all()) : name.toStdString(), when.toStdString()));
     if (!fitFile(project.runs)) {
         return Kept::full;
     }

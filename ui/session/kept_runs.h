@@ -29,8 +29,8 @@ public:
     enum class Kept { yes, refused, full };
     /// The run of an outcome under the first free name "Run 1", "Run 2", …, and chosen; not when
     /// its inputs are refused, or the project file would grow beyond what is read again.
-    Kept keep(const Outcome& outcome);
-    void rename(int index, const QString& name); ///< an empty name changes nothing
+    Kept keep(const Outcome& outcome, const QString& name = {}); ///< given one is taken as it is
+    void rename(int index, const QString& name);                 ///< an empty name changes nothing
     void remove(int index);
     /// Its inputs in place of the present ones; the kept runs stay. False when they can no longer
     /// be read.

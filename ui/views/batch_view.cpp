@@ -7,6 +7,7 @@
 #include "ui/views/histogram_plot.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/names.h"
+#include "ui/views/pareto_plot.h"
 #include "ui/views/plot_pages.h"
 #include "ui/views/scatter_plot.h"
 #include "ui/views/sensitivity_plot.h"
@@ -41,7 +42,7 @@ PlotTools* BatchView::tools() const {
 void BatchView::chooseContent() {
     m_pages->show();
     m_table->setVisible(m_pages->page().plot == m_histograms);
-    m_name->setVisible(m_pages->page().plot != m_scatter);
+    m_name->setVisible(m_pages->page().plot != m_scatter && m_pages->page().plot != m_pareto);
     m_weights->setVisible(m_pages->page().plot == m_sensitivity);
     m_across->setVisible(m_pages->page().plot == m_scatter);
     m_up->setVisible(m_pages->page().plot == m_scatter);
@@ -133,6 +134,7 @@ void BatchView::showBatch() {
                                                           : QHeaderView::ResizeToContents);
     m_sensitivity->setBatch(m_batch, chosenName());
     m_sensitivity->setIndices(m_indices);
+    m_pareto->setBatch(m_batch);
     m_pages->showLegend();
     showState();
     replotShown();
@@ -152,6 +154,7 @@ void BatchView::showState() {
     m_histograms->setDimmed(faint);
     m_sensitivity->setDimmed(faint);
     m_scatter->setDimmed(faint);
+    m_pareto->setDimmed(faint);
     m_notice->setText(notice());
     m_notice->setVisible(!m_notice->text().isEmpty());
     m_add->setVisible(m_good && !has);
@@ -184,6 +187,9 @@ QString BatchView::hint() const {
 }
 
 QString BatchView::contentNotice() const {
+    if (m_pages->page().plot == m_pareto && m_pareto->empty()) {
+        return tr("No part of this batch fails a requirement.");
+    }
     if (m_pages->page().plot != m_sensitivity || !m_sensitivity->empty()) {
         return {};
     }
@@ -262,6 +268,8 @@ void BatchView::retranslate() {
     m_pages->content()->setItemText(0, tr("Histograms"));
     m_pages->content()->setItemText(1, tr("Sensitivity"));
     m_pages->content()->setItemText(2, tr("Scatter"));
+    m_pages->content()->setItemText(3, tr("Rejects by cause"));
+    m_pareto->setAccessibleName(tr("Rejects by cause, the most frequent first"));
     m_sensitivity->setAccessibleName(tr("Which factor matters most"));
     m_scatter->setAccessibleName(tr("Parts, one quantity over another"));
     m_weights->setItemText(0, tr("Rank regression"));
@@ -288,8 +296,8 @@ void BatchView::retranslate() {
     name(*m_run, tr("Run"), tr("Run the parts of the batch; a quick one runs by itself"));
     name(*m_stop, tr("Stop"), tr("End the batch; what was done is kept and shown"));
     name(*m_worst, tr("Worst part"),
-         tr("Put the inputs of the part with the least margin into this project, to see it in all "
-            "views; undo brings yours back"));
+         tr("Keep the part with the least margin as a run beside this project and compare the two; "
+            "the project stays as it is"));
     name(*m_add, tr("Add a usual batch"),
          tr("50 parts whose stock, runout and dullness scatter about the present inputs; can be "
             "undone and changed on the page Batch"));
@@ -301,6 +309,7 @@ void BatchView::retranslate() {
     fillNames();
     fillQuantities();
     m_scatter->retranslate();
+    m_pareto->retranslate();
     m_pages->showLegend();
     showState();
     for (const PlotPages::Page& page : m_pages->all()) {

@@ -21,6 +21,7 @@ class BatchFigures;
 class CopyTable;
 class HistogramPlot;
 class LegendStrip;
+class ParetoPlot;
 class PlotPages;
 class PlotTools;
 class ScatterPlot;
@@ -39,6 +40,7 @@ public:
     [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
     [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
+    [[nodiscard]] ParetoPlot* pareto() const { return m_pareto; }
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
@@ -54,6 +56,9 @@ signals:
     /// The document is to be changed so.
     void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
                     const sparkout::EditText& text);
+    /// A run of such inputs is to be kept beside the project, under a name.
+    void runWanted(const std::function<sparkout::Project(sparkout::Project)>& inputs,
+                   const QString& name);
     void batchShown(); ///< the outcome of a batch has been drawn
 
 protected:
@@ -95,6 +100,7 @@ private:
     HistogramPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
     ScatterPlot* m_scatter;
+    ParetoPlot* m_pareto;
     QSplitter* m_splitter;
     LegendStrip* m_legend;
     PlotPages* m_pages = nullptr;

@@ -130,7 +130,7 @@ void BatchView::takeWorst() {
                        ? withPart(std::move(project), batch->result, batch->summary.worstPart)
                        : project; // edited meanwhile
         };
-        emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Worst part of the batch")});
+        emit runWanted(take, tr("Worst part, no. %1").arg(m_batch->summary.worstPart));
     }
 }
 

@@ -2,12 +2,14 @@
 // The widgets of the view of the batch: building and connecting.
 #include "ui/metrics.h"
 #include "ui/session/batch_edits.h"
+#include "ui/tool_row.h"
 #include "ui/views/batch_figures.h"
 #include "ui/views/batch_text.h"
 #include "ui/views/batch_view.h"
 #include "ui/views/copy_table.h"
 #include "ui/views/histogram_plot.h"
 #include "ui/views/legend_strip.h"
+#include "ui/views/pareto_plot.h"
 #include "ui/views/plot_pages.h"
 #include "ui/views/scatter_plot.h"
 #include "ui/views/sensitivity_plot.h"
@@ -36,6 +38,7 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_histograms(new HistogramPlot(this))
     , m_sensitivity(new SensitivityPlot(this))
     , m_scatter(new ScatterPlot(this))
+    , m_pareto(new ParetoPlot(this))
     , m_splitter(new QSplitter(Qt::Vertical, this))
     , m_legend(new LegendStrip(this))
     , m_pages(new PlotPages(
@@ -106,6 +109,7 @@ void BatchView::build(Settings* settings) {
         {m_table, "batchFigures"},
         {m_sensitivity, "batchSensitivity"},
         {m_scatter, "batchScatter"},
+        {m_pareto, "batchPareto"},
         {m_weights, "batchWeights"},
         {m_across, "batchAcross"},
         {m_up, "batchUp"},
@@ -135,11 +139,12 @@ void BatchView::buildTools(QWidget* bar) {
     m_pages->add(*m_histograms);
     m_pages->add(*m_sensitivity);
     m_pages->add(*m_scatter);
+    m_pages->add(*m_pareto);
     m_weights->addItems({QString(), QString()});
     for (QComboBox* box : {m_name, m_weights, m_across, m_up}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     }
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     row->addWidget(m_pages->content());
@@ -191,6 +196,7 @@ void BatchView::connectParts() {
     connect(m_histograms, &HistogramPlot::pointed, this, &BatchView::readOut);
     connect(m_sensitivity, &SensitivityPlot::pointed, this, &BatchView::readOut);
     connect(m_scatter, &ScatterPlot::pointed, this, &BatchView::readOut);
+    connect(m_pareto, &ParetoPlot::pointed, this, &BatchView::readOut);
     for (BatchRunner* runner : {m_runner, m_indexRunner}) {
         connect(runner, &BatchRunner::progressed, this,
                 [this](qint64 done, qint64 parts, double left_s) {
