@@ -27,6 +27,7 @@ class HelpDesk;
 class InputsPanel;
 class KeptRuns;
 class MessagesPanel;
+class PanelWidths;
 class PlaybackBar;
 class ProfilesView;
 class RunKeeper;
@@ -109,6 +110,7 @@ private:
     QDockWidget* m_verdictDock = nullptr;
     QDockWidget* m_messagesDock = nullptr;
     QDockWidget* m_sheetDock = nullptr;
+    PanelWidths* m_widths = nullptr;
     QLabel* m_status;
     QLabel* m_time;
     Actions* m_actions;

@@ -7,6 +7,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
 #include "ui/keyboard.h"
+#include "ui/panel_widths.h"
 #include "ui/playback_bar.h"
 #include "ui/sealed_state.h"
 #include "ui/view_tabs.h"
@@ -42,6 +43,7 @@ void MainWindow::buildDocks() {
     m_inputsDock = addDock(m_inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea);
     m_verdictDock = addDock(m_verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea);
     m_messagesDock = addDock(m_messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea);
+    m_widths = new PanelWidths(*this, {m_inputsDock, m_verdictDock});
     m_sheetDock = addDock(m_sheet, QStringLiteral("step"), Qt::RightDockWidgetArea);
     QAction* const sheet = m_sheetDock->toggleViewAction();
     sheet->setIcon(themeIcon(u"formula"));
@@ -86,8 +88,8 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::fitPanels() {
-    resizeDocks({m_inputsDock, m_verdictDock},
-                {m_inputs->minimumSizeHint().width(), atFontSize(verdictWidth)}, Qt::Horizontal);
+    m_widths->want(m_inputsDock, m_inputs->minimumSizeHint().width());
+    m_widths->want(m_verdictDock, atFontSize(verdictWidth));
 }
 
 void MainWindow::restoreWindow() {
@@ -100,6 +102,7 @@ void MainWindow::restoreWindow() {
     if (const auto parts = unsealed(m_settings.windowState(), 2)) {
         restoreState(parts->front());
         m_tabs->restoreState(parts->back());
+        m_widths->takeOverWhenShown();
     }
 }
 

@@ -3,12 +3,16 @@
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
 #include "ui/font_size.h"
+#include "ui/inputs/list_table.h"
+#include "ui/inputs/stage_delegate.h"
+#include "ui/inputs/stage_table.h"
 #include "ui/tool_row.h"
 #include "ui/view_tabs.h"
 #include "ui/views/view.h"
 
 #include <QComboBox>
 #include <QPushButton>
+#include <QTableView>
 #include <QTest>
 #include <qcustomplot.h>
 
@@ -91,6 +95,30 @@ private slots:
         const Sizes again = sizesOf(*bench.window);
         for (auto it = before.begin(); it != before.end(); ++it) {
             QVERIFY(!again.contains(it.key()) || std::abs(again[it.key()] - it.value()) < 0.01);
+        }
+    }
+
+    // A comma cut at its foot reads as a point.
+    void rowsOfTablesFollowTheType() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        for (const int percent : {100, 130, 90, 115}) {
+            bench.action(("fontSize-" + QByteArray::number(percent)).constData())->trigger();
+            bench.settle();
+            int rows = 0;
+            for (const auto* table : bench.window->findChildren<ListTable*>()) {
+                const QTableView& view = table->view();
+                const bool stages = qobject_cast<const StageTable*>(table) != nullptr;
+                const QFontMetrics font = view.fontMetrics();
+                const int wanted = stages ? StageDelegate::rowHeight(font) : font.height() + 10;
+                for (int row = 0; row < view.model()->rowCount(); ++row, ++rows) {
+                    QCOMPARE(view.rowHeight(row), wanted);
+                }
+                if (stages) { // and the table shows its rows in full
+                    QVERIFY(view.viewport()->height() >= wanted * view.model()->rowCount());
+                }
+            }
+            QVERIFY(rows > 0);
         }
     }
 

@@ -2,6 +2,7 @@
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
+#include "ui/font_size.h"
 #include "ui/sealed_state.h"
 #include "ui/session/operation.h"
 #include "ui/view_tabs.h"
@@ -9,6 +10,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
@@ -17,6 +19,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace test_layout {
 
@@ -275,6 +279,92 @@ private slots:
         QTest::qWait(20);
         QCOMPARE(again.findChild<QDockWidget*>(QStringLiteral("verdict"))->width(), 380);
         QCOMPARE(again.findChild<QDockWidget*>(QStringLiteral("messages"))->height(), 150);
+    }
+
+    // What presses the panels, and back: a view with much to choose, a narrow window, large type.
+    void pressedPanelsTakeTheirRoomBack_data() {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("by");
+        for (const char* language : {"en", "ru"}) {
+            for (const char* by : {"scatter", "narrow", "type"}) {
+                QTest::addRow("%s %s", language, by)
+                    << QString::fromUtf8(language) << QString::fromUtf8(by);
+            }
+        }
+    }
+
+    void pressedPanelsTakeTheirRoomBack() {
+        QFETCH(QString, language);
+        QFETCH(QString, by);
+        Bench bench(language);
+        const QStringList examples = examplePaths();
+        const auto factory =
+            std::ranges::find(examples, QStringLiteral("shaft-30h6-factory"), nameOf);
+        QVERIFY(factory != examples.end() && bench.open(*factory));
+        const auto wait = [&bench] {
+            bench.settle();
+            QTest::qWait(60);
+            bench.settle();
+        };
+        const auto widths = [&bench] {
+            return std::pair(
+                bench.window->findChild<QDockWidget*>(QStringLiteral("inputs"))->width(),
+                bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"))->width());
+        };
+        wait();
+        const auto before = widths();
+        QVERIFY(before.second > 300);
+        if (by == u"scatter") {
+            QVERIFY(bench.window->showView(QStringLiteral("batch")));
+            auto* content = bench.window->findChild<QComboBox*>(QStringLiteral("batchContent"));
+            QTRY_VERIFY_WITH_TIMEOUT(content->isEnabled(), 30'000);
+            content->setFocus();
+            QTest::keyClick(content, Qt::Key_Down);
+            QTest::keyClick(content, Qt::Key_Down); // Scatter
+            wait();
+            QCOMPARE(content->currentIndex(), 2);
+            QCOMPARE(widths(), before); // its tools go on in a further line
+            content->setCurrentIndex(0);
+        } else if (by == u"narrow") {
+            bench.window->resize(1024, 768);
+            wait();
+            bench.window->resize(1366, 768);
+        } else {
+            bench.action("fontSize-130")->trigger();
+            wait();
+            bench.action("fontSize-100")->trigger();
+        }
+        wait();
+        QCOMPARE(widths(), before);
+        applyFontSize(usualFontSize);
+    }
+
+    void aPanelThatTheUserMadeNarrowStaysSo() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        auto* verdict = bench.window->findChild<QDockWidget*>(QStringLiteral("verdict"));
+        const int before = verdict->width();
+        const QPoint separator(verdict->x() - 2, verdict->y() + verdict->height() / 2);
+        QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, separator);
+        QTest::mouseMove(bench.window.get(), separator - QPoint(80, 0));
+        bench.settle();
+        QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(80, 0));
+        bench.settle();
+        const int dragged = verdict->width();
+        QVERIFY(dragged > before + 60);
+        QTest::mousePress(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(80, 0));
+        QTest::mouseMove(bench.window.get(), separator - QPoint(40, 0));
+        bench.settle();
+        QTest::mouseRelease(bench.window.get(), Qt::LeftButton, {}, separator - QPoint(40, 0));
+        bench.settle();
+        const int narrower = verdict->width();
+        QVERIFY(narrower < dragged - 20);
+        bench.window->resize(1100, 768);
+        bench.settle();
+        bench.window->resize(1366, 768);
+        bench.settle();
+        QTest::qWait(60);
+        QCOMPARE(verdict->width(), narrower);
     }
 
     void aThemeSwitchLeavesTheLayoutAsItIs() {

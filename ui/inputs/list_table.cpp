@@ -44,7 +44,6 @@ void setUpView(QTableView& view) {
     view.setTabKeyNavigation(true);
     view.setWordWrap(false);
     view.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    view.verticalHeader()->setDefaultSectionSize(view.fontMetrics().height() + 10);
 }
 
 } // namespace
@@ -81,6 +80,7 @@ void ListTable::setUp() {
     m_view->installEventFilter(this);
     m_view->setHorizontalHeader(m_header);
     setUpView(*m_view);
+    ListTable::fitRows();
     m_title->setTextFormat(Qt::PlainText);
     m_title->setBuddy(m_view);
     m_reasons->setObjectName(QStringLiteral("reasons"));
@@ -328,6 +328,14 @@ void ListTable::showPath(const std::string& path, bool focus) {
     }
 }
 
+void ListTable::fitRows() {
+    setRowHeight(m_view->fontMetrics().height() + 10);
+}
+
+void ListTable::setRowHeight(int height) {
+    m_view->verticalHeader()->setDefaultSectionSize(height);
+}
+
 void ListTable::fitHeight() {
     m_view->setVisible(rows() > 0);
     // Of what is sure: the viewport changes with each scroll bar that comes and goes.
@@ -398,6 +406,10 @@ void ListTable::showMenu(const QPoint& at) {
 }
 
 bool ListTable::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_view && event->type() == QEvent::FontChange) {
+        fitRows();
+        fitHeight();
+    }
     if (watched == m_view && event->type() == QEvent::Resize) {
         const auto* resize = static_cast<const QResizeEvent*>(event);
         if (resize->size().width() != resize->oldSize().width()) {

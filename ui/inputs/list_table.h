@@ -67,7 +67,8 @@ protected:
     [[nodiscard]] virtual bool canRemove() const;
     [[nodiscard]] virtual bool canMove(int by) const;
 
-    void showTitleBold(); ///< of a table that is a group of its own
+    virtual void fitRows(); ///< to the size of the type, whenever that is another
+    void showTitleBold();   ///< of a table that is a group of its own
     [[nodiscard]] int currentRow() const;
     [[nodiscard]] int rows() const;
     [[nodiscard]] Document& document() const { return m_document; }
@@ -75,6 +76,8 @@ protected:
     void apply(Project project, EditText text, int selected);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+    void setRowHeight(int height);
 
 private:
     using Numbers = std::vector<std::optional<double>>;

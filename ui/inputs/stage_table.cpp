@@ -39,10 +39,14 @@ StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
     : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
     , m_stages(model) {
     setHelpTopic(*this, QStringLiteral("stages"));
-    view().verticalHeader()->setDefaultSectionSize(StageDelegate::rowHeight(view().fontMetrics()));
+    StageTable::fitRows();
     view().setWordWrap(true); // a spark-out takes two lines
     showTitleBold();
     retranslate();
+}
+
+void StageTable::fitRows() {
+    setRowHeight(StageDelegate::rowHeight(view().fontMetrics()));
 }
 
 void StageTable::setOutcome(const OutcomePtr& outcome) {

@@ -24,6 +24,7 @@ public:
     void clearCell() override;
 
 protected:
+    void fitRows() override;
     [[nodiscard]] Texts texts() const override;
     [[nodiscard]] bool canRemove() const override;
     [[nodiscard]] bool canMove(int by) const override;

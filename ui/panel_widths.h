@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QHash>
+#include <QList>
+#include <QObject>
+#include <QTimer>
+
+#include <vector>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace sparkout {
+
+/// Keeps the panels beside the views as wide as they were wanted. A view that needs much room, a
+/// narrow window or large type may press them; when there is room again they take it back. Wanted
+/// is what the program sets, and what the user drags a separator to.
+class PanelWidths : public QObject {
+    Q_OBJECT
+public:
+    PanelWidths(QMainWindow& window, QList<QDockWidget*> panels);
+
+    void want(QDockWidget* panel, int width); ///< now, or when there is room
+    void takeOver();                          ///< what they have is what is wanted
+    void takeOverWhenShown();                 ///< likewise, of a layout that was restored
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void restore();
+    [[nodiscard]] bool stands(const QDockWidget& panel) const; ///< beside the views, in sight
+    [[nodiscard]] std::vector<int> widths() const;
+
+    QMainWindow& m_window;
+    QList<QDockWidget*> m_panels;
+    QHash<const QDockWidget*, int> m_wanted;
+    QTimer m_later;             ///< when the layout has been made
+    std::vector<int> m_pressed; ///< widths when the mouse button went down
+    std::vector<int> m_tried;   ///< what was found when it was tried last
+    bool m_dragging = false;
+    bool m_restored = false; ///< the layout; it is taken over when it is in sight
+};
+
+} // namespace sparkout
