@@ -77,6 +77,49 @@ private slots:
         QVERIFY(plot.valueAxis(0)->range().contains(-16));
     }
 
+    // Six cells of a small window, as a plunge with many sections has them.
+    void narrowBarsAreNotErasedByTheirOutlines() {
+        CharacteristicSummary many;
+        many.characteristic = {"diameter", "µm", Zone::section, 0, -16.0, 0.0, 0x1p-6};
+        constexpr int bars = 40;
+        for (int i = 0; i < bars; ++i) {
+            const double low = -10 + 0.125 * i;
+            many.histogram.push_back({low, low + 0.125, 250});
+        }
+        many.histogram[20].count = 0;
+        HistogramPlot plot;
+        plot.setSummaries(std::vector(6, many));
+        for (const double perBar : {0.4, 1.0, 2.0, 3.0, 4.0, 8.0, 20.0}) { // pixels
+            plot.resize(900, 300);
+            plot.replot();
+            const double unit = plot.valueAxis(0)->axisRect()->width() / perBar * 0.125;
+            plot.valueAxis(0)->setRange(-7.5 - unit / 2, -7.5 + unit / 2);
+            for (int settling = 0; settling < 3; ++settling) { // the room of other numbers
+                plot.replot();
+            }
+            const QCPAxis& x = *plot.valueAxis(0);
+            const QCPAxis& y = *plot.countAxis(0);
+            const QImage image = plot.toPixmap(900, 300, 1).toImage();
+            const QRgb fill = plot.bars(0)->brush().color().rgb();
+            const auto coloured = [&](double from, double to) {
+                int found = 0, all = 0;
+                const QRect cell = x.axisRect()->rect();
+                const int row = qRound(y.coordToPixel(100));
+                for (int at = std::max(qRound(x.coordToPixel(from)), cell.left() + 3);
+                     at < std::min(qRound(x.coordToPixel(to)), cell.right() - 3); ++at, ++all) {
+                    found += image.pixel(at, row) == fill ? 1 : 0;
+                }
+                return all == 0 ? 1.0 : double(found) / all;
+            };
+            QVERIFY2(coloured(-9.9, -7.7) > (perBar < 6 ? 0.999 : 0.7),
+                     qPrintable(QStringLiteral("%1 px: %2").arg(perBar).arg(coloured(-9.9, -7.7))));
+            if (perBar >= 3) { // none stands where no part is
+                QVERIFY(coloured(-7.5 + 1.5 * 0.125 / perBar, -7.375 - 1.5 * 0.125 / perBar)
+                        < 0.01);
+            }
+        }
+    }
+
     void headingsAndAxesNameWhatIsShown() {
         const auto rows = diameters(60);
         HistogramPlot plot;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double barRoom = 0.05;     ///< beside the outermost bar or limit, of what is between them
 constexpr double countRoom = 1.08;   ///< above the highest bar
+constexpr double leastOutlined = 6;  ///< width of a bar with an outline [px]
 constexpr int valueTicks = 3;        ///< have room below narrow cells
 constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room for a name
 
@@ -29,6 +30,7 @@ HistogramPlot::HistogramPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
     retranslate();
     connect(this, &QCustomPlot::mouseMove, this, &HistogramPlot::onMouse);
+    connect(this, &QCustomPlot::afterLayout, this, &HistogramPlot::outline);
     setBuilt();
 }
 
@@ -86,9 +88,11 @@ void HistogramPlot::build(Cell& cell, int column) {
     cell.bars->setSelectable(QCP::stNone);
     QVector<double> at, counts;
     for (const HistogramBar& bar : cell.summary.histogram) {
-        at << (bar.low + bar.high) / 2;
-        counts << static_cast<double>(bar.count);
         cell.bars->setWidth(bar.high - bar.low);
+        if (bar.count > 0) { // nothing stands where none is, not even an outline
+            at << (bar.low + bar.high) / 2;
+            counts << static_cast<double>(bar.count);
+        }
     }
     cell.bars->setData(at, counts, true);
     const Characteristic& of = cell.summary.characteristic;
@@ -244,7 +248,6 @@ void HistogramPlot::restyle() {
             axis->setTickLabelFont(font());
             axis->setLabelFont(font());
         }
-        cell.bars->setPen(QPen(palette().color(QPalette::Base), 1));
         cell.bars->setBrush(colour(style::Hue::sky));
         for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
             if (limit) {
@@ -254,6 +257,18 @@ void HistogramPlot::restyle() {
         if (cell.mean) {
             cell.mean->setPen(QPen(colour(style::Hue::blue), 1.5, Qt::DashLine));
         }
+    }
+}
+
+/// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
+/// each at least a pixel wide.
+void HistogramPlot::outline() {
+    for (const Cell& cell : m_cells) {
+        const QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
+        const double width = cell.bars->width() / values.range().size() * cell.rect->width();
+        cell.bars->setPen(QPen(width < leastOutlined ? cell.bars->brush().color()
+                                                     : palette().color(QPalette::Base),
+                               1));
     }
 }
 

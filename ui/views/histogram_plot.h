@@ -58,6 +58,7 @@ private:
     [[nodiscard]] QCPItemStraightLine* addLine(const Cell& cell, double value);
     void link(const QCPAxis* moved);
     void show();
+    void outline();
     void onMouse(QMouseEvent* event);
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
