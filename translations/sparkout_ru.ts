@@ -8531,6 +8531,10 @@ mm/min</source>
             <translation>Проекты Sparkout (*.sparkout);;Все файлы (*)</translation>
         </message>
         <message>
+            <source>Opening %1</source>
+            <translation>Открывается %1</translation>
+        </message>
+        <message>
             <source>The file was not opened</source>
             <translation>Файл не открыт</translation>
         </message>

@@ -4,6 +4,7 @@
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/versions_dialog.h"
+#include "ui/dialogs/watched_work.h"
 #include "ui/notice_bar.h"
 #include "ui/recent_files_menu.h"
 #include "ui/session/document.h"
@@ -18,6 +19,7 @@
 #include <QGuiApplication>
 
 #include <algorithm>
+#include <stop_token>
 #include <utility>
 
 namespace sparkout {
@@ -120,7 +122,16 @@ bool FileCommands::openFile(const QString& given) {
         return false;
     }
     LoadedProject loaded;
-    aside([&] { loaded = loadProject(path); });
+    std::stop_source stop;
+    m_busy = true;
+    const bool read = runWatched(
+        m_window, tr("Opening %1").arg(QFileInfo(path).fileName()),
+        [&](const KeepGoing&) { loaded = loadProject(path, stop.get_token()); }, stop);
+    m_busy = false;
+    if (!read) {
+        m_guard.dropClaim();
+        return false;
+    }
     if (loaded.project) {
         take(std::move(loaded), path, *opening);
         return true;

@@ -74,9 +74,9 @@ void reportMissing(const std::vector<MissingKey>& missing, const Project& projec
 }
 
 /// What a kept run was run with is a project of its own.
-void checkRuns(const Project& project, Issues& issues) {
-    for (std::size_t i = 0; i < project.runs.size(); ++i) {
-        for (Issue& issue : readProject(project.runs[i].inputs.text).issues) {
+void checkRuns(const Project& project, Issues& issues, const std::stop_token& stop) {
+    for (std::size_t i = 0; i < project.runs.size() && !stop.stop_requested(); ++i) {
+        for (Issue& issue : readProject(project.runs[i].inputs.text, stop).issues) {
             if (issue.severity == Severity::error && issues.size() < limits::issues) {
                 issue.path = "/runs/" + std::to_string(i) + "/inputs" + issue.path;
                 issues.push_back(std::move(issue));
@@ -93,9 +93,16 @@ bool isReported(const Issues& issues, const std::string& path) {
 } // namespace
 
 ReadResult readProject(std::string_view text) {
+    return readProject(text, {});
+}
+
+ReadResult readProject(std::string_view text, const std::stop_token& stop) {
     ReadResult result;
     Issues& issues = result.issues;
-    const auto root = parseStrictly(text, issues);
+    const auto root = parseStrictly(text, issues, stop);
+    if (stop.stop_requested()) {
+        return {};
+    }
     if (!root) {
         return result;
     }
@@ -112,7 +119,10 @@ ReadResult readProject(std::string_view text) {
     const bool readable = !hasErrors(issues);
     // A kept run is a record. Faults in one, as an older or stricter version may see them, cost
     // neither the record nor the work around it.
-    checkRuns(project, issues);
+    checkRuns(project, issues, stop);
+    if (stop.stop_requested()) {
+        return {};
+    }
     reportMissing(missing, project, operationKnown, true, issues);
     // A value that could not be read is reported already; its rest of a default is not judged.
     const Issues unread = issues;

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,9 @@ struct ReadResult {
 
 /// Reads and validates a project text. All faults at once.
 [[nodiscard]] ReadResult readProject(std::string_view text);
+
+/// The same; a stop leaves nothing: neither a project nor issues.
+[[nodiscard]] ReadResult readProject(std::string_view text, const std::stop_token& stop);
 
 /// The text of a project: same project, same bytes. Numbers in the shortest digits that read
 /// back to the same double.

@@ -20,7 +20,7 @@ using nlohmann::json;
 /// Builds the value and refuses what the limits do not allow, before it is built.
 class Builder : public nlohmann::json_sax<json> {
 public:
-    explicit Builder(Issues& issues) : m_issues(issues) {}
+    Builder(Issues& issues, const std::stop_token& stop) : m_issues(issues), m_stop(stop) {}
 
     json root;
     bool syntaxError = false;
@@ -118,7 +118,7 @@ private:
 
     bool count() {
         if (++m_values <= limits::values) {
-            return true;
+            return !m_stop.stop_requested();
         }
         m_issues.push_back(
             {IssueCode::tooManyValues, Severity::error, {}, {}, std::to_string(limits::values)});
@@ -144,6 +144,7 @@ private:
     }
 
     Issues& m_issues;
+    const std::stop_token& m_stop;
     std::vector<Open> m_open;
     std::size_t m_values = 0;
 };
@@ -223,7 +224,8 @@ std::string shortened(std::string text) {
 
 } // namespace
 
-std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
+std::optional<json> parseStrictly(std::string_view text, Issues& issues,
+                                  const std::stop_token& stop) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         issues.push_back({IssueCode::empty, Severity::error, {}, {}, {}});
         return std::nullopt;
@@ -241,7 +243,7 @@ std::optional<json> parseStrictly(std::string_view text, Issues& issues) {
         issues.push_back(notJson(text, nul + 1));
         return std::nullopt;
     }
-    Builder builder(issues);
+    Builder builder(issues, stop);
     const bool parsed = json::sax_parse(text.begin(), text.end(), &builder);
     if (builder.syntaxError) {
         issues.push_back(notJson(text, builder.errorPosition));

@@ -6,14 +6,16 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
 namespace sparkout {
 
 /// Parses JSON within the limits of project_file.h: UTF-8, no duplicate keys, bounded depth,
-/// count and strings. Nothing when an issue makes the text unreadable.
-[[nodiscard]] std::optional<nlohmann::json> parseStrictly(std::string_view text, Issues& issues);
+/// count and strings. Nothing when an issue makes the text unreadable, or when it was stopped.
+[[nodiscard]] std::optional<nlohmann::json> parseStrictly(std::string_view text, Issues& issues,
+                                                          const std::stop_token& stop = {});
 
 /// Prints JSON for people: shortest numbers, an array or object that fits stands on one line.
 [[nodiscard]] std::string printJson(const nlohmann::ordered_json& value);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever the program is called with and wherever: outputs, environments, folders, arguments.
+#include "tests/check_line.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"
 
@@ -245,8 +246,14 @@ private slots:
         for (const auto& [path, text] : projects) {
             QCOMPARE(samples::readText(path.toStdString()), text);
         }
-        qInfo("CHECK 28 jobs %d: done %d, refused %d, usage %d, no size %d, fails %d PASS", jobs,
-              statuses[0], statuses[1], statuses[2], statuses[3], statuses[4]);
+        checkLine("28", jobs, asked(1000, jobs), jobs >= asked(1000, jobs),
+                  QStringLiteral("random command lines: done %1, refused %2, usage %3, no size %4, "
+                                 "cannot be done %5; none killed, no file changed")
+                      .arg(statuses[0])
+                      .arg(statuses[1])
+                      .arg(statuses[2])
+                      .arg(statuses[3])
+                      .arg(statuses[4]));
     }
 
 private:

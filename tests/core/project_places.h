@@ -53,6 +53,15 @@ public:
         return text;
     }
 
+    /// How many rows and forms there are to be seen.
+    static std::size_t leaves() {
+        std::size_t count = 0;
+        for (const samples::Place& place : samples::places()) {
+            count += formsOf(*place.field).size();
+        }
+        return count;
+    }
+
 private:
     static std::vector<const char*> formsOf(const Field& field) {
         switch (field.kind) {

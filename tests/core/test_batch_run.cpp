@@ -3,6 +3,7 @@
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_summary.h"
 
+#include "tests/check_line.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
 
@@ -54,6 +55,8 @@ private slots:
         const std::string one = writeBatchState(runWith(project, 1));
         QCOMPARE(writeBatchState(runWith(project, 2)), one);
         QCOMPARE(writeBatchState(runWith(project, 5)), one);
+        checkLine("18", 3, 3, true,
+                  QStringLiteral("numbers of threads (1, 2, 5) with the same bits of a batch"));
     }
 
     void partsInAnyOrderGiveTheSameBits() {

@@ -3,6 +3,7 @@
 #include "core/process/compliance.h"
 
 #include "core/process/system_compliance.h"
+#include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/shafts.h"
 #include "tests/registry.h"
@@ -22,7 +23,17 @@ using fixtures::close;
 class TestCompliance : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_held;
+
 private slots:
+    void cleanup() { m_held.count(); }
+    void cleanupTestCase() {
+        m_held.print(
+            "11",
+            QStringLiteral(
+                "closed forms and published numbers of compliance, to the tolerance beside each"));
+    }
+
     void alongTheShaftTheTermsAreThoseOfEachPlace() {
         Project project = fixtures::traverse();
         project.machine.compliance_mm_per_n = std::monostate();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on whole cycles: what each radius, section and stage does by itself,
 // when stages end, and how results add up; held against 10,000 random cycles each.
+#include "tests/check_line.h"
 #include "tests/core/random_cycles.h"
 #include "tests/registry.h"
 
@@ -14,7 +15,15 @@ using namespace random_cycles;
 class TestCycleProperties : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_held;
+
 private slots:
+    void cleanup() { m_held.count(); }
+    void cleanupTestCase() {
+        m_held.print("14", QStringLiteral("laws of whole cycles, each on %1 random ones")
+                               .arg(QString::fromUtf8(qgetenv("RC_PARAMS").split('=').last())));
+    }
+
     void initTestCase() { setRapidcheckRuns(10000); }
 
     // --- one radius, one section, one run at a time ----------------------------------------------

@@ -3,6 +3,7 @@
 #include "core/project/project_file.h"
 #include "core/project/safe_file.h"
 #include "core/project/validate.h"
+#include "tests/check_line.h"
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
 
@@ -122,11 +123,13 @@ private slots:
         const double peak = peakMemory_mb();
         const bool judged = !std::getenv("SPARKOUT_QUICK"); // the sanitizers need memory themselves
         const bool small = peak < 512 && m_slowest_ms < 2000;
-        qInfo("CHECK 07 rows %zu (>= 150), slowest %lld ms (< 2000), peak %.0f MB (< 512) %s",
-              m_texts.size(), m_slowest_ms, peak,
-              !judged ? "NOT JUDGED"
-              : small ? "PASS"
-                      : "FAIL");
+        checkLine(
+            "07", double(m_texts.size()), 150, !judged || (small && m_texts.size() >= 150),
+            QStringLiteral("hostile files answered as documented: slowest %1 ms (below 2000), "
+                           "peak %2 MB (below 512%3)")
+                .arg(m_slowest_ms)
+                .arg(peak, 0, 'f', 0)
+                .arg(judged ? QString() : QStringLiteral(", not judged here")));
         QVERIFY(!judged || small);
     }
 
@@ -139,7 +142,9 @@ private slots:
                 return;
             }
         }
-        qInfo("CHECK 05 cuts %zu, slowest %lld us PASS", whole.size(), slowest_us);
+        checkLine("05", double(whole.size()), double(whole.size()), slowest_us < 1'000'000,
+                  QStringLiteral("bytes of a sample, cut at each: no crash, slowest %1 µs")
+                      .arg(slowest_us));
     }
 
     void everyBitFlipped() {
@@ -155,7 +160,10 @@ private slots:
                 return;
             }
         }
-        qInfo("CHECK 05 bits %zu, slowest %lld us PASS", 8 * text.size() / step, slowest_us);
+        checkLine(
+            "05", double(8 * text.size() / step), asked(double(8 * text.size()), 0),
+            slowest_us < 1'000'000 && (step == 1 || asked(1, 0) == 0),
+            QStringLiteral("bits of the sample flipped: no crash, slowest %1 µs").arg(slowest_us));
     }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The laws of MODEL-2…7 and 11 on the balance, the forces and their limits, held against random
 // cycles: 10,000 each, see rapidcheck_runs.h.
+#include "tests/check_line.h"
 #include "tests/core/random_cycles.h"
 #include "tests/registry.h"
 
@@ -14,7 +15,25 @@ using namespace random_cycles;
 class TestModelProperties : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_held;
+
 private slots:
+    void cleanup() {
+        m_held.count();
+        const std::string law = QTest::currentTestFunction();
+        if (law == "removedMaterialIsTheDifferenceOfBlankAndPart"
+            || law == "everyCutBalancesInfeedAgainstRemovalAndDeflection") {
+            const int cycles = qgetenv("RC_PARAMS").split('=').last().toInt();
+            checkLine("13", cycles, asked(10'000, cycles),
+                      !QTest::currentTestFailed() && cycles >= asked(10'000, cycles),
+                      QStringLiteral("random cycles: ") + QString::fromStdString(law));
+        }
+    }
+    void cleanupTestCase() {
+        m_held.print("14", QStringLiteral("laws of single cuts and passes, each on %1 random ones")
+                               .arg(QString::fromUtf8(qgetenv("RC_PARAMS").split('=').last())));
+    }
+
     void initTestCase() { setRapidcheckRuns(10000); }
 
     // --- the elastic balance ---------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wrong with a project file is named, all at once, with path, value and what is allowed.
 #include "core/project/range_check.h"
+#include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/project_places.h"
 #include "tests/registry.h"
@@ -13,7 +14,15 @@ using namespace project_places;
 class TestProjectFaults : public QObject {
     Q_OBJECT
 
+    int m_limits = 0;
+
 private slots:
+    void cleanupTestCase() {
+        checkLine("16", m_limits, m_limits, m_limits > 100,
+                  QStringLiteral("limits of inputs: at them taken, one step beyond and at ±1e300 "
+                                 "refused with path, value and range"));
+    }
+
     void initTestCase() { setRapidcheckRuns(1000); }
 
     // --- required keys --------------------------------------------------------------------------
@@ -222,6 +231,7 @@ private slots:
                            && issue.value.starts_with(numberText(x));
                 });
             };
+            m_limits += 2;
             QVERIFY(!refuses(hard.high));
             QVERIFY(refuses(above(hard.high)));
             QVERIFY(refuses(1e300));

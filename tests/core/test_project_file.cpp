@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is written is read again, to the last bit and byte.
+#include "tests/check_line.h"
 #include "tests/core/project_places.h"
 #include "tests/registry.h"
+
+#include <algorithm>
 
 namespace test_project_file {
 
@@ -70,14 +73,24 @@ private slots:
                 }
             }
         }
+        const std::string missing = coverage.missing();
+        const auto missed = std::ranges::count(missing, '\n');
+        const auto leaves = coverage.leaves();
+        checkLine("04", 100.0 * double(leaves - missed) / double(leaves), 100,
+                  step > 1 || missed == 0,
+                  QStringLiteral("% of the %1 leaves and their forms away from the default, saved, "
+                                 "opened and saved: the same bytes")
+                      .arg(leaves));
         if (step == 1) {
-            QCOMPARE(coverage.missing(), std::string());
+            QCOMPARE(missing, std::string());
         }
     }
 
     void randomProjectsRoundTripByteForByte() {
         Coverage coverage;
+        int projects = 0;
         QVERIFY(rc::check("write, read, write", [&] {
+            ++projects;
             Project project = samples::project(*rc::gen::elementOf(samples::names()));
             Mutator mutator(fromSeed(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>())));
             mutator.mutate(project, 60);
@@ -87,6 +100,8 @@ private slots:
                 RC_FAIL(fault);
             }
         }));
+        checkLine("04", projects, asked(1000, projects), projects >= asked(1000, projects),
+                  QStringLiteral("random valid projects saved, opened and saved: the same bytes"));
         if (!std::getenv("SPARKOUT_QUICK")) {
             QCOMPARE(coverage.missing(), std::string());
         }

@@ -4,6 +4,7 @@
 #include "core/quality/shop_numbers.h"
 #include "core/simulation/simulate.h"
 
+#include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/core/random_project.h"
 #include "tests/core/reference_simulation.h"
@@ -284,6 +285,12 @@ private slots:
         if (m_statuses.empty()) {
             QSKIP("nothing was compared in this run");
         }
+        const int compared = projects() / stride();
+        checkLine(
+            "15", compared, asked(1000, compared), !QTest::currentTestFailed(),
+            QStringLiteral("random projects on which the engine and the second implementation "
+                           "agree, %1 of them to size")
+                .arg(m_statuses["completed"]));
         const int least = projects() / stride() / 100;
         QVERIFY2(m_statuses["completed"] >= least,
                  qPrintable(QString::number(m_statuses["completed"])));

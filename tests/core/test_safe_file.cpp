@@ -71,6 +71,7 @@ using Names = std::vector<std::string>;
 class TestSafeFile : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_kinds;
     fs::path m_folder;
     fs::path file(const std::string& name = "part.sparkout") const { return m_folder / name; }
 
@@ -83,6 +84,11 @@ private slots:
         std::error_code ignored;
         ::chmod(m_folder.c_str(), 0700);
         fs::remove_all(m_folder, ignored);
+        if (std::string(QTest::currentTestFunction()).starts_with("kind"))
+            m_kinds.count();
+    }
+    void cleanupTestCase() {
+        m_kinds.print("03", QStringLiteral("cases of the 12 kinds of targets as documented"));
     }
 
     // Ordinary life
@@ -120,8 +126,8 @@ private slots:
         // In a child: who dropped root's rights may not be able to come back to where it was.
         const pid_t child = ::fork();
         if (child == 0) {
-            const bool written = ::chdir(m_folder.c_str()) == 0
-                                 && !writeFileSafely("вал 30h6.sparkout", "new");
+            const bool written =
+                ::chdir(m_folder.c_str()) == 0 && !writeFileSafely("вал 30h6.sparkout", "new");
             ::_exit(written ? 0 : 1);
         }
         int status = -1;
@@ -390,8 +396,8 @@ namespace {
 
 constexpr uid_t nobody = 65534;
 
-/// A sticky folder with a file and a device that nobody could not make. The tests start where root's
-/// home would have them start: in a folder that nobody cannot come back to.
+/// A sticky folder with a file and a device that nobody could not make. The tests start where
+/// root's home would have them start: in a folder that nobody cannot come back to.
 bool prepareAsRoot() {
     rootsFolder = makeFolder();
     put(rootsFolder / "foreign", "old");
@@ -429,3 +435,4 @@ int main(int argc, char** argv) {
 }
 
 #include "test_safe_file.moc"
+#include "tests/check_line.h"

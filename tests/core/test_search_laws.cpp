@@ -8,6 +8,7 @@
 #include "core/optimisation/robust.h"
 #include "core/simulation/stage_control.h"
 
+#include "tests/check_line.h"
 #include "tests/core/search_checks.h"
 #include "tests/registry.h"
 
@@ -46,7 +47,14 @@ std::vector<Project> changingParts(const Project& best, int draw) {
 class TestSearchLaws : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_held;
+
 private slots:
+    void cleanup() { m_held.count(); }
+    void cleanupTestCase() {
+        m_held.print("14", QStringLiteral("laws of the best cycle of random grids"));
+    }
+
     // Each requirement that binds, dropped or loosened, lets a quicker cycle of the grid in.
     void whatBindsBreaksInAQuickerCycle() {
         int bound = 0;

@@ -4,6 +4,7 @@
 #include "core/simulation/simulate.h"
 
 #include "core/process/force.h"
+#include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
 
@@ -91,7 +92,14 @@ constexpr int steady = 400;
 class TestVectors : public QObject {
     Q_OBJECT
 
+    HeldFunctions m_held;
+
 private slots:
+    void cleanup() { m_held.count(); }
+    void cleanupTestCase() {
+        m_held.print("17", QStringLiteral("whole cycles and tables of a separate program"));
+    }
+
     void everyVectorIsThere() {
         const QStringList files = QDir(vectorsFolder()).entryList({"*.json"});
         QVERIFY2(files.filter("traverse").size() >= 5, qPrintable(files.join(' ')));

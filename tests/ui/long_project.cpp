@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/long_project.h"
 
+#include "core/project/project_file.h"
 #include "ui/session/operation.h"
 #include "ui/session/run_controller.h"
 
@@ -22,6 +23,26 @@ Project longProject(int sections) {
     stage.radial_feed_mm_min = 0.04;
     stage.stock_mm = project.part.stock_mm;
     stage.spark_out = {};
+    return project;
+}
+
+Project projectOfPages(Project project, int pages) {
+    constexpr int valuesOfPage = 300; // some 250 go on one
+    project.batch->parts = 24;
+    project.batch->factors = {};
+    auto& values = project.batch->factors.stock_mm.emplace().measured.emplace();
+    for (int i = 0; i < pages * valuesOfPage; ++i) {
+        values.push_back(0.14 + 1e-8 * i);
+    }
+    return project;
+}
+
+Project projectOfRuns(Project project, int runs) {
+    project.runs.clear();
+    const std::string inputs = writeProject(project);
+    for (int i = 0; i < runs; ++i) {
+        project.runs.push_back({"run " + std::to_string(i), "", "", {inputs}, {"{}"}});
+    }
     return project;
 }
 

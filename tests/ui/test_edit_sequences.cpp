@@ -7,6 +7,7 @@
 #include "ui/session/texts.h"
 
 #include "core/project/project_file.h"
+#include "tests/check_line.h"
 #include "tests/core/project_mutator.h"
 #include "tests/registry.h"
 
@@ -116,7 +117,7 @@ class TestEditSequences : public QObject {
 
 private slots:
     void allUndoneIsTheBeginningAndAllRedoneTheEnd() {
-        const int sequences = samples::sized(15, 4, 100);
+        const int sequences = samples::sized(15, 4, 1000);
         int steps = 0, runs = 0, failedRuns = 0, saves = 0;
         for (int seed = 0; seed < sequences; ++seed) {
             Sequence sequence(static_cast<std::uint64_t>(seed));
@@ -152,6 +153,20 @@ private slots:
         qInfo("%d sequences of %d commands: %d steps undone and redone, %d saves, %d runs, %d of "
               "them without a result; hashes equal both ways",
               sequences, commands, steps, saves, runs, failedRuns);
+        checkLine("04", sequences, asked(1000, sequences),
+                  sequences >= asked(1000, sequences) && saves > sequences && failedRuns > 0,
+                  QStringLiteral("random sequences of %1 edits, runs (%2, %3 of them without a "
+                                 "result), undos and saves: %4 saves opened as the same")
+                      .arg(commands)
+                      .arg(runs)
+                      .arg(failedRuns)
+                      .arg(saves));
+        checkLine(
+            "25", sequences, asked(100, sequences), sequences >= asked(100, sequences),
+            QStringLiteral("sequences of %1 commands: %2 steps all undone and all redone, the "
+                           "same hash at each, both ways")
+                .arg(commands)
+                .arg(steps));
         QVERIFY(steps > 15 * sequences && saves > sequences && failedRuns > 0 && failedRuns < runs);
     }
 };

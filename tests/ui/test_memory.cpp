@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Check 23: the window opens, computes, draws and drops projects again and again.
+#include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
 #include "ui/view_tabs.h"
@@ -75,6 +76,12 @@ private slots:
                 qInfo("MEMORY %d rounds after %d: %.2f MB resident, %+.2f MB; %lld objects, %+lld",
                       round - warmUps, warmUps, after_mb, after_mb - before_mb, objects,
                       lastingObjects(*bench.window) - objects);
+                checkLine("23", after_mb - before_mb, allowed_mb,
+                          after_mb - before_mb <= allowed_mb
+                              && lastingObjects(*bench.window) <= objects,
+                          QStringLiteral("MB more after %1 rounds of opening, running and showing, "
+                                         "as many objects as before")
+                              .arg(round - warmUps));
                 QVERIFY(objects > 0 && before_mb > 0);
                 QVERIFY(lastingObjects(*bench.window) <= objects);
                 QVERIFY2(after_mb - before_mb <= allowed_mb, qPrintable(QString::number(after_mb)));

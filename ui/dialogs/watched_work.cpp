@@ -37,7 +37,7 @@ public:
         auto* label = new QLabel(text);
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
-        m_bar->setRange(0, steps);
+        m_bar->setRange(0, 0); // busy, until it is known how far
         m_bar->setMinimumWidth(barWidth);
         m_bar->setAccessibleName(tr("Progress"));
         auto* stop = new QPushButton(tr("&Stop"));
@@ -51,7 +51,10 @@ public:
         column->addWidget(label);
         column->addLayout(row);
     }
-    void show(double share) { m_bar->setValue(static_cast<int>(share * steps)); }
+    void show(double share) {
+        m_bar->setRange(0, share > 0 ? steps : 0);
+        m_bar->setValue(static_cast<int>(share * steps));
+    }
 
 private:
     QProgressBar* m_bar;
@@ -72,13 +75,12 @@ void waitAMoment(QThread& thread) {
 } // namespace
 
 bool runWatched(QWidget* window, const QString& text,
-                const std::function<void(const KeepGoing&)>& work) {
+                const std::function<void(const KeepGoing&)>& work, std::stop_source stop) {
     std::atomic<double> share = 0;
-    std::atomic<bool> stopped = false;
     const std::unique_ptr<QThread> thread(QThread::create([&] {
         work([&](double done) {
             share = done;
-            return !stopped;
+            return !stop.stop_requested();
         });
     }));
     thread->start();
@@ -92,11 +94,11 @@ bool runWatched(QWidget* window, const QString& text,
         QObject::connect(thread.get(), &QThread::finished, &dialog, &QDialog::accept);
         ticks.start(tick_ms);
         if (!thread->isFinished() && dialog.exec() == QDialog::Rejected) {
-            stopped = true;
+            stop.request_stop();
         }
         thread->wait();
     }
-    return !stopped;
+    return !stop.stop_requested();
 }
 
 } // namespace sparkout

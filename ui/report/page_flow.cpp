@@ -80,7 +80,7 @@ double rowHeight(const QStringList& cells, const std::vector<double>& widths, co
 
 } // namespace
 
-PageFlow::PageFlow(const Report& report, QSizeF area)
+PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing)
     : m_report(report)
     , m_area(area)
     , m_top(2 * smallSize * 10 + gap / 2)
@@ -92,6 +92,9 @@ PageFlow::PageFlow(const Report& report, QSizeF area)
             need(headingRoom + together(report.blocks[i + 1]));
         }
         std::visit(*this, report.blocks[i]);
+        if (!keepGoing(double(i + 1) / double(report.blocks.size()))) {
+            break;
+        }
     }
     addMargins();
 }

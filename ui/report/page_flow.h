@@ -17,7 +17,7 @@ namespace sparkout::report {
 class PageFlow {
 public:
     using Paint = std::function<void(QPainter&)>;
-    PageFlow(const Report& report, QSizeF area);
+    PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing);
     [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
     [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
 

@@ -43,14 +43,18 @@ QByteArray xmp(const Report& report) {
         .toUtf8();
 }
 
-bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last) {
+constexpr double layoutShare = 0.3; ///< of the time a PDF takes, about
+
+bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last,
+                const KeepGoing& keepGoing = {}) {
     QPainter painter;
     if (!painter.begin(&device)) {
         return false;
     }
     const double scale = device.logicalDpiX() / Pages::unitsPerInch;
     for (int page = first; page <= last; ++page) {
-        if (page > first && !device.newPage()) {
+        const double share = layoutShare + (1 - layoutShare) * (page - first) / (last - first + 1);
+        if ((keepGoing && !keepGoing(share)) || (page > first && !device.newPage())) {
             return false;
         }
         painter.save();
@@ -62,8 +66,10 @@ bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int la
 }
 } // namespace
 
-Pages::Pages(const Report& report, QSizeF area_units) {
-    PageFlow flow(report, area_units);
+Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing) {
+    PageFlow flow(report, area_units, [&keepGoing](double share) {
+        return !keepGoing || keepGoing(share * layoutShare);
+    });
     m_pages = flow.takePages();
     m_marks = flow.takeMarks();
 }
@@ -96,7 +102,7 @@ bool printPages(const Pages& pages, QPrinter& printer) {
     return paintRange(pages, printer, first, last);
 }
 
-QByteArray pdf(const Report& report) {
+QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly)) {
@@ -110,13 +116,13 @@ QByteArray pdf(const Report& report) {
         writer.setResolution(pdfResolution);
         setUpPaper(writer);
         writer.setDocumentXmpMetadata(xmp(report));
-        const Pages pages(report, areaOf(writer));
+        const Pages pages(report, areaOf(writer), keepGoing);
         const double top_pt = writer.pageLayout().margins(QPageLayout::Point).top();
         for (const Pages::Mark& mark : pages.marks()) {
             details.outline.push_back(
                 {mark.text, mark.page, top_pt + mark.y * pointsPerInch / Pages::unitsPerInch});
         }
-        painted = paintRange(pages, writer, 0, pages.count() - 1);
+        painted = paintRange(pages, writer, 0, pages.count() - 1, keepGoing);
     }
     return painted ? withDetails(bytes, details) : QByteArray();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/report/report.h"
+#include "ui/session/sheet.h"
 
 #include <QByteArray>
 
@@ -21,7 +22,8 @@ class Pages {
 public:
     static constexpr double unitsPerInch = 720; ///< tenths of a point
 
-    Pages(const Report& report, QSizeF area_units); ///< of the paper within its margins
+    /// The area is that of the paper within its margins. Stopped, it has the pages begun so far.
+    Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing = {});
 
     /// Headings where they stand, counted from the top of the area [units].
     struct Mark {
@@ -47,7 +49,8 @@ void setUpPaper(QPagedPaintDevice& device);
 /// Paints the pages, or those of them the printer is asked for; false when it fails. In any thread.
 [[nodiscard]] bool printPages(const Pages& pages, QPrinter& printer);
 
-/// With embedded fonts, an outline and its properties; empty when it could not be made.
-[[nodiscard]] QByteArray pdf(const Report& report);
+/// With embedded fonts, an outline and its properties; empty when it could not be made or was
+/// stopped.
+[[nodiscard]] QByteArray pdf(const Report& report, const KeepGoing& keepGoing = {});
 
 } // namespace sparkout::report

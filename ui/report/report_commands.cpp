@@ -162,8 +162,9 @@ void ReportCommands::exportReport(report::Kind kind, report::Format format) {
                         fileNameOf({report->title, report->subject}),
                         {},
                         {},
-                        [&]() -> std::function<QByteArray()> {
-                            return [kept = *report, format] { return bytesOf(kept, format); };
+                        {},
+                        [&](const KeepGoing& keepGoing) {
+                            return bytesOf(*report, format, keepGoing);
                         }};
     switch (format) {
     case report::Format::pdf:

@@ -249,9 +249,9 @@ std::optional<Format> formatOf(const QString& path) {
     return {};
 }
 
-QByteArray bytesOf(const Report& report, Format format) {
+QByteArray bytesOf(const Report& report, Format format, const KeepGoing& keepGoing) {
     switch (format) {
-    case Format::pdf: return pdf(report);
+    case Format::pdf: return pdf(report, keepGoing);
     case Format::html: return html(report);
     case Format::markdown: return markdown(report);
     }

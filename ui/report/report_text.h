@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/report/report.h"
+#include "ui/session/sheet.h"
 
 #include <QByteArray>
 
@@ -19,7 +20,8 @@ namespace sparkout::report {
 enum class Format { pdf, html, markdown };
 [[nodiscard]] std::optional<Format> formatOf(const QString& path);
 
-/// Empty when it could not be made.
-[[nodiscard]] QByteArray bytesOf(const Report& report, Format format);
+/// Empty when it could not be made, or was stopped: pages are, the other formats are quick.
+[[nodiscard]] QByteArray bytesOf(const Report& report, Format format,
+                                 const KeepGoing& keepGoing = {});
 
 } // namespace sparkout::report

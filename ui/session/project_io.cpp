@@ -39,23 +39,26 @@ QByteArray contentHash(std::string_view bytes) {
                                     QCryptographicHash::Sha256);
 }
 
-LoadedProject parseProject(std::string_view text) {
+LoadedProject parseProject(std::string_view text, const std::stop_token& stop) {
     LoadedProject loaded;
-    ReadResult parsed = readProject(text);
+    ReadResult parsed = readProject(text, stop);
+    if (stop.stop_requested()) {
+        return loaded;
+    }
     loaded.issues = std::move(parsed.issues);
     loaded.project = std::move(parsed.project ? parsed.project : parsed.unfinished);
     loaded.hash = contentHash(text);
     return loaded;
 }
 
-LoadedProject loadProject(const QString& path) {
+LoadedProject loadProject(const QString& path, const std::stop_token& stop) {
     const auto read = readFile(systemPath(path), limits::fileBytes);
     if (const auto* error = std::get_if<FileError>(&read)) {
         LoadedProject failed;
         failed.error = *error;
         return failed;
     }
-    return parseProject(std::get<std::string>(read));
+    return parseProject(std::get<std::string>(read), stop);
 }
 
 SavedProject saveProject(const Project& project, const QString& path, WriteOptions options) {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string_view>
 
 /// Project files in and out, as plain functions of values: they may run in any thread.
@@ -29,8 +30,9 @@ struct LoadedProject {
     QByteArray hash; ///< of the bytes read
 };
 
-[[nodiscard]] LoadedProject parseProject(std::string_view text);
-[[nodiscard]] LoadedProject loadProject(const QString& path);
+/// A stop leaves nothing: neither a project, nor issues, nor an error.
+[[nodiscard]] LoadedProject parseProject(std::string_view text, const std::stop_token& stop = {});
+[[nodiscard]] LoadedProject loadProject(const QString& path, const std::stop_token& stop = {});
 
 struct SavedProject {
     std::optional<FileError> error;
