@@ -34,7 +34,7 @@ CHECKS = {
     "04": ("Round trip", "1,000 random projects and every leaf away from its default: the same bytes; "
            "also after 1,000 random sequences of edits and runs, failed ones among them", None),
     "05": ("Cut and flipped files", "cut at every byte, every bit flipped: no crash, none above 1 s",
-           "the sample has 4 KB; the file has no checksum, so that a flip which leaves a valid "
+           "the sample has 3 KB; the file has no checksum, so that a flip which leaves a valid "
            "project is read as one"),
     "06": ("Fuzzing", "libFuzzer with sanitizers, 3,000,000 runs for each reader",
            "not done: no fuzzer is in the tree"),

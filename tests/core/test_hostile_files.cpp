@@ -160,9 +160,10 @@ private slots:
                 return;
             }
         }
+        const auto bits = double(8 * text.size()), flipped = double(8 * text.size() / step);
         checkLine(
-            "05", double(8 * text.size() / step), asked(double(8 * text.size()), 0),
-            slowest_us < 1'000'000 && (step == 1 || asked(1, 0) == 0),
+            "05", flipped, asked(bits, flipped),
+            slowest_us < 1'000'000 && flipped >= asked(bits, flipped),
             QStringLiteral("bits of the sample flipped: no crash, slowest %1 µs").arg(slowest_us));
     }
 

@@ -2,6 +2,7 @@
 // The safe writer in ordinary life and on odd targets. Injected faults, kills and full disks are
 // in safe_file_faults.py. Root may do everything, so as root the tests run as the user nobody.
 #include "core/project/safe_file.h"
+#include "tests/check_line.h"
 
 #include <QTest>
 
@@ -435,4 +436,3 @@ int main(int argc, char** argv) {
 }
 
 #include "test_safe_file.moc"
-#include "tests/check_line.h"
