@@ -2,6 +2,7 @@
 // The laws that hold for the best cycle of any grid: what binds, what a limit, a stage or a
 // scenario does to its time, and that none is quicker than the stepless one.
 #include "core/optimisation/binding.h"
+#include "core/optimisation/cost.h"
 #include "core/optimisation/cycle_runner.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
@@ -15,6 +16,7 @@
 #include <QTest>
 
 #include <numbers>
+#include <set>
 
 namespace test_search_laws {
 
@@ -163,6 +165,68 @@ private slots:
         const double kt = p.material.shear_strain * 2000 * Vd / Vk;         // N/mm²
         const double a = 2000 / (40 * kt * Vk);                             // W/(mm·N/mm²·m/s)
         QVERIFY(fixtures::close(steplessLimit_s(p), 0.2 / a / 3, 1e-6));
+    }
+
+    // The drawing's slack is the verdict's, also where a cycle is given up behind its last step.
+    void aDiameterWithinTheSlackOfItsFieldIsNotCutOff() {
+        Project p = fixtures::plunge();
+        p.material.burn_rise_k.reset();
+        p.part.target_diameter_mm = 30;
+        p.part.upper_deviation_um = 100;
+        p.part.lower_deviation_um = -100;
+        p.optimisation = Optimisation{};
+        p.optimisation->stages = {1};
+        p.optimisation->radial_feed_mm_min = std::vector<double>{0.9};
+        const double most_mm = simulate(p).sections.at(0).diameterDeviationMax_mm;
+        for (const double beyond_mm : {-0.5e-9, 0.5e-9, 5e-9}) {
+            p.part.upper_deviation_um = (most_mm - beyond_mm) * 1000;
+            const bool found = search(p).best.has_value();
+            QCOMPARE(found, search(p, SearchMethod::full).best.has_value());
+            QCOMPARE(found, beyond_mm < 1e-9);
+        }
+    }
+
+    // C = C_m·(T + t_h + t_d/N) + C_d/N
+    void whatAPartCosts() {
+        Project p = fixtures::plunge();
+        QVERIFY(!costPerPart(p, 90));
+        p.optimisation = Optimisation{};
+        QVERIFY(!costPerPart(p, 90));
+        p.optimisation->cost = Cost{1800, 30, 240, 12, 20};
+        QVERIFY(fixtures::close(*costPerPart(p, 90), 0.5 * (90 + 30 + 12) + 0.6, 1e-14));
+        p.optimisation->cost->parts_between_dressings.reset();
+        QVERIFY(fixtures::close(*costPerPart(p, 90), 0.5 * (90 + 30), 1e-14)); // is not dressed
+        p.batch.emplace().factors.dullness.emplace().parts_between_dressings = 40;
+        QVERIFY(fixtures::close(*costPerPart(p, 90), 0.5 * (90 + 30 + 6) + 0.3, 1e-14));
+    }
+
+    /// One infeed of each stage that has one, evenly.
+    void thePhasesOfTheStockCoverOneInfeedEach() {
+        Project p = fixtures::plunge();
+        p.cycle.stages = {fixtures::plungeStage(1.8, 0.15), fixtures::plungeStage(0.36, 0.05),
+                          fixtures::sparkStage(fixtures::count(3))};
+        const std::vector<Project> phases = stockPhases(p, 8, 0.25);
+        QCOMPARE(phases.size(), std::size_t{16});
+        for (std::size_t i = 0; i < 16; ++i) {
+            const double infeed = i < 8 ? 0.01 : 0.002;
+            const double expected = 0.2 + infeed * (double(i % 8) + 0.25) / 8;
+            QVERIFY(fixtures::within(phases[i].part.stock_mm, expected, 1e-15));
+        }
+    }
+
+    /// What an answer is tested on is drawn anew.
+    void eachRoundDrawsOtherPhases() {
+        const Project p = fixtures::plunge();
+        std::set<double> met;
+        std::size_t drawn = 0;
+        for (int round = 0; round < 5; ++round) {
+            for (const Project& each : freshStockPhases(p, round)) {
+                met.insert(each.part.stock_mm);
+                ++drawn;
+            }
+        }
+        QVERIFY(drawn >= 5 * 16);
+        QCOMPARE(met.size(), drawn);
     }
 
     // Scenarios join while the cycles are searched; the answer is as if they had been there from

@@ -139,6 +139,18 @@ private slots:
         QVERIFY(lowest.low == 50 && std::isnan(lowest.high) && lowest.margin == 0);
         const SweepValue highest = valueOf(result, 1, "range_work_speed");
         QVERIFY(highest.high == 500 && std::isnan(highest.low) && highest.margin == 0);
+        // What is set has no margin of the kind that is told of the part.
+        project.machine.work_speed_rpm = 50;
+        const SimulationResult alone = simulate(project);
+        double least = HUGE_VAL;
+        for (const ConstraintResult& constraint : evaluateConstraints(alone)) {
+            if (scopeOf(constraint.kind) != ConstraintScope::setting) {
+                least = std::min(least, constraint.relativeMargin);
+            }
+        }
+        QVERIFY(least != 0);
+        QCOMPARE(valueOf(result, 0, "least_margin").value, least * 100);
+        QCOMPARE(valueOf(result, 0, "peak_power").value, alone.peakPower_w / 1000);
     }
 
     void aLongerSparkOutLeavesLessRunout() {
