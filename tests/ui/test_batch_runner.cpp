@@ -2,7 +2,9 @@
 #include "core/batch/batch_state.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
+#include "ui/session/batch_edits.h"
 #include "ui/session/batch_runner.h"
+#include "ui/session/operation.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -41,6 +43,23 @@ class TestBatchRunner : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A factor that joins is correlated with none, and takes its row and its column when it goes.
+    void aFactorJoinsAndLeavesTheCorrelations() {
+        Project project = newProject(Operation::traverse);
+        project.batch.emplace();
+        project.batch->factors.stock_mm.emplace().uniform = {0.14, 0.16};
+        project.batch->factors.flow_stress_mpa.emplace().normal = {2000, 50};
+        const std::vector<std::vector<double>> two{{1, 0.5}, {0.5, 1}};
+        project.batch->correlation = two;
+        Factor runout;
+        runout.uniform = {0.01, 0.02};
+        const Project more = withFactor(project, FactorKind::runout, runout);
+        QVERIFY(more.batch->correlation
+                == (std::vector<std::vector<double>>{{1, 0, 0.5}, {0, 1, 0}, {0.5, 0, 1}}));
+        const Project fewer = withFactor(more, FactorKind::runout, std::nullopt);
+        QVERIFY(fewer.batch->correlation == two);
+    }
+
     void theOutcomeIsThatOfTheEngine() {
         const Project project = fixtures::shaftBatch(50);
         BatchRunner runner;

@@ -47,6 +47,38 @@ class TestDocument : public QObject {
     Q_OBJECT
 
 private slots:
+    /// What is undone since a save is as unsaved as what is done.
+    void anEditUndoneAfterASaveIsNamed() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        Project project = document.project();
+        project.part.diameter_mm += 1;
+        document.edit(project, EditText{"Input", "Diameter"});
+        document.markSaved(QStringLiteral("/tmp/part.sparkout"), "hash");
+        QVERIFY(document.unsavedEdits().isEmpty());
+        document.undo();
+        QCOMPARE(document.unsavedEdits().size(), 1);
+        document.redo();
+        QVERIFY(document.unsavedEdits().isEmpty());
+    }
+
+    /// Typing that goes on after a step back is a step of its own.
+    void noEditIsJoinedOverAStepOfTheHistory() {
+        Document document;
+        document.startUntitled(newProject(Operation::traverse));
+        const QString key = QStringLiteral("/part/diameter_mm");
+        Project first = document.project();
+        first.part.diameter_mm += 1;
+        document.edit(first, EditText{"Input", "Diameter"}, key);
+        document.undo();
+        document.redo();
+        Project second = first;
+        second.part.diameter_mm += 1;
+        document.edit(second, EditText{"Input", "Diameter"}, key);
+        document.undo();
+        QCOMPARE(document.project().part.diameter_mm, first.part.diameter_mm);
+    }
+
     void undoAndRedoAcrossASaveGiveTheSameTextAndModifiedState() {
         const QTemporaryDir folder;
         Document document;

@@ -90,6 +90,9 @@ private slots:
         desk.document.undo();
         QCOMPARE(desk.kept.all()[1].name, std::string("Run 3"));
         QVERIFY(desk.kept.isChosen(1)); // a name is no other run
+        desk.kept.choose(1, false);
+        desk.kept.rename(1, QStringLiteral("aside"));
+        QVERIFY(!desk.kept.isChosen(1));
     }
 
     void refusedInputsGiveNoRunToKeep() {
