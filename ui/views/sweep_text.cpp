@@ -16,7 +16,7 @@ namespace sparkout {
 namespace {
 
 constexpr double minuteOfSweep_s = 60;
-constexpr int mostFailing = 3; ///< requirements named at a point
+constexpr int mostNamed = 3; ///< requirements named at a point
 constexpr int sweepDigits = 4;
 
 std::optional<ConstraintKind> kindOf(const std::string& name) {
@@ -213,9 +213,9 @@ QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
                                              : name(quantity) + u' ' + where(quantity));
         }
     }
-    const bool more = failing.size() > mostFailing;
+    const bool more = failing.size() > mostNamed;
     return tr("does not hold: %1")
-        .arg(failing.mid(0, mostFailing).join(QStringLiteral(", "))
+        .arg(failing.mid(0, mostNamed).join(QStringLiteral(", "))
              + (more ? QStringLiteral(" …") : QString()));
 }
 
