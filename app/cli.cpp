@@ -76,7 +76,9 @@ batch      runs the batch of a project file: its parts differ by the factors giv
   --progress           tells the progress on stderr, also when that is no terminal
            Ctrl+C ends it; what is done until then is evaluated and printed
 batch-merge
-           joins the shards of a batch: the answer is that of one run
+           joins the shards of a batch: the answer is that of one run; a changed,
+           missing, doubled or foreign shard is named and refused. For a cluster with
+           Slurm see batch.sbatch among the help's files
 sweep      runs the sweep of a project file: one or two inputs varied over their ranges
   --threads N          threads, instead of one a processor; the answer is the same
   --json, --csv        prints one JSON object, or a row for every point

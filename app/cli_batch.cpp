@@ -2,6 +2,7 @@
 #include "app/cli_batch.h"
 
 #include "app/cli_report.h"
+#include "core/printable.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 
@@ -56,7 +57,12 @@ ordered_json capabilityJson(const std::optional<Capability>& capability) {
                       : ordered_json(nullptr);
 }
 
-ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSample) {
+const char* testKey(NormalityTest test) {
+    return test == NormalityTest::shapiroWilk ? "shapiro_wilk" : "anderson_darling";
+}
+
+/// `cp` and `cpk`, of a process at rest, are those of a batch without a drift.
+ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSample, bool drifts) {
     const Characteristic& of = summary.characteristic;
     ordered_json json = {
         {"name", of.name},           {"where", placeName(of)},      {"unit", of.unit},
@@ -77,9 +83,15 @@ ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSam
     json["standard_deviation"] = summary.moments.deviation;
     json["skewness"] = summary.moments.skewness;
     json["excess_kurtosis"] = summary.moments.excess;
-    json["normality_probability"] = orNullJson(summary.normality);
-    json["cp"] = capabilityJson(summary.cp);
-    json["cpk"] = capabilityJson(summary.cpk);
+    json["normality_probability"] =
+        summary.normality ? ordered_json(summary.normality->probability) : ordered_json(nullptr);
+    json["normality_test"] =
+        summary.normality ? ordered_json(testKey(summary.normality->test)) : ordered_json(nullptr);
+    json["cp"] = drifts ? ordered_json(nullptr) : capabilityJson(summary.pp);
+    json["cpk"] = drifts ? ordered_json(nullptr) : capabilityJson(summary.ppk);
+    json["pp"] = capabilityJson(summary.pp);
+    json["ppk"] = capabilityJson(summary.ppk);
+    json["expected_outside"] = orNullJson(summary.expectedOutside);
     for (const Percentile& percentile : summary.percentiles) {
         json["percentiles"].push_back({{"order", percentile.order},
                                        {"value", percentile.value},
@@ -108,7 +120,7 @@ ordered_json worstJson(const BatchResult& result, std::int64_t part) {
 
 /// Coefficients by factor; null where there is no regression.
 ordered_json regressionJson(const std::optional<RankRegression>& regression,
-                            const std::vector<GivenFactor>& factors) {
+                            const std::vector<GivenFactor>& factors, std::int64_t batchParts) {
     if (!regression) {
         return nullptr;
     }
@@ -118,7 +130,7 @@ ordered_json regressionJson(const std::optional<RankRegression>& regression,
     }
     return {{"coefficients", std::move(coefficients)},
             {"determination", regression->determination},
-            {"of_parts_below", BatchStatistics::keptRows}};
+            {"of_parts_below", batchParts}};
 }
 
 /// Indices by factor; null for a characteristic that does not vary.
@@ -160,6 +172,63 @@ std::string sobolText(const std::vector<SobolIndex>& indices,
     return text.empty() ? text : text + '\n';
 }
 
+constexpr std::array fitnessNames{"conforms", "conditionally_conforms", "does_not_conform"};
+constexpr std::array reasonNames{"no_part",          "parts_fail", "some_parts_fail",
+                                 "stopped",          "no_sample",  "few_parts",
+                                 "expected_outside", "ppk",        "all_hold"};
+
+const char* fitnessName(const BatchVerdict& verdict) {
+    return fitnessNames[static_cast<std::size_t>(verdict.fitness)];
+}
+
+ordered_json verdictJson(const BatchVerdict& verdict, const BatchSummary& summary) {
+    ordered_json json = {{"fitness", fitnessName(verdict)},
+                         {"decided_by", reasonNames[static_cast<std::size_t>(verdict.reason)]},
+                         {"value", verdict.value},
+                         {"limit", verdict.limit}};
+    if (verdict.characteristic) {
+        const Characteristic& of = summary.characteristics[*verdict.characteristic].characteristic;
+        json["where"] = placeName(of);
+        json["name"] = of.name;
+    }
+    return json;
+}
+
+/// "conforms conditionally: the lower 95 % bound of Ppk of rz1 diameter is 0.73, below 1".
+std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary) {
+    const std::string of =
+        verdict.characteristic
+            ? placeName(summary.characteristics[*verdict.characteristic].characteristic) + " "
+                  + summary.characteristics[*verdict.characteristic].characteristic.name
+            : std::string();
+    const std::string limit = numberText(verdict.limit);
+    switch (verdict.reason) {
+    case BatchReason::noPart: return "does not conform: no part was run";
+    case BatchReason::partsFail:
+        return "does not conform: " + fixed(100 * verdict.value, 2)
+               + " % of the parts are not good, allowed " + numberText(100 * verdict.limit) + " %";
+    case BatchReason::someFail:
+        return "conforms conditionally: some parts are not good, but no more than the allowed "
+               + numberText(100 * verdict.limit) + " %";
+    case BatchReason::stopped: return "conforms conditionally: not all parts were run";
+    case BatchReason::noSample:
+        return "conforms conditionally: all corners hold, but they are no sample and tell no Ppk";
+    case BatchReason::fewParts: return "conforms conditionally: a single part tells no Ppk";
+    case BatchReason::outside:
+        return "conforms conditionally: of " + of + " " + fixed(100 * verdict.value, 3)
+               + " % are expected out of tolerance, allowed " + numberText(100 * verdict.limit)
+               + " %";
+    case BatchReason::ppk:
+        return "conforms conditionally: the lower 95 % bound of Ppk of " + of + " is "
+               + fixed(verdict.value, 2) + ", below " + limit;
+    case BatchReason::allHold:
+        return of.empty() ? "conforms: all parts hold, and none of their sizes scatters to speak of"
+                          : "conforms: all parts hold, and the least lower 95 % bound of Ppk, of "
+                                + of + ", is " + fixed(verdict.value, 2) + ", at least " + limit;
+    }
+    return {};
+}
+
 /// "stock_mm 0.14, dullness 0.03".
 std::string factorsText(const BatchResult& result, std::int64_t part) {
     const ScenarioSource source(result.project);
@@ -185,15 +254,15 @@ std::string shareText(const Share& share) {
     return text + ")";
 }
 
-/// "Cpk 1.42 (1.20…1.64)"; far beyond what a shop asks for, only that it is.
+/// "Ppk 1.42 (1.20…1.64)".
 std::string capabilityText(const char* name, const std::optional<Capability>& capability) {
-    constexpr double plenty = 99;
-    if (capability && capability->interval.low > plenty) {
-        return std::string(", ") + name + " > " + fixed(plenty, 0);
-    }
     return capability ? std::string(", ") + name + " " + fixed(capability->value, 2) + " ("
                             + range(capability->interval, 2) + ")"
                       : std::string();
+}
+
+const char* testName(NormalityTest test) {
+    return test == NormalityTest::shapiroWilk ? "(Shapiro-Wilk)" : "(Anderson-Darling)";
 }
 
 std::string characteristicText(const CharacteristicSummary& summary, bool isSample) {
@@ -210,7 +279,11 @@ std::string characteristicText(const CharacteristicSummary& summary, bool isSamp
             text += " (" + range(*summary.mean95, decimals) + ")";
         }
         text += ", s " + fixed(summary.moments.deviation, decimals)
-                + capabilityText("Cp", summary.cp) + capabilityText("Cpk", summary.cpk);
+                + capabilityText("Pp", summary.pp) + capabilityText("Ppk", summary.ppk);
+        if (summary.normality) {
+            text += ", normality " + std::string(testName(summary.normality->test)) + " p "
+                    + fixed(summary.normality->probability, 3);
+        }
     }
     if (of.low || of.high) {
         text += ", outside " + shareText(summary.outside);
@@ -236,9 +309,10 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
     const BatchSummary summary = summarise(result);
     std::string text =
         std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
-        + statusName(result.status) + "\nnot good " + shareText(summary.bad)
-        + "; did not reach size " + std::to_string(summary.failed) + "\nworst part "
-        + std::to_string(summary.worstPart) + factorsText(result, summary.worstPart) + '\n';
+        + statusName(result.status) + "\nverdict " + verdictText(weigh(summary, result), summary)
+        + "\nnot good " + shareText(summary.bad) + "; did not reach size "
+        + std::to_string(summary.failed) + "\nworst part " + std::to_string(summary.worstPart)
+        + factorsText(result, summary.worstPart) + '\n';
     const auto regressions = rankRegressions(result);
     const auto factors = givenFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
@@ -263,6 +337,8 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
                          {"is_sample", summary.isSample},
                          {"did_not_reach_size", summary.failed},
                          {"not_good", shareJson(summary.bad)},
+                         {"verdict", verdictJson(weigh(summary, result), summary)},
+                         {"drifts", summary.drifts},
                          {"exact_percentiles", summary.exactPercentiles},
                          {"characteristics", ordered_json::array()},
                          {"worst", worstJson(result, summary.worstPart)}};
@@ -273,10 +349,10 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
     const auto factors = givenFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
         json["characteristics"].push_back(
-            characteristicJson(summary.characteristics[i], summary.isSample));
+            characteristicJson(summary.characteristics[i], summary.isSample, summary.drifts));
         if (summary.isSample) {
             json["characteristics"].back()["standardised_rank_regression"] =
-                regressionJson(regressions[i], factors);
+                regressionJson(regressions[i], factors, result.batchParts);
         }
         if (indices) {
             json["characteristics"].back()["sobol_indices"] =
@@ -289,33 +365,91 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
 std::string batchCsv(const BatchResult& result) {
     const BatchSummary summary = summarise(result);
     std::string text = "where,characteristic,unit,low,high,count,min,max,mean,mean_low,mean_high,s,"
-                       "cp,cp_low,cp_high,cpk,cpk_low,cpk_high,outside,outside_low,outside_high\n";
+                       "cp,cp_low,cp_high,cpk,cpk_low,cpk_high,outside,outside_low,outside_high,"
+                       "pp,pp_low,pp_high,ppk,ppk_low,ppk_high,expected_outside,normality,"
+                       "normality_test\n";
+    const bool atRest = !summary.drifts;
+    const std::optional<Capability> none;
     for (const CharacteristicSummary& row : summary.characteristics) {
         const Characteristic& of = row.characteristic;
         text += placeName(of) + "," + of.name + "," + of.unit + "," + cell(of.low) + ","
                 + cell(of.high) + "," + std::to_string(row.count) + ",";
         if (row.count == 0) {
-            text += ",,,,,,,,,,,,,,\n";
+            text += ",,,,,,,,,,,,,,,,,,,,,,,\n";
             continue;
         }
         const bool sample = summary.isSample;
         text += numberText(row.least.value) + "," + numberText(row.most.value) + ","
                 + (sample ? numberText(row.moments.mean) : "") + "," + cells(row.mean95) + ","
-                + (sample ? numberText(row.moments.deviation) : "") + "," + capabilityCells(row.cp)
-                + "," + capabilityCells(row.cpk) + "," + numberText(row.outside.value) + ","
-                + cells(row.outside.interval) + "\n";
+                + (sample ? numberText(row.moments.deviation) : "") + ","
+                + capabilityCells(atRest ? row.pp : none) + ","
+                + capabilityCells(atRest ? row.ppk : none) + "," + numberText(row.outside.value)
+                + "," + cells(row.outside.interval) + "," + capabilityCells(row.pp) + ","
+                + capabilityCells(row.ppk) + "," + cell(row.expectedOutside) + ","
+                + (row.normality ? numberText(row.normality->probability) : "") + ","
+                + (row.normality ? testKey(row.normality->test) : "") + "\n";
     }
     return text;
 }
 
-const char* joinSentence(JoinFault fault) {
-    switch (fault) {
+std::string joinText(const JoinedBatch& joined, const std::vector<BatchResult>& shards,
+                     const std::vector<std::string>& files) {
+    const auto parts = [](const PartRange& range) {
+        return range.end - range.first == 1
+                   ? "part " + std::to_string(range.first)
+                   : "parts " + std::to_string(range.first) + "…" + std::to_string(range.end - 1);
+    };
+    std::string text;
+    const std::string model =
+        joined.fault == JoinFault::nothing ? std::string() : printable(files[joined.model]);
+    switch (joined.fault) {
     case JoinFault::none: break;
-    case JoinFault::nothing: return "no shards are given";
-    case JoinFault::otherProject: return "the shards are not of one project";
-    case JoinFault::otherEngine: return "the shards are of different engine versions";
-    case JoinFault::overlap: return "two shards hold the same parts";
-    case JoinFault::incomplete: return "parts of the batch are missing";
+    case JoinFault::nothing: text = "no shards are given\n"; break;
+    case JoinFault::otherProject:
+        for (const std::size_t i : joined.foreign) {
+            text += printable(files[i]) + ": of another batch (project "
+                    + projectDigest(shards[i].project) + ", " + std::to_string(shards[i].batchParts)
+                    + " parts) than " + model + " (project "
+                    + projectDigest(shards[joined.model].project) + ", "
+                    + std::to_string(shards[joined.model].batchParts) + " parts)\n";
+        }
+        break;
+    case JoinFault::otherEngine:
+        for (const std::size_t i : joined.foreign) {
+            text += printable(files[i]) + ": of another build of the engine ("
+                    + shards[i].engineVersion + ", " + shards[i].build + ") than " + model + " ("
+                    + shards[joined.model].engineVersion + ", " + shards[joined.model].build
+                    + ")\n";
+        }
+        break;
+    case JoinFault::overlap:
+        for (const JoinedBatch::Doubled& both : joined.doubled) {
+            text += printable(files[both.second]) + ": holds " + parts(both.parts) + ", as does "
+                    + printable(files[both.first]) + '\n';
+        }
+        [[fallthrough]];
+    case JoinFault::incomplete:
+        for (const std::size_t i : joined.stopped) {
+            text += printable(files[i]) + ": was ended after "
+                    + std::to_string(shards[i].statistics.parts) + " of "
+                    + std::to_string(shards[i].range.end - shards[i].range.first) + " parts\n";
+        }
+        for (const PartRange& range : joined.missing) {
+            text += parts(range) + " of " + std::to_string(shards.front().batchParts)
+                    + (range.end - range.first == 1 ? " is" : " are") + " in no shard\n";
+        }
+        break;
+    }
+    return text;
+}
+
+const char* stateSentence(StateFault fault) {
+    switch (fault) {
+    case StateFault::none: break;
+    case StateFault::otherFormat: return "not a shard of a batch";
+    case StateFault::otherVersion: return "a shard of another version of Sparkout; run it again";
+    case StateFault::changed: return "changed since it was written (its checksum does not fit)";
+    case StateFault::impossible: return "holds numbers that no batch gives";
     }
     return "";
 }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "core/batch/batch_state.h"
-#include "core/batch/batch_summary.h"
+#include "core/batch/batch_verdict.h"
 #include "core/batch/sensitivity.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sparkout::cli {
 
@@ -22,7 +23,12 @@ namespace sparkout::cli {
 /// The CSV of `batch --csv`: a row a characteristic of a zone or section.
 [[nodiscard]] std::string batchCsv(const BatchResult& result);
 
-/// Why shards cannot be joined.
-[[nodiscard]] const char* joinSentence(JoinFault fault);
+/// Why shards cannot be joined: lines that name them, in the order of `files`.
+[[nodiscard]] std::string joinText(const JoinedBatch& joined,
+                                   const std::vector<BatchResult>& shards,
+                                   const std::vector<std::string>& files);
+
+/// Why a file is no shard.
+[[nodiscard]] const char* stateSentence(StateFault fault);
 
 } // namespace sparkout::cli

@@ -130,23 +130,23 @@ int runBatchCommand(const Options& options) {
 int runBatchMerge(const Options& options) {
     std::vector<std::string> files = options.operands;
     files.insert(files.begin(), options.operand);
-    std::vector<BatchResult> shards;
+    BatchJoiner joiner;
     for (const std::string& file : files) {
         constexpr std::size_t largestShard = std::size_t{256} << 20;
         const auto content = readOrSay(file, largestShard);
         if (!content) {
             return refused;
         }
-        auto shard = readBatchState(*content);
+        ReadBatchState shard = readBatchState(*content);
         if (!shard) {
-            print(stderr, printable(file) + ": not a shard of a batch\n");
+            print(stderr, printable(file) + ": " + stateSentence(shard.fault) + '\n');
             return refused;
         }
-        shards.push_back(std::move(*shard));
+        joiner.add(std::move(*shard.result));
     }
-    const JoinedBatch joined = joinBatches(std::move(shards));
+    const JoinedBatch joined = joiner.join();
     if (joined.fault != JoinFault::none) {
-        print(stderr, std::string("sparkout-cli: ") + joinSentence(joined.fault) + '\n');
+        print(stderr, joinText(joined, joiner.shards(), files));
         return refused;
     }
     return printBatch(joined.result, {}, options);

@@ -61,10 +61,6 @@
             </translation>
         </message>
         <message>
-            <source>Least Cpk %1: %2.</source>
-            <translation>Наименьший Cpk %1: %2.</translation>
-        </message>
-        <message>
             <source>%1 of %2 parts</source>
             <translation>%1 из %2 деталей</translation>
         </message>
@@ -79,6 +75,84 @@
         <message>
             <source>Part %1</source>
             <translation>Деталь %1</translation>
+        </message>
+        <message>
+            <source>Shapiro–Wilk</source>
+            <translation>Шапиро — Уилка</translation>
+        </message>
+        <message>
+            <source>Anderson–Darling</source>
+            <translation>Андерсона — Дарлинга</translation>
+        </message>
+        <message>
+            <source>Normality, p</source>
+            <translation>Нормальность, p</translation>
+        </message>
+        <message>
+            <source>Normality, p (%1)</source>
+            <comment>name of the test</comment>
+            <translation>Нормальность, p (критерий %1)</translation>
+        </message>
+        <message>
+            <source>conforms to the drawing</source>
+            <translation>годен</translation>
+        </message>
+        <message>
+            <source>conforms conditionally to the drawing</source>
+            <translation>условно годен</translation>
+        </message>
+        <message>
+            <source>does not conform to the drawing</source>
+            <translation>не годен</translation>
+        </message>
+        <message>
+            <source>no part was run</source>
+            <translation>ни одна деталь не рассчитана</translation>
+        </message>
+        <message>
+            <source>%1 % of the parts are not good, more than the allowed %2 %</source>
+            <translation>негодных деталей %1 %, больше допустимых %2 %</translation>
+        </message>
+        <message>
+            <source>not every part is good</source>
+            <translation>не все детали годны</translation>
+        </message>
+        <message>
+            <source>%1 % of the parts are not good, no more than the allowed %2 %</source>
+            <translation>негодных деталей %1 %, не больше допустимых %2 %</translation>
+        </message>
+        <message>
+            <source>not all parts of the batch were run</source>
+            <translation>рассчитаны не все детали партии</translation>
+        </message>
+        <message>
+            <source>every part that was run is good, but such parts are no sample and tell no Ppk</source>
+            <translation>все рассчитанные детали годны, но такие детали — не выборка, и Ppk по ним не определить</translation>
+        </message>
+        <message>
+            <source>a single part tells no Ppk</source>
+            <translation>по одной детали Ppk не определить</translation>
+        </message>
+        <message>
+            <source>%1 % of the parts are expected out of tolerance, more than the allowed %2 %: %3</source>
+            <translation>ожидаемая доля вне допуска %1 %, больше допустимых %2 %: %3</translation>
+        </message>
+        <message>
+            <source>Ppk %1, its lower bound below %2: %3</source>
+            <translation>Ppk %1, нижняя граница меньше %2: %3</translation>
+        </message>
+        <message>
+            <source>every part is good, and the least lower bound of Ppk reaches %1: %2, %3</source>
+            <translation>все детали годны, наименьшая нижняя граница Ppk не меньше %1: %2, %3</translation>
+        </message>
+        <message>
+            <source>every part is good, and the sizes hardly scatter</source>
+            <translation>все детали годны, размеры почти не рассеиваются</translation>
+        </message>
+        <message>
+            <source>The cycle %1: %2.</source>
+            <comment>verdict, reason</comment>
+            <translation>Цикл %1: %2.</translation>
         </message>
     </context>
     <context>
@@ -2140,7 +2214,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Радиальная подача</translation>
         </message>
         <message>
-            <source>Radial stock of the stage. It ends when what remains to size is the later stages' stock.</source>
+            <source>Radial stock of the stage. It ends when what remains to size is the later stages&apos; stock.</source>
             <translation>Припуск ступени на сторону. Ступень кончается, когда до размера остаётся припуск следующих ступеней.</translation>
         </message>
         <message>
@@ -2168,7 +2242,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ступени переключаются</translation>
         </message>
         <message>
-            <source>By the in-process gauge's reading, or by the position the wheel head has been fed to.</source>
+            <source>By the in-process gauge&apos;s reading, or by the position the wheel head has been fed to.</source>
             <translation>По показанию прибора активного контроля или по положению, до которого подана шлифовальная бабка.</translation>
         </message>
         <message>
@@ -2212,7 +2286,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>по валу или между сечениями</translation>
         </message>
         <message>
-            <source>Compliance at the gauge's free position.</source>
+            <source>Compliance at the gauge&apos;s free position.</source>
             <translation>Податливость в том месте, где стоит прибор.</translation>
         </message>
         <message>
@@ -2268,7 +2342,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Доля зерна</translation>
         </message>
         <message>
-            <source>Share of grain in the wheel's volume.</source>
+            <source>Share of grain in the wheel&apos;s volume.</source>
             <translation>Доля зерна в объёме круга.</translation>
         </message>
         <message>
@@ -2276,7 +2350,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Доля связки</translation>
         </message>
         <message>
-            <source>Share of bond in the wheel's volume.</source>
+            <source>Share of bond in the wheel&apos;s volume.</source>
             <translation>Доля связки в объёме круга.</translation>
         </message>
         <message>
@@ -2320,7 +2394,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Модуль упругости зерна</translation>
         </message>
         <message>
-            <source>Young's modulus of the grain.</source>
+            <source>Young&apos;s modulus of the grain.</source>
             <translation>Модуль Юнга зерна.</translation>
         </message>
         <message>
@@ -2336,7 +2410,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Модуль упругости связки</translation>
         </message>
         <message>
-            <source>Young's modulus of the bond.</source>
+            <source>Young&apos;s modulus of the bond.</source>
             <translation>Модуль Юнга связки.</translation>
         </message>
         <message>
@@ -2436,7 +2510,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Вылет оправки</translation>
         </message>
         <message>
-            <source>Overhang of the wheel's spindle in internal grinding.</source>
+            <source>Overhang of the wheel&apos;s spindle in internal grinding.</source>
             <translation>Вылет оправки круга при внутреннем шлифовании.</translation>
         </message>
         <message>
@@ -2444,7 +2518,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Диаметр оправки</translation>
         </message>
         <message>
-            <source>Diameter of the wheel's spindle in internal grinding.</source>
+            <source>Diameter of the wheel&apos;s spindle in internal grinding.</source>
             <translation>Диаметр оправки круга при внутреннем шлифовании.</translation>
         </message>
         <message>
@@ -2468,7 +2542,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Модуль упругости</translation>
         </message>
         <message>
-            <source>Young's modulus of the shaft: steel about 210.</source>
+            <source>Young&apos;s modulus of the shaft: steel about 210.</source>
             <translation>Модуль Юнга вала: у стали около 210.</translation>
         </message>
         <message>
@@ -2496,7 +2570,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>нет</translation>
         </message>
         <message>
-            <source>The wheel's spindle in internal grinding, a cantilever.</source>
+            <source>The wheel&apos;s spindle in internal grinding, a cantilever.</source>
             <translation>Оправка круга при внутреннем шлифовании, консоль.</translation>
         </message>
         <message>
@@ -2776,7 +2850,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>прижог не проверяется</translation>
         </message>
         <message>
-            <source>Temperature rise above which the metal's structure changes.</source>
+            <source>Temperature rise above which the metal&apos;s structure changes.</source>
             <translation>Превышение температуры, при котором меняется структура металла.</translation>
         </message>
         <message>
@@ -2860,7 +2934,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Температура</translation>
         </message>
         <message>
-            <source>At which the entry's conductivity and diffusivity are taken.</source>
+            <source>At which the entry&apos;s conductivity and diffusivity are taken.</source>
             <translation>При которой взяты теплопроводность и температуропроводность записи.</translation>
         </message>
         <message>
@@ -2920,7 +2994,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>от касания</translation>
         </message>
         <message>
-            <source>How far from the target radius the wheel head's feed starts. In a batch it is where the wheel touches the nominal blank: a larger blank is cut deeper at once, a smaller one later.</source>
+            <source>How far from the target radius the wheel head&apos;s feed starts. In a batch it is where the wheel touches the nominal blank: a larger blank is cut deeper at once, a smaller one later.</source>
             <translation>Расстояние от целевого радиуса, с которого начинается подача шлифовальной бабки. В партии — от касания номинальной заготовки: с большей заготовки сразу снимается больше, меньшей круг касается позже.</translation>
         </message>
         <message>
@@ -2948,7 +3022,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Ширина контакта</translation>
         </message>
         <message>
-            <source>Traverse: the wheel's width, from which the widths of cut follow. Plunge: the ground length.</source>
+            <source>Traverse: the wheel&apos;s width, from which the widths of cut follow. Plunge: the ground length.</source>
             <translation>С осевой подачей: высота круга, от которой зависит ширина контакта. Врезное: длина обработки.</translation>
         </message>
         <message>
@@ -3120,7 +3194,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Круг и алмаз, в той же валюте.</translation>
         </message>
         <message>
-            <source>as the batch's dullness grows, else no dressing</source>
+            <source>as the batch&apos;s dullness grows, else no dressing</source>
             <translation>как растёт затупление в партии, иначе без правки</translation>
         </message>
         <message>
@@ -3186,6 +3260,26 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Told beside the time; the choice is the quickest cycle.</source>
             <translation>Указывается рядом со временем; выбирается самый быстрый цикл.</translation>
+        </message>
+        <message>
+            <source>Least Ppk</source>
+            <translation>Наименьший Ppk</translation>
+        </message>
+        <message>
+            <source>The verdict calls a cycle fit when the lower 95 % bounds of all Ppk reach it, else conditionally fit.</source>
+            <translation>Цикл годен, если нижние 95%-ные границы всех Ppk не меньше этого значения, иначе условно годен.</translation>
+        </message>
+        <message>
+            <source>Largest share outside</source>
+            <translation>Наибольшая доля вне допуска</translation>
+        </message>
+        <message>
+            <source>every part must be good</source>
+            <translation>годной должна быть каждая деталь</translation>
+        </message>
+        <message>
+            <source>Share of the parts that may fail before the cycle is unfit; when more of them are expected to be out of tolerance, it is conditionally fit.</source>
+            <translation>Доля негодных деталей, при превышении которой цикл не годен; если больше этой доли ожидаемая доля вне допуска, цикл условно годен.</translation>
         </message>
     </context>
     <context>
@@ -3327,7 +3421,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>текст не является правильным JSON в UTF-8: строка {value}, столбец {limit}</translation>
         </message>
         <message>
-            <source>the stages' stocks sum to {value}, the part's stock is {limit}; the first stage takes what the later ones leave</source>
+            <source>the stages&apos; stocks sum to {value}, the part&apos;s stock is {limit}; the first stage takes what the later ones leave</source>
             <translation>сумма припусков ступеней {value}, припуск детали {limit}; первой ступени достаётся то, что оставляют следующие</translation>
         </message>
         <message>
@@ -3431,8 +3525,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>список чисел</translation>
         </message>
         <message>
-            <source>whole number or "until_size"</source>
-            <translation>целое число или "until_size"</translation>
+            <source>whole number or &quot;until_size&quot;</source>
+            <translation>целое число или &quot;until_size&quot;</translation>
         </message>
         <message>
             <source>object with rz1, nz, rz2, or list of numbers, or null</source>
@@ -4001,7 +4095,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Частота вращения, задержки и выхаживания дают более %1 сочетаний: возьмите меньше уровней.</translation>
         </message>
         <message>
-            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages' feeds and stocks.</source>
+            <source>The stock cannot be divided into these numbers of stages: take a smaller step, or other limits of the stages&apos; feeds and stocks.</source>
             <translation>Припуск нельзя разделить на столько ступеней: возьмите меньший шаг или другие пределы подач и припусков ступеней.</translation>
         </message>
         <message>
@@ -4169,16 +4263,8 @@ target, µm</source>
             <translation>%1: %2</translation>
         </message>
         <message>
-            <source>%1: number of parts, where the Cpk is least</source>
-            <translation>%1: число деталей, где Cpk наименьший</translation>
-        </message>
-        <message>
             <source>%1: number of parts</source>
             <translation>%1: число деталей</translation>
-        </message>
-        <message>
-            <source>Cpk with its 95 % bounds, the least first; dashed: 1 and %1</source>
-            <translation>Cpk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
         </message>
         <message>
             <source>Diameter along the part against the tolerance field</source>
@@ -4338,24 +4424,12 @@ target, µm</source>
             <translation>Цикл по результатам расчёта</translation>
         </message>
         <message>
-            <source>conforms to the drawing</source>
-            <translation>годен</translation>
-        </message>
-        <message>
-            <source>does not conform to the drawing</source>
-            <translation>не годен</translation>
-        </message>
-        <message>
             <source>Nominal part: %1.</source>
             <translation>Номинальная деталь: %1.</translation>
         </message>
         <message>
             <source>Parts of the batch that are not good</source>
             <translation>Негодных деталей в партии</translation>
-        </message>
-        <message>
-            <source>Least Cpk</source>
-            <translation>Наименьший Cpk</translation>
         </message>
         <message>
             <source>%1: out of tolerance %2.</source>
@@ -4372,14 +4446,6 @@ target, µm</source>
         <message>
             <source>Machining time</source>
             <translation>Время обработки</translation>
-        </message>
-        <message>
-            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
-            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
-        </message>
-        <message>
-            <source>The cycle conforms when the nominal part reaches size and holds every requirement. This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
-            <translation>Цикл годен, если номинальная деталь доводится до размера и выдерживает все требования. Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
             <source>Characteristic</source>
@@ -4414,20 +4480,8 @@ target, µm</source>
             <translation>Среднее, 95 %</translation>
         </message>
         <message>
-            <source>Cp</source>
-            <translation>Cp</translation>
-        </message>
-        <message>
-            <source>Cpk</source>
-            <translation>Cpk</translation>
-        </message>
-        <message>
             <source>Out of tolerance</source>
             <translation>Вне допуска</translation>
-        </message>
-        <message>
-            <source>Normality, p</source>
-            <translation>Нормальность, p</translation>
         </message>
         <message numerus="yes">
             <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
@@ -4468,6 +4522,50 @@ target, µm</source>
         <message>
             <source>–: of so few values it would be the smallest or the largest.</source>
             <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
+        </message>
+        <message>
+            <source>%1: number of parts, where the Ppk is least</source>
+            <translation>%1: число деталей, где Ppk наименьший</translation>
+        </message>
+        <message>
+            <source>Ppk with its 95 % bounds, the least first; dashed: 1 and %1</source>
+            <translation>Ppk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
+        </message>
+        <message>
+            <source>the nominal part fails</source>
+            <translation>номинальная деталь не годна</translation>
+        </message>
+        <message>
+            <source>the nominal part holds; no batch is described, so its scatter is not weighed</source>
+            <translation>номинальная деталь годна; партия не описана, поэтому рассеяние не учтено</translation>
+        </message>
+        <message>
+            <source>What decided</source>
+            <translation>Чем определено</translation>
+        </message>
+        <message>
+            <source>Least Ppk</source>
+            <translation>Наименьший Ppk</translation>
+        </message>
+        <message>
+            <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when only the capability falls short or is not known. %2</source>
+            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если недостаточна или неизвестна только пригодность процесса. %2</translation>
+        </message>
+        <message>
+            <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>
+            <translation>Без партии цикл условно годен, если номинальная деталь доводится до размера и выдерживает все требования. %1</translation>
+        </message>
+        <message>
+            <source>Pp</source>
+            <translation>Pp</translation>
+        </message>
+        <message>
+            <source>Ppk</source>
+            <translation>Ppk</translation>
         </message>
     </context>
     <context>
@@ -4996,7 +5094,7 @@ target, µm</source>
             <translation>Удельная интенсивность съёма при средней фактической подаче по всем проходам ступени, включая проходы без съёма.</translation>
         </message>
         <message>
-            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the largest actual feed of the stage: the layer of metal that leaves at the wheel's speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
+            <source>Equivalent chip thickness h_eq = Q′_w/V_k, at the largest actual feed of the stage: the layer of metal that leaves at the wheel&apos;s speed. Forces and roughness rise with it. No band holds for every wheel: compare with cycles known to be good.</source>
             <translation>Эквивалентная толщина среза h_экв = Q′_w/V_k при наибольшей фактической подаче на ступени: слой металла, уходящий со скоростью круга. С ней растут силы и шероховатость. Границ, верных для любого круга, нет: сравнивайте с проверенными циклами.</translation>
         </message>
         <message>
@@ -5086,7 +5184,7 @@ target, µm</source>
             <translation>Мощность средняя, кВт</translation>
         </message>
         <message>
-            <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel's dullness or the flow stress may be set too low.</source>
+            <source>Specific energy below %2 J/mm³ (stage %1): too little to be true; the wheel&apos;s dullness or the flow stress may be set too low.</source>
             <translation>Удельная энергия ниже %2 Дж/мм³ (ступень %1): неправдоподобно мало; возможно, занижены степень затупления круга или интенсивность напряжений.</translation>
         </message>
         <message>
@@ -5094,7 +5192,7 @@ target, µm</source>
             <translation>Удельная энергия выше %2 Дж/мм³ (ступень %1): круг больше трёт, чем режет, как в конце выхаживания или при затуплении.</translation>
         </message>
         <message>
-            <source>Overlap below 1 (stage %1): the table advances more than the wheel's width in a revolution, strips stay unground.</source>
+            <source>Overlap below 1 (stage %1): the table advances more than the wheel&apos;s width in a revolution, strips stay unground.</source>
             <translation>Перекрытие меньше 1 (ступень %1): стол за оборот проходит больше высоты круга, остаются непрошлифованные полосы.</translation>
         </message>
         <message>
@@ -5312,12 +5410,28 @@ target, µm</source>
             <translation>Bissell, 1990, границы Cpk</translation>
         </message>
         <message>
-            <source>Jarque and Bera, 1987, test for normality</source>
-            <translation>Jarque, Bera, 1987, проверка нормальности</translation>
-        </message>
-        <message>
             <source>Gilbert, 1950, economics of machining</source>
             <translation>Гилберт, 1950, экономика обработки резанием</translation>
+        </message>
+        <message>
+            <source>ISO 22514-1, process performance</source>
+            <translation>ISO 22514-1, пригодность процесса</translation>
+        </message>
+        <message>
+            <source>Shapiro and Wilk, 1965, test for normality</source>
+            <translation>Shapiro, Wilk, 1965, критерий нормальности</translation>
+        </message>
+        <message>
+            <source>Royston, 1995, algorithm AS R94 for W</source>
+            <translation>Royston, 1995, алгоритм AS R94 для W</translation>
+        </message>
+        <message>
+            <source>Stephens, 1974, statistics of goodness of fit</source>
+            <translation>Stephens, 1974, критерии согласия</translation>
+        </message>
+        <message>
+            <source>D&apos;Agostino and Stephens, 1986, goodness of fit</source>
+            <translation>D&apos;Agostino, Stephens, 1986, критерии согласия</translation>
         </message>
     </context>
     <context>
@@ -5685,7 +5799,7 @@ target, µm</source>
             <translation>правая часть этого уравнения</translation>
         </message>
         <message>
-            <source>Cardano's root on the way to w</source>
+            <source>Cardano&apos;s root on the way to w</source>
             <translation>корень Кардано на пути к w</translation>
         </message>
         <message>
@@ -5701,7 +5815,7 @@ target, µm</source>
             <translation>профиль правленых зёрен</translation>
         </message>
         <message>
-            <source>opening of the wheel's profile by the cut</source>
+            <source>opening of the wheel&apos;s profile by the cut</source>
             <translation>раскрытие профиля круга при срезе</translation>
         </message>
         <message>
@@ -6164,7 +6278,7 @@ target, µm</source>
             <translation>%1 относительно прибора %2 мкм</translation>
         </message>
         <message>
-            <source> (compliance %1 of the gauged one's)</source>
+            <source> (compliance %1 of the gauged one&apos;s)</source>
             <translation> (податливость %1 от той, где прибор)</translation>
         </message>
         <message>
@@ -6180,7 +6294,7 @@ target, µm</source>
             <translation>%1 (%2), %3 мкм от номинала: %4.</translation>
         </message>
         <message>
-            <source>; the machine's own runout adds %1 µm</source>
+            <source>; the machine&apos;s own runout adds %1 µm</source>
             <translation>; биение станка добавляет %1 мкм</translation>
         </message>
         <message>
@@ -6527,7 +6641,7 @@ target, µm</source>
             <translation>Среднее</translation>
         </message>
         <message>
-            <source>Student's interval: the mean of endlessly many such parts lies in it with 95 %</source>
+            <source>Student&apos;s interval: the mean of endlessly many such parts lies in it with 95 %</source>
             <translation>Интервал Стьюдента: среднее сколь угодно большого числа таких деталей лежит в нём с вероятностью 95 %</translation>
         </message>
         <message>
@@ -6555,32 +6669,12 @@ target, µm</source>
             <translation>Квантиль 99.865 %</translation>
         </message>
         <message>
-            <source>Width of the field over 6 s, with 95 % bounds</source>
-            <translation>Ширина поля допуска, делённая на 6 s, с границами 95 %</translation>
-        </message>
-        <message>
-            <source>Cp</source>
-            <translation>Cp</translation>
-        </message>
-        <message>
-            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity</source>
-            <translation>Расстояние от среднего до ближайшего предела, делённое на 3 s, с границами 95 %; имеет смысл для нормально распределённой величины</translation>
-        </message>
-        <message>
-            <source>Cpk</source>
-            <translation>Cpk</translation>
-        </message>
-        <message>
             <source>Parts beyond the limits, as a share with the 95 % bounds of Clopper and Pearson</source>
             <translation>Детали за пределами допуска: число и доля с границами 95 % по Клопперу — Пирсону</translation>
         </message>
         <message>
             <source>Out of tolerance</source>
             <translation>Вне допуска</translation>
-        </message>
-        <message>
-            <source>Probability that normal values show such a skewness and kurtosis (Jarque and Bera); below 0.05 the values are called not normal</source>
-            <translation>Вероятность таких асимметрии и эксцесса у нормальной величины (критерий Харке — Бера); при значении ниже 0,05 распределение названо не нормальным</translation>
         </message>
         <message>
             <source>Normality, p</source>
@@ -6627,22 +6721,6 @@ target, µm</source>
             <translation>Среднее, 95 % до</translation>
         </message>
         <message>
-            <source>Cp, 95 % from</source>
-            <translation>Cp, 95 % от</translation>
-        </message>
-        <message>
-            <source>Cp, 95 % to</source>
-            <translation>Cp, 95 % до</translation>
-        </message>
-        <message>
-            <source>Cpk, 95 % from</source>
-            <translation>Cpk, 95 % от</translation>
-        </message>
-        <message>
-            <source>Cpk, 95 % to</source>
-            <translation>Cpk, 95 % до</translation>
-        </message>
-        <message>
             <source>Share out of tolerance</source>
             <translation>Доля вне допуска</translation>
         </message>
@@ -6673,6 +6751,46 @@ target, µm</source>
         <message>
             <source>Above it lie 0.135 % of the parts, as above mean + 3 s of a normal quantity; told of 741 parts and more</source>
             <translation>Выше него 0.135 % деталей, как выше среднего + 3 s у нормальной величины; указывается от 741 детали</translation>
+        </message>
+        <message>
+            <source>Width of the field over 6 s, with 95 % bounds; s is that of all parts, with whatever drifts over the batch. Where nothing drifts it is Cp</source>
+            <translation>Ширина поля допуска, делённая на 6 s, с 95%-ными границами; s — по всем деталям, вместе с тем, что изменяется по ходу партии. Если ничто не изменяется, это Cp</translation>
+        </message>
+        <message>
+            <source>Pp</source>
+            <translation>Pp</translation>
+        </message>
+        <message>
+            <source>Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it says what it says of a normal quantity. A dash: no size or form of the part, or one that hardly scatters beside its field</source>
+            <translation>Расстояние от среднего до ближнего предела, делённое на 3 s, с 95%-ными границами; полный смысл имеет при нормальном распределении. Прочерк: не размер и не форма детали, или рассеяние ничтожно по сравнению с полем</translation>
+        </message>
+        <message>
+            <source>Ppk</source>
+            <translation>Ppk</translation>
+        </message>
+        <message>
+            <source>Probability that normal values deviate so much from the normal law, by the test of Shapiro and Wilk, of more than 4096 parts of Anderson and Darling; below 0.05 the values are called not normal</source>
+            <translation>Вероятность такого отклонения от нормального закона при нормальном распределении по критерию Шапиро — Уилка, свыше 4096 деталей — Андерсона — Дарлинга; если она меньше 0,05, распределение названо не нормальным</translation>
+        </message>
+        <message>
+            <source>Normality, test</source>
+            <translation>Нормальность, критерий</translation>
+        </message>
+        <message>
+            <source>Pp, 95 % from</source>
+            <translation>Pp, 95 % от</translation>
+        </message>
+        <message>
+            <source>Pp, 95 % to</source>
+            <translation>Pp, 95 % до</translation>
+        </message>
+        <message>
+            <source>Ppk, 95 % from</source>
+            <translation>Ppk, 95 % от</translation>
+        </message>
+        <message>
+            <source>Ppk, 95 % to</source>
+            <translation>Ppk, 95 % до</translation>
         </message>
     </context>
     <context>
@@ -7620,15 +7738,15 @@ med, µm</source>
             <translation>Поставить прибор туда</translation>
         </message>
         <message>
-            <source>Make the best place the gauge's free position; can be undone</source>
+            <source>Make the best place the gauge&apos;s free position; can be undone</source>
             <translation>Сделать лучшее место местом прибора; можно отменить</translation>
         </message>
         <message>
-            <source>The compliance is given, zone by zone or section by section. Choose "from stiffness and shaft" on the page Machine to see what it is made of.</source>
+            <source>The compliance is given, zone by zone or section by section. Choose &quot;from stiffness and shaft&quot; on the page Machine to see what it is made of.</source>
             <translation>Податливость задана по зонам или сечениям. Выберите «по жёсткости узлов и валу» на странице «Станок», чтобы увидеть, из чего она складывается.</translation>
         </message>
         <message>
-            <source>The compliance is given section by section, which does not say how one section moves another. Choose "from stiffness and shaft" on the page Machine.</source>
+            <source>The compliance is given section by section, which does not say how one section moves another. Choose &quot;from stiffness and shaft&quot; on the page Machine.</source>
             <translation>Податливость задана по сечениям, а это не говорит, как одно сечение отжимает другое. Выберите «по жёсткости узлов и валу» на странице «Станок».</translation>
         </message>
     </context>
@@ -7810,7 +7928,7 @@ med, µm</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
         </message>
         <message>
-            <source>Coupled sections share the power of the drives, so it limits no section's feed by itself. The requirements below hold it against the whole length.</source>
+            <source>Coupled sections share the power of the drives, so it limits no section&apos;s feed by itself. The requirements below hold it against the whole length.</source>
             <translation>Связанные сечения делят мощность приводов, поэтому подачу отдельного сечения она не ограничивает. Ниже, в требованиях, с ней сравнивается вся длина.</translation>
         </message>
     </context>
@@ -7845,7 +7963,7 @@ med, µm</source>
             <translation>%1 – %2</translation>
         </message>
         <message>
-            <source>Between −1 and 1; 0: independent. Of normal factors Pearson's coefficient, of others nearly Spearman's.</source>
+            <source>Between −1 and 1; 0: independent. Of normal factors Pearson&apos;s coefficient, of others nearly Spearman&apos;s.</source>
             <translation>От −1 до 1; 0 — независимы. Для нормальных факторов — коэффициент Пирсона, для прочих — почти Спирмена.</translation>
         </message>
     </context>
@@ -8017,7 +8135,7 @@ med, µm</source>
             <translation>То же без трассы</translation>
         </message>
         <message>
-            <source>Results, shop's numbers and requirements</source>
+            <source>Results, shop&apos;s numbers and requirements</source>
             <translation>Результаты, показатели шлифования и требования</translation>
         </message>
         <message>
@@ -8516,7 +8634,7 @@ mm/min</source>
         </message>
         <message>
             <source>Feeds</source>
-            <comment>the view's tab</comment>
+            <comment>the view&apos;s tab</comment>
             <translation>Подачи</translation>
         </message>
     </context>
@@ -9437,11 +9555,11 @@ target, µm</source>
             <translation>Будет заполнено: %1.</translation>
         </message>
         <message>
-            <source>The machine's wheel speed is above what the marking allows.</source>
+            <source>The machine&apos;s wheel speed is above what the marking allows.</source>
             <translation>Скорость круга на станке выше допускаемой маркировкой.</translation>
         </message>
         <message>
-            <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel's values.</source>
+            <source>Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills the wheel&apos;s values.</source>
             <translation>Не понято как маркировка; записанная как 500×50×203 25А F60 L 6 V 35, она заполняет величины круга.</translation>
         </message>
         <message>
@@ -9746,7 +9864,7 @@ target, µm</source>
         </message>
         <message>
             <source>Optimise</source>
-            <comment>the view's tab</comment>
+            <comment>the view&apos;s tab</comment>
             <translation>Оптимум</translation>
         </message>
         <message>
@@ -9754,7 +9872,7 @@ target, µm</source>
             <translation>Между уровнями</translation>
         </message>
         <message>
-            <source>Go on from the quickest cycle between the levels of the grid, in the machine's steps: every cycle is run in full, but that none is quicker is not proved</source>
+            <source>Go on from the quickest cycle between the levels of the grid, in the machine&apos;s steps: every cycle is run in full, but that none is quicker is not proved</source>
             <translation>Искать дальше от самого быстрого цикла между уровнями сетки, с дискретностью станка: каждый цикл просчитывается целиком, но что быстрее нет, не доказывается</translation>
         </message>
     </context>
@@ -9913,7 +10031,7 @@ target, µm</source>
             <translation>Курсоры</translation>
         </message>
         <message>
-            <source>Two cursors: the curves' values at A and at B, and their differences. Drag them, type their places, or move A with Shift and arrows, B with Ctrl+Shift and arrows.</source>
+            <source>Two cursors: the curves&apos; values at A and at B, and their differences. Drag them, type their places, or move A with Shift and arrows, B with Ctrl+Shift and arrows.</source>
             <translation>Два курсора: значения кривых в A и в B и их разности. Курсоры перетаскивают мышью, ставят числом или двигают клавишами: A — Shift и стрелки, B — Ctrl+Shift и стрелки.</translation>
         </message>
     </context>
@@ -10035,7 +10153,7 @@ target, µm</source>
             <translation>Отклонения от целевого радиуса %1, мкм</translation>
         </message>
         <message>
-            <source>Deviations from each one's mean radius drawn %1, scale in µm</source>
+            <source>Deviations from each one&apos;s mean radius drawn %1, scale in µm</source>
             <translation>Отклонения от своего среднего радиуса %1, мкм</translation>
         </message>
         <message>
@@ -10276,7 +10394,7 @@ target, µm</source>
         </message>
         <message>
             <source>Profiles</source>
-            <comment>the view's tab</comment>
+            <comment>the view&apos;s tab</comment>
             <translation>Профили</translation>
         </message>
     </context>
@@ -10743,7 +10861,7 @@ target, µm</source>
     <context>
         <name>sparkout::ShopSection</name>
         <message>
-            <source>Shop's numbers by stage</source>
+            <source>Shop&apos;s numbers by stage</source>
             <translation>Показатели шлифования по ступеням</translation>
         </message>
         <message>
@@ -10981,7 +11099,7 @@ target, µm</source>
             <translation>Время, с</translation>
         </message>
         <message>
-            <source>Machining time of the stage and its share of the cycle's.</source>
+            <source>Machining time of the stage and its share of the cycle&apos;s.</source>
             <translation>Машинное время ступени и его доля в цикле.</translation>
         </message>
     </context>
@@ -11216,7 +11334,7 @@ target, µm</source>
             <translation>Расчёта ещё нет.</translation>
         </message>
         <message>
-            <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel's dullness.</source>
+            <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
             <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая выдержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
@@ -11320,7 +11438,7 @@ target, µm</source>
             <translation>Варьировать затупление</translation>
         </message>
         <message>
-            <source>A sweep of the wheel's dullness from half to twice its value; can be undone</source>
+            <source>A sweep of the wheel&apos;s dullness from half to twice its value; can be undone</source>
             <translation>Варьирование затупления круга от половины до двойного значения; можно отменить</translation>
         </message>
         <message>
@@ -11349,7 +11467,7 @@ target, µm</source>
         </message>
         <message>
             <source>Sweep</source>
-            <comment>the view's tab</comment>
+            <comment>the view&apos;s tab</comment>
             <translation>Вариации</translation>
         </message>
     </context>

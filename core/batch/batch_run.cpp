@@ -5,6 +5,7 @@
 #include "core/batch/moments.h"
 #include "core/batch/permutation.h"
 #include "core/batch/worker_pool.h"
+#include "core/build_id.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -50,13 +51,15 @@ private:
     }
 
     bool runPart(std::int64_t part, BatchStatistics& mine) {
-        const SimulationResult result = simulate(m_source.project(part), nullptr, m_options.stop);
+        const std::vector<double> values = m_source.values(part);
+        const SimulationResult result =
+            simulate(m_source.projectWith(values), nullptr, m_options.stop);
         if (result.status == RunStatus::stopped) {
             return false;
         }
         PartOutcome outcome;
         measure(result, m_characteristics, outcome);
-        mine.add(outcome, part, m_characteristics);
+        mine.add(outcome, part, m_characteristics, m_source.scores(values));
         if (m_options.done) {
             m_options.done->fetch_add(1, std::memory_order_relaxed);
         }
@@ -100,6 +103,7 @@ BatchResult runBatch(const Project& project, const BatchOptions& options) {
     result.project = project;
     result.project.runs.clear();
     result.engineVersion = version;
+    result.build = buildId();
     result.batchParts = source.parts();
     result.range = options.range.value_or(PartRange{0, source.parts()});
     BatchPool pool(source, options);

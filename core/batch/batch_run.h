@@ -38,6 +38,7 @@ enum class BatchStatus { completed, narrowEnough, stopped };
 struct BatchResult {
     Project project; ///< with its batch, without kept runs
     std::string engineVersion;
+    std::string build;           ///< of the engine, buildId()
     PartRange range;             ///< asked for; of a stopped batch not every part of it is in
     std::int64_t batchParts = 0; ///< parts of the whole batch
     BatchStatus status = BatchStatus::completed;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
 
+#include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace sparkout {
@@ -15,17 +20,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* checksumKey = "checksum";
+
 Json partValueJson(const PartValue& value) {
     return Json::array({value.value, value.part});
 }
 
-Json valuesJson(const ValueStatistics& values) {
+/// Of the bins and products what the given factors fill, which stand first.
+Json valuesJson(const ValueStatistics& values, std::size_t factors) {
     Json sums = Json::array(), bins = Json::array();
     for (const ExactSum& sum : values.powers) {
         sums.push_back(sum.digits());
     }
-    for (const auto& [bin, count] : values.bins) {
-        bins.push_back(Json::array({bin, count}));
+    for (const auto& [number, bin] : values.bins.bins()) {
+        bins.push_back(Json::array({number, bin.count}));
+        for (std::size_t f = 0; f < factors; ++f) {
+            bins.back().push_back(bin.scores[f]);
+        }
+    }
+    Json products = Json::array();
+    for (std::size_t i = 0; i < factors; ++i) {
+        for (std::size_t j = i; j < factors; ++j) {
+            products.push_back(values.products[productPlace(i, j)]);
+        }
     }
     return {{"count", values.count},
             {"powers", std::move(sums)},
@@ -33,7 +50,9 @@ Json valuesJson(const ValueStatistics& values) {
             {"most", partValueJson(values.most)},
             {"below", values.below},
             {"above", values.above},
-            {"bins", std::move(bins)}};
+            {"bin_level", values.bins.level()},
+            {"bins", std::move(bins)},
+            {"score_products", std::move(products)}};
 }
 
 Json rowJson(const PartRow& row) {
@@ -44,10 +63,10 @@ Json rowJson(const PartRow& row) {
     return Json::array({row.part, std::move(values)});
 }
 
-Json statisticsJson(const BatchStatistics& statistics) {
+Json statisticsJson(const BatchStatistics& statistics, std::size_t factors) {
     Json values = Json::array(), rows = Json::array();
     for (const ValueStatistics& value : statistics.values) {
-        values.push_back(valuesJson(value));
+        values.push_back(valuesJson(value, factors));
     }
     for (const PartRow& row : statistics.rows) {
         rows.push_back(rowJson(row));
@@ -58,59 +77,165 @@ Json statisticsJson(const BatchStatistics& statistics) {
             {"rows", std::move(rows)}};
 }
 
-JoinFault joinFault(const std::vector<BatchResult>& shards) {
-    if (shards.empty()) {
-        return JoinFault::nothing;
+std::string hexOf(std::uint64_t number) {
+    constexpr int digits = 16;
+    std::string text(digits, '0');
+    for (int i = digits; i-- > 0; number >>= 4) {
+        text[static_cast<std::size_t>(i)] = "0123456789abcdef"[number & 15];
     }
-    std::int64_t next = 0;
-    for (const BatchResult& shard : shards) {
-        if (!sameProject(shard.project, shards.front().project)
-            || shard.batchParts != shards.front().batchParts) {
-            return JoinFault::otherProject;
-        }
-        if (shard.engineVersion != shards.front().engineVersion) {
-            return JoinFault::otherEngine;
-        }
-        if (shard.range.first < next) {
-            return JoinFault::overlap;
-        }
-        if (shard.range.first > next
-            || shard.statistics.parts != shard.range.end - shard.range.first) {
-            return JoinFault::incomplete;
-        }
-        next = shard.range.end;
-    }
-    return next == shards.front().batchParts ? JoinFault::none : JoinFault::incomplete;
+    return text;
 }
+
+/// CRC-64 of a text (ECMA-182, reflected): tells every accidental change, not a forger's.
+std::string checksumOf(std::string_view text) {
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    boost::crc_optimal<64, 0x42F0E1EBA9EA3693, all, all, true, true> crc;
+    crc.process_bytes(text.data(), text.size());
+    return hexOf(crc.checksum());
+}
+
+std::string sealed(Json state) {
+    state.erase(checksumKey);
+    const std::string checksum = checksumOf(state.dump());
+    state[checksumKey] = checksum;
+    return state.dump() + '\n';
+}
+
+/// What shards of one batch have in common.
+auto identityOf(const BatchResult& shard) {
+    return std::pair(projectDigest(shard.project), shard.batchParts);
+}
+
+auto engineOf(const BatchResult& shard) {
+    return std::pair(shard.engineVersion, shard.build);
+}
+
+/// Finds what keeps shards from being joined, and names all there is of the gravest fault.
+class JoinCheck {
+public:
+    explicit JoinCheck(const std::vector<BatchResult>& shards) : m_shards(shards) {}
+
+    JoinedBatch check() {
+        if (m_shards.empty()) {
+            m_joined.fault = JoinFault::nothing;
+            return m_joined;
+        }
+        findForeign(JoinFault::otherProject, identityOf);
+        findForeign(JoinFault::otherEngine, engineOf);
+        if (m_joined.fault == JoinFault::none) {
+            comparePlaces();
+        }
+        return std::move(m_joined);
+    }
+
+private:
+    /// Those that differ from what most have; of equal numbers from the first.
+    template <class Trait>
+    void findForeign(JoinFault fault, Trait trait) {
+        if (m_joined.fault != JoinFault::none) {
+            return;
+        }
+        std::vector<decltype(trait(m_shards[0]))> traits;
+        for (const BatchResult& shard : m_shards) {
+            traits.push_back(trait(shard));
+        }
+        std::ptrdiff_t most = 0;
+        for (std::size_t i = 0; i < traits.size(); ++i) {
+            const auto equal = std::count(traits.begin(), traits.end(), traits[i]);
+            if (equal > most) {
+                most = equal;
+                m_joined.model = i;
+            }
+        }
+        for (std::size_t i = 0; i < traits.size(); ++i) {
+            if (traits[i] != traits[m_joined.model]) {
+                m_joined.foreign.push_back(i);
+                m_joined.fault = fault;
+            }
+        }
+    }
+
+    void comparePlaces() {
+        std::vector<std::size_t> order(m_shards.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+            return m_shards[a].range.first < m_shards[b].range.first;
+        });
+        std::int64_t next = 0;
+        std::size_t farthest = order.front(); // of those so far
+        for (const std::size_t i : order) {
+            const PartRange& range = m_shards[i].range;
+            const PartRange shared{range.first, std::min(next, range.end)};
+            if (shared.first < shared.end) {
+                m_joined.doubled.push_back({farthest, i, shared});
+            } else if (range.first > next) {
+                m_joined.missing.push_back({next, range.first});
+            }
+            if (m_shards[i].statistics.parts != range.end - range.first) {
+                m_joined.stopped.push_back(i);
+            }
+            if (range.end > next) {
+                next = range.end;
+                farthest = i;
+            }
+        }
+        if (next < m_shards.front().batchParts) {
+            m_joined.missing.push_back({next, m_shards.front().batchParts});
+        }
+        m_joined.fault = !m_joined.doubled.empty() ? JoinFault::overlap
+                         : !m_joined.missing.empty() || !m_joined.stopped.empty()
+                             ? JoinFault::incomplete
+                             : JoinFault::none;
+    }
+
+    const std::vector<BatchResult>& m_shards;
+    JoinedBatch m_joined;
+};
 
 } // namespace
 
 std::string writeBatchState(const BatchResult& result) {
-    const Json json = {{"format", batchStateFormat},
-                       {"version", batchStateVersion},
-                       {"engine_version", result.engineVersion},
-                       {"project", Json::parse(writeProject(result.project))},
-                       {"batch_parts", result.batchParts},
-                       {"first", result.range.first},
-                       {"end", result.range.end},
-                       {"status", static_cast<int>(result.status)},
-                       {"statistics", statisticsJson(result.statistics)}};
-    return json.dump() + '\n';
+    const Json project = Json::parse(writeProject(result.project));
+    const std::size_t factors = givenFactors(result.project).size();
+    return sealed({{"format", batchStateFormat},
+                   {"version", batchStateVersion},
+                   {"engine_version", result.engineVersion},
+                   {"build", result.build},
+                   {"project_digest", checksumOf(project.dump())},
+                   {"project", project},
+                   {"batch_parts", result.batchParts},
+                   {"first", result.range.first},
+                   {"end", result.range.end},
+                   {"status", static_cast<int>(result.status)},
+                   {"statistics", statisticsJson(result.statistics, factors)}});
 }
 
-JoinedBatch joinBatches(std::vector<BatchResult> shards) {
-    std::sort(shards.begin(), shards.end(), [](const BatchResult& a, const BatchResult& b) {
-        return a.range.first < b.range.first;
-    });
-    JoinedBatch joined{joinFault(shards), {}};
+std::string sealBatchState(std::string_view text) {
+    return sealed(Json::parse(text));
+}
+
+std::string projectDigest(const Project& project) {
+    return checksumOf(Json::parse(writeProject(project)).dump());
+}
+
+void BatchJoiner::add(BatchResult shard) {
+    const std::int64_t parts = shard.statistics.parts;
+    if (m_total.parts + parts <= shard.batchParts) { // else some are doubled, which join() refuses
+        m_total.add(shard.statistics);
+    }
+    shard.statistics = {};
+    shard.statistics.parts = parts;
+    m_shards.push_back(std::move(shard));
+}
+
+JoinedBatch BatchJoiner::join() const {
+    JoinedBatch joined = JoinCheck(m_shards).check();
     if (joined.fault != JoinFault::none) {
         return joined;
     }
-    joined.result = std::move(shards.front());
-    for (std::size_t i = 1; i < shards.size(); ++i) {
-        joined.result.statistics.add(shards[i].statistics);
-    }
+    joined.result = m_shards[joined.model];
     joined.result.range = {0, joined.result.batchParts};
+    joined.result.statistics = m_total;
     joined.result.statistics.sort();
     return joined;
 }

@@ -12,23 +12,67 @@
 namespace sparkout {
 
 inline constexpr const char* batchStateFormat = "sparkout-batch";
-inline constexpr int batchStateVersion = 1;
+inline constexpr int batchStateVersion = 2;
 
 /// One UTF-8 JSON text with everything, bit for bit: equal results, equal bytes.
 [[nodiscard]] std::string writeBatchState(const BatchResult& result);
 
-/// Reads it back; nothing when no batch writes such a text.
-[[nodiscard]] std::optional<BatchResult> readBatchState(std::string_view text);
+/// The JSON text of a state with the checksum that belongs to it, in place of any it had.
+[[nodiscard]] std::string sealBatchState(std::string_view text);
+
+/// Digest of a project as it is written, without its kept runs: names what a shard is of.
+[[nodiscard]] std::string projectDigest(const Project& project);
+
+/// Why a text is no state of a batch.
+enum class StateFault {
+    none,
+    otherFormat,  ///< not of this kind at all
+    otherVersion, ///< of a version that this one does not read
+    changed,      ///< its checksum is not that of its contents
+    impossible    ///< contents no batch writes
+};
+
+/// Reads it back; without a result when no batch writes such a text.
+struct ReadBatchState {
+    StateFault fault = StateFault::none;
+    std::optional<BatchResult> result;
+
+    explicit operator bool() const { return result.has_value(); }
+};
+[[nodiscard]] ReadBatchState readBatchState(std::string_view text);
 
 /// Why shards cannot be joined.
 enum class JoinFault { none, nothing, otherProject, otherEngine, overlap, incomplete };
 
-/// Joins shards given in any order: what one run of all their parts gives. They must be of one
-/// project and one engine version and together hold every part once.
+/// What came of joining shards. They are named by their places in the order they were given.
 struct JoinedBatch {
+    struct Doubled {
+        std::size_t first = 0, second = 0;
+        PartRange parts; ///< that both hold
+    };
+
     JoinFault fault = JoinFault::none;
-    BatchResult result; ///< without a fault
+    std::size_t model = 0;            ///< one of those that most shards agree with
+    std::vector<std::size_t> foreign; ///< of another project or engine than it
+    std::vector<Doubled> doubled;     ///< of an overlap
+    std::vector<PartRange> missing;   ///< of an incomplete batch: parts of no shard
+    std::vector<std::size_t> stopped; ///< shards that were ended before their last part
+    BatchResult result;               ///< without a fault
 };
-[[nodiscard]] JoinedBatch joinBatches(std::vector<BatchResult> shards);
+
+/// Joins shards given in any order: what one run of all their parts gives. They must be of one
+/// project and one build of the engine and together hold every part once.
+class BatchJoiner {
+public:
+    /// Takes a shard in; but for what it is of, nothing of it is kept beside the sums.
+    void add(BatchResult shard);
+    [[nodiscard]] JoinedBatch join() const;
+    /// The shards so far, of their statistics only the number of parts.
+    [[nodiscard]] const std::vector<BatchResult>& shards() const { return m_shards; }
+
+private:
+    std::vector<BatchResult> m_shards;
+    BatchStatistics m_total;
+};
 
 } // namespace sparkout

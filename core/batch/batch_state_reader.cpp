@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_state.h"
+#include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +15,7 @@ namespace sparkout {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// A state that no batch writes.
 struct NoState {};
@@ -40,13 +41,14 @@ public:
     explicit StateReader(const json& state) : m_state(state) {}
 
     BatchResult read() {
-        expect(m_state.at("format") == batchStateFormat);
-        expect(m_state.at("version") == batchStateVersion);
         ReadResult project = readProject(m_state.at("project").dump());
         expect(project.project && checkBatch(*project.project).empty());
         m_result.project = std::move(*project.project);
         m_characteristics = characteristicsOf(m_result.project).size();
+        m_factors = givenFactors(m_result.project).size();
+        expect(m_state.at("project_digest") == projectDigest(m_result.project));
         m_result.engineVersion = m_state.at("engine_version").get<std::string>();
+        m_result.build = m_state.at("build").get<std::string>();
         m_result.batchParts = ScenarioSource(m_result.project).parts();
         expect(m_state.at("batch_parts") == m_result.batchParts);
         m_result.range.end = wholeIn(m_state.at("end"), 0, m_result.batchParts);
@@ -107,14 +109,38 @@ private:
         expect(values.least.value <= values.most.value);
         values.below = wholeIn(state.at("below"), 0, values.count);
         values.above = wholeIn(state.at("above"), 0, values.count - values.below);
-        std::int64_t left = values.count;
-        for (const json& bin : state.at("bins")) {
-            expect(bin.size() == 2);
-            const std::int64_t at = wholeIn(bin.at(0), -outermostBin, outermostBin);
-            left -= values.bins[at] = wholeIn(bin.at(1), 1, left);
-        }
-        expect(left == 0);
+        readBins(state, values);
         return values;
+    }
+
+    void readBins(const json& state, ValueStatistics& values) const {
+        const auto level =
+            static_cast<int>(wholeIn(state.at("bin_level"), 0, ValueBins::highestLevel));
+        ValueBins::Map bins;
+        std::int64_t left = values.count;
+        for (const json& given : state.at("bins")) {
+            expect(given.size() == 2 + m_factors);
+            const std::int64_t at =
+                wholeIn(given.at(0), ValueBins::lowest(level), ValueBins::highest(level));
+            expect(bins.empty() || at > bins.rbegin()->first);
+            ValueBins::Bin& bin = bins[at];
+            left -= bin.count = wholeIn(given.at(1), 1, left);
+            for (std::size_t f = 0; f < m_factors; ++f) {
+                const std::int64_t most = bin.count << (rankScoreBits - 1);
+                bin.scores[f] = wholeIn(given.at(2 + f), -most, most);
+            }
+        }
+        expect(left == 0 && bins.size() <= ValueBins::mostFor(m_characteristics));
+        values.bins = ValueBins::of(level, std::move(bins));
+        expect(state.at("score_products").size() == m_factors * (m_factors + 1) / 2);
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < m_factors; ++i) {
+            for (std::size_t j = i; j < m_factors; ++j) {
+                const std::int64_t most = values.count << (2 * (rankScoreBits - 1));
+                values.products[productPlace(i, j)] =
+                    wholeIn(state.at("score_products").at(next++), -most, most);
+            }
+        }
     }
 
     static ExactSum readSum(const json& state) {
@@ -144,18 +170,37 @@ private:
 
     const json& m_state;
     BatchResult m_result;
-    std::size_t m_characteristics = 0;
+    std::size_t m_characteristics = 0, m_factors = 0;
 };
+
+ReadBatchState contentsOf(const json& state) {
+    try {
+        return {StateFault::none, StateReader(state).read()};
+    } catch (const json::exception&) {
+        return {StateFault::impossible, {}};
+    } catch (const NoState&) {
+        return {StateFault::impossible, {}};
+    }
+}
 
 } // namespace
 
-std::optional<BatchResult> readBatchState(std::string_view text) {
+ReadBatchState readBatchState(std::string_view text) {
     try {
-        return StateReader(json::parse(text)).read();
+        const json state = json::parse(text);
+        if (state.at("format") != batchStateFormat) {
+            return {StateFault::otherFormat, {}};
+        }
+        if (state.at("version") != batchStateVersion) {
+            return {StateFault::otherVersion, {}};
+        }
+        if (!state.contains("checksum")
+            || json::parse(sealBatchState(text)).at("checksum") != state.at("checksum")) {
+            return {StateFault::changed, {}};
+        }
+        return contentsOf(state);
     } catch (const json::exception&) {
-        return std::nullopt;
-    } catch (const NoState&) {
-        return std::nullopt;
+        return {StateFault::otherFormat, {}};
     }
 }
 

@@ -36,7 +36,8 @@ bool sameBitsOf(double a, double b) {
 
 } // namespace
 
-void ValueStatistics::add(double value, std::int64_t part, const Characteristic& characteristic) {
+void ValueStatistics::add(double value, std::int64_t part, const Characteristic& characteristic,
+                          const RankScores& scores, std::size_t mostBins) {
     ++count;
     double power = value;
     for (ExactSum& sum : powers) {
@@ -47,12 +48,15 @@ void ValueStatistics::add(double value, std::int64_t part, const Characteristic&
     keepMost(most, {value, part});
     below += characteristic.low && value < *characteristic.low - slack ? 1 : 0;
     above += characteristic.high && value > *characteristic.high + slack ? 1 : 0;
-    constexpr auto outermost = static_cast<double>(outermostBin);
-    const double bin = std::floor(value / characteristic.resolution);
-    ++bins[static_cast<std::int64_t>(std::clamp(bin, -outermost, outermost))];
+    bins.add(value, characteristic.resolution, scores, mostBins);
+    for (std::size_t i = 0; i < factorKinds; ++i) {
+        for (std::size_t j = i; j < factorKinds; ++j) {
+            products[productPlace(i, j)] += std::int64_t{scores[i]} * scores[j];
+        }
+    }
 }
 
-void ValueStatistics::add(const ValueStatistics& other) {
+void ValueStatistics::add(const ValueStatistics& other, std::size_t mostBins) {
     count += other.count;
     for (std::size_t i = 0; i < powers.size(); ++i) {
         powers[i].add(other.powers[i]);
@@ -61,13 +65,15 @@ void ValueStatistics::add(const ValueStatistics& other) {
     keepMost(most, other.most);
     below += other.below;
     above += other.above;
-    for (const auto& [bin, parts] : other.bins) {
-        bins[bin] += parts;
+    bins.add(other.bins, mostBins);
+    for (std::size_t i = 0; i < products.size(); ++i) {
+        products[i] += other.products[i];
     }
 }
 
 void BatchStatistics::add(const PartOutcome& outcome, std::int64_t part,
-                          const std::vector<Characteristic>& characteristics) {
+                          const std::vector<Characteristic>& characteristics,
+                          const RankScores& scores) {
     ++parts;
     failed += outcome.completed ? 0 : 1;
     bad += outcome.good ? 0 : 1;
@@ -77,9 +83,10 @@ void BatchStatistics::add(const PartOutcome& outcome, std::int64_t part,
     keepLeast(worst,
               {outcome.completed ? outcome.margin : std::numeric_limits<double>::lowest(), part});
     values.resize(characteristics.size());
+    const std::size_t mostBins = ValueBins::mostFor(values.size());
     for (std::size_t i = 0; i < outcome.values.size(); ++i) {
         if (std::isfinite(outcome.values[i])) {
-            values[i].add(outcome.values[i], part, characteristics[i]);
+            values[i].add(outcome.values[i], part, characteristics[i], scores, mostBins);
         }
     }
     if (part < keptRows && outcome.completed) {
@@ -96,10 +103,15 @@ void BatchStatistics::add(const BatchStatistics& other) {
     }
     keepLeast(worst, other.worst);
     values.resize(std::max(values.size(), other.values.size()));
+    const std::size_t mostBins = ValueBins::mostFor(values.size());
     for (std::size_t i = 0; i < other.values.size(); ++i) {
-        values[i].add(other.values[i]);
+        values[i].add(other.values[i], mostBins);
     }
     rows.insert(rows.end(), other.rows.begin(), other.rows.end());
+}
+
+bool BatchStatistics::keepsAll() const {
+    return static_cast<std::int64_t>(rows.size()) + failed == parts;
 }
 
 void BatchStatistics::sort() {
@@ -113,7 +125,8 @@ bool operator==(const PartValue& a, const PartValue& b) {
 
 bool operator==(const ValueStatistics& a, const ValueStatistics& b) {
     return a.count == b.count && a.powers == b.powers && a.least == b.least && a.most == b.most
-           && a.below == b.below && a.above == b.above && a.bins == b.bins;
+           && a.below == b.below && a.above == b.above && a.bins == b.bins
+           && a.products == b.products;
 }
 
 bool operator==(const BatchStatistics& a, const BatchStatistics& b) {

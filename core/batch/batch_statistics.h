@@ -3,11 +3,11 @@
 
 #include "core/batch/characteristics.h"
 #include "core/batch/exact_sum.h"
+#include "core/batch/value_bins.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace sparkout {
@@ -18,8 +18,12 @@ struct PartValue {
     std::int64_t part = -1; ///< −1: none yet
 };
 
-/// Values farther out are counted in the last bin of their side.
-inline constexpr std::int64_t outermostBin = std::int64_t{1} << 20;
+/// Σ s_i·s_j of the factors' rank scores, i ≤ j, row by row: whole numbers, exact.
+using ScoreProducts = std::array<std::int64_t, factorKinds*(factorKinds + 1) / 2>;
+/// Where the product of the scores of two factors stands, i ≤ j.
+[[nodiscard]] constexpr std::size_t productPlace(std::size_t i, std::size_t j) {
+    return i * (2 * factorKinds - i - 1) / 2 + j;
+}
 
 /// What is kept of one characteristic over the parts: exact sums, counts and extremes. Its size
 /// does not grow with the number of parts, and joining two of them is exact, in any order.
@@ -27,11 +31,14 @@ struct ValueStatistics {
     std::int64_t count = 0;
     std::array<ExactSum, 4> powers; ///< Σx, Σx², Σx³, Σx⁴, each power rounded before it is summed
     PartValue least, most;
-    std::int64_t below = 0, above = 0;         ///< out of the limits
-    std::map<std::int64_t, std::int64_t> bins; ///< count by ⌊x/resolution⌋
+    std::int64_t below = 0, above = 0; ///< out of the limits
+    ValueBins bins;
+    ScoreProducts products{}; ///< of the parts that have a value
 
-    void add(double value, std::int64_t part, const Characteristic& characteristic);
-    void add(const ValueStatistics& other);
+    /// A value of a part whose factors have these ranks; at most `mostBins` bins are kept.
+    void add(double value, std::int64_t part, const Characteristic& characteristic,
+             const RankScores& scores, std::size_t mostBins);
+    void add(const ValueStatistics& other, std::size_t mostBins);
 };
 
 /// The values of one part.
@@ -54,8 +61,10 @@ struct BatchStatistics {
     std::vector<PartRow> rows;           ///< of the parts below keptRows, in any order until sorted
 
     void add(const PartOutcome& outcome, std::int64_t part,
-             const std::vector<Characteristic>& characteristics);
+             const std::vector<Characteristic>& characteristics, const RankScores& scores);
     void add(const BatchStatistics& other);
+    /// Whether every part with values is among the rows.
+    [[nodiscard]] bool keepsAll() const;
     /// Puts the rows in order: then equal parts make equal statistics.
     void sort();
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
+#include <limits>
 
 namespace sparkout {
 
@@ -13,6 +13,7 @@ namespace {
 constexpr std::array percentileOrders{0.00135, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 0.99865};
 /// Scatter below this share of the resolution is rounding: no capability is made of it.
 constexpr double negligible = 1e-6;
+constexpr double mostIndex = 99; ///< beyond it the scatter is nothing beside the field
 constexpr std::int64_t leastForShape = 20;
 constexpr std::int64_t mostBars = 40;
 
@@ -30,10 +31,7 @@ Share shareOf(std::int64_t count, std::int64_t parts, bool isSample) {
 class Summariser {
 public:
     Summariser(const BatchResult& result, bool isSample)
-        : m_statistics(result.statistics)
-        , m_isSample(isSample)
-        , m_exact(static_cast<std::int64_t>(m_statistics.rows.size()) + m_statistics.failed
-                  == m_statistics.parts) {}
+        : m_statistics(result.statistics), m_isSample(isSample), m_exact(m_statistics.keepsAll()) {}
 
     [[nodiscard]] bool exact() const { return m_exact; }
 
@@ -49,13 +47,14 @@ public:
         if (values.count == 0) {
             return summary;
         }
-        summary.histogram = histogram(values, characteristic.resolution);
+        summary.histogram = histogram(values.bins.atLeast(ValueBins::levelOfResolution),
+                                      characteristic.resolution, values.count);
         sortValues(index);
         for (const double order : percentileOrders) {
             summary.percentiles.push_back(percentile(values, characteristic.resolution, order));
         }
         if (m_isSample && values.count >= 2) {
-            addEstimates(summary);
+            addEstimates(summary, values);
         }
         return summary;
     }
@@ -73,21 +72,26 @@ private:
         std::sort(m_sorted.begin(), m_sorted.end());
     }
 
-    /// The value of a rank, from 1: itself, or the middle of its bin.
-    [[nodiscard]] double ranked(const ValueStatistics& values, double resolution,
-                                std::int64_t rank) const {
+    /// Where the value of a rank, from 1, lies: at itself, or within its bin.
+    [[nodiscard]] Interval ranked(const ValueStatistics& values, double resolution,
+                                  std::int64_t rank) const {
         if (static_cast<std::int64_t>(m_sorted.size()) == values.count) {
-            return m_sorted[static_cast<std::size_t>(rank - 1)];
+            const double value = m_sorted[static_cast<std::size_t>(rank - 1)];
+            return {value, value};
         }
+        const auto within = [&values](double value) {
+            return std::clamp(value, values.least.value, values.most.value);
+        };
+        const double width = values.bins.width(resolution);
         std::int64_t below = 0;
-        for (const auto& [bin, count] : values.bins) {
-            below += count;
+        for (const auto& [number, bin] : values.bins.bins()) {
+            below += bin.count;
             if (below >= rank) {
-                return std::clamp((static_cast<double>(bin) + 0.5) * resolution, values.least.value,
-                                  values.most.value);
+                const double low = static_cast<double>(number) * width;
+                return {within(low), within(low + width)};
             }
         }
-        return values.most.value;
+        return {values.most.value, values.most.value};
     }
 
     [[nodiscard]] Percentile percentile(const ValueStatistics& values, double resolution,
@@ -95,60 +99,68 @@ private:
         const auto exactRank = order * static_cast<double>(values.count);
         const auto rank = std::clamp<std::int64_t>(
             static_cast<std::int64_t>(std::ceil(exactRank - 1e-9)), 1, values.count);
-        Percentile found{order, ranked(values, resolution, rank), {}};
+        const Interval at = ranked(values, resolution, rank);
+        Percentile found{order, at.low + (at.high - at.low) / 2, {}};
         const auto ranks =
             m_isSample ? quantileRanks(values.count, order, confidence95) : std::optional<Ranks>();
         if (ranks) {
-            found.interval = Interval{ranked(values, resolution, ranks->low),
-                                      ranked(values, resolution, ranks->high)};
+            found.interval = Interval{ranked(values, resolution, ranks->low).low,
+                                      ranked(values, resolution, ranks->high).high};
         }
         return found;
     }
 
     /// At most √n bars, no more than 40, each of equally many bins.
-    static std::vector<HistogramBar> histogram(const ValueStatistics& values, double resolution) {
-        const std::int64_t first = values.bins.begin()->first, last = values.bins.rbegin()->first;
+    static std::vector<HistogramBar> histogram(const ValueBins& bins, double resolution,
+                                               std::int64_t count) {
+        const std::int64_t first = bins.bins().begin()->first, last = bins.bins().rbegin()->first;
+        const double binWidth = bins.width(resolution);
         const auto root =
-            static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(values.count))));
+            static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
         const std::int64_t bars = std::clamp<std::int64_t>(root, 5, mostBars);
         const std::int64_t width = (last - first) / bars + 1;
         std::vector<HistogramBar> found(static_cast<std::size_t>((last - first) / width + 1));
         for (std::size_t i = 0; i < found.size(); ++i) {
             const auto low = static_cast<double>(first + static_cast<std::int64_t>(i) * width);
-            found[i].low = low * resolution;
-            found[i].high = (low + static_cast<double>(width)) * resolution;
+            found[i].low = low * binWidth;
+            found[i].high = (low + static_cast<double>(width)) * binWidth;
         }
-        for (const auto& [bin, count] : values.bins) {
-            found[static_cast<std::size_t>((bin - first) / width)].count += count;
+        for (const auto& [number, bin] : bins.bins()) {
+            found[static_cast<std::size_t>((number - first) / width)].count += bin.count;
         }
         return found;
     }
 
-    // C_p = (U − L)/(6s), C_pk = min(U − mean, mean − L)/(3s); of one limit only C_pk.
-    static void addEstimates(CharacteristicSummary& summary) {
-        const auto& [name, unit, zone, section, low, high, resolution] = summary.characteristic;
+    // P_p = (U − L)/(6s), P_pk = min(U − mean, mean − L)/(3s); of one limit only P_pk.
+    void addEstimates(CharacteristicSummary& summary, const ValueStatistics& values) const {
+        const Characteristic& of = summary.characteristic;
         const double s = summary.moments.deviation, mean = summary.moments.mean;
         summary.mean95 = studentInterval(mean, s, summary.count, confidence95);
-        if (s <= negligible * resolution) {
+        if (s <= negligible * of.resolution) {
             return;
         }
         if (summary.count >= leastForShape) {
-            summary.normality = jarqueBeraProbability(summary.moments.skewness,
-                                                      summary.moments.excess, summary.count);
+            summary.normality =
+                static_cast<std::int64_t>(m_sorted.size()) == summary.count
+                    ? shapiroWilk(m_sorted)
+                    : andersonDarling(values.bins, of.resolution, summary.count, mean, s);
         }
-        if (std::string_view(unit) == "%") {
-            return; // of a limit of its own: no size that a process holds
+        if (!hasCapability(of)) {
+            return;
         }
-        if (low && high) {
-            const double cp = (*high - *low) / (6 * s);
-            summary.cp = Capability{cp, cpInterval(cp, summary.count, confidence95)};
+        const double above = of.high ? *of.high - mean : std::numeric_limits<double>::max();
+        const double under = of.low ? mean - *of.low : std::numeric_limits<double>::max();
+        const double ppk = std::min(above, under) / (3 * s);
+        if (ppk > mostIndex) {
+            return;
         }
-        if (low || high) {
-            const double reach =
-                std::min(high ? *high - mean : mean - *low, low ? mean - *low : *high - mean);
-            const double cpk = reach / (3 * s);
-            summary.cpk = Capability{cpk, cpkInterval(cpk, summary.count, confidence95)};
+        summary.ppk = Capability{ppk, ppkInterval(ppk, summary.count, confidence95)};
+        if (of.low && of.high) {
+            const double pp = (*of.high - *of.low) / (6 * s);
+            summary.pp = Capability{pp, ppInterval(pp, summary.count, confidence95)};
         }
+        summary.expectedOutside =
+            (of.high ? normalShare(-above / s) : 0) + (of.low ? normalShare(-under / s) : 0);
     }
 
     const BatchStatistics& m_statistics;
@@ -185,6 +197,7 @@ BatchSummary summarise(const BatchResult& result) {
     summary.causes = causesOf(statistics);
     summary.worstPart = statistics.worst.part;
     summary.exactPercentiles = summariser.exact();
+    summary.drifts = std::ranges::any_of(source.factors(), &GivenFactor::isLaw);
     const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
     for (std::size_t i = 0; i < statistics.values.size(); ++i) {
         summary.characteristics.push_back(summariser.of(characteristics[i], i));

@@ -4,6 +4,7 @@
 #include "core/batch/batch_run.h"
 #include "core/batch/intervals.h"
 #include "core/batch/moments.h"
+#include "core/batch/normality.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +15,8 @@ namespace sparkout {
 struct Percentile {
     double order = 0; ///< 0…1
     double value = 0;
-    std::optional<Interval> interval; ///< 95 %, from order statistics; not for corners
+    /// 95 %, from order statistics, of binned values to the edges of their bins; not for corners.
+    std::optional<Interval> interval;
 };
 
 struct HistogramBar {
@@ -22,7 +24,7 @@ struct HistogramBar {
     std::int64_t count = 0;
 };
 
-/// A capability index with its 95 % bounds.
+/// A performance index with its 95 % bounds.
 struct Capability {
     double value = 0;
     Interval interval;
@@ -49,9 +51,13 @@ struct CharacteristicSummary {
     std::optional<Interval> mean95; ///< Student's
     std::vector<Percentile> percentiles;
     std::vector<HistogramBar> histogram;
-    std::optional<double> normality; ///< probability of such a shape if normal, 20 values or more
-    std::optional<Capability> cp, cpk;
-    Share outside; ///< its limits
+    std::optional<Normality> normality; ///< of 20 values or more
+    /// Performance indices [ISO22514]: s is that of all parts, drift and all. Of what
+    /// hasCapability() names; not where the scatter is nothing beside the field, which would be an
+    /// index above 99.
+    std::optional<Capability> pp, ppk;
+    std::optional<double> expectedOutside; ///< share of a normal law of this mean and s; as ppk
+    Share outside;                         ///< its limits
 };
 
 /// The figures of a batch. Corners are no sample: of them only extremes and counts are told.
@@ -61,7 +67,8 @@ struct BatchSummary {
     Share bad;
     std::vector<RejectCause> causes; ///< that any part failed, the most frequent first
     std::int64_t worstPart = -1;
-    bool exactPercentiles = false; ///< else to within the characteristic's resolution
+    bool exactPercentiles = false; ///< else to within a bin
+    bool drifts = false; ///< a factor grows over the batch: C_p, of a process at rest, has no s
     std::vector<CharacteristicSummary> characteristics;
 };
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string_view>
 
 namespace sparkout {
 
@@ -125,6 +126,12 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
 }
 
 } // namespace
+
+bool hasCapability(const Characteristic& characteristic) {
+    return (characteristic.low || characteristic.high)
+           && std::string_view(characteristic.unit) == "µm"
+           && std::string_view(characteristic.name) != constraintName(ConstraintKind::roughness);
+}
 
 double meanDeviation_um(const SectionResult& section, double nominal_mm) {
     const double sum =

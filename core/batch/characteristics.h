@@ -25,6 +25,11 @@ struct Characteristic {
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);
 
+/// Whether capability is told of it: a size or a form of the finished part that the drawing limits.
+/// Not of the drives' power, which is no part's, nor of Ra, of which the batch scatters the pass's
+/// depth alone and not the wheel's face.
+[[nodiscard]] bool hasCapability(const Characteristic& characteristic);
+
 /// Mean diameter of a zone or section less the nominal one [µm].
 [[nodiscard]] double meanDeviation_um(const SectionResult& section, double nominal_mm);
 

@@ -58,6 +58,18 @@ double triangularQuantile(const std::vector<double>& corners, double share) {
                                    : b - std::sqrt((1 - share) * (b - a) * (b - c));
 }
 
+/// The share of a triangular law below a value: the inverse of its quantile.
+double triangularShare(const std::vector<double>& corners, double value) {
+    const double a = corners[0], c = corners[1], b = corners[2];
+    if (b == a) {
+        return 0.5;
+    }
+    const double share = value < c ? (value - a) * (value - a) / ((b - a) * (c - a))
+                         : b == c  ? 1
+                                   : 1 - (b - value) * (b - value) / ((b - a) * (b - c));
+    return std::clamp(share, 0.0, 1.0);
+}
+
 } // namespace
 
 double factorQuantile(const GivenFactor& factor, double share) {
@@ -80,6 +92,38 @@ double factorQuantile(const GivenFactor& factor, double share) {
     const double below = normalShare((ends.low - m) / s), upTo = normalShare((ends.high - m) / s);
     const double p = std::clamp(below + share * (upTo - below), 0x1p-60, 1 - 0x1p-53);
     return std::clamp(m + s * normalQuantile(p), ends.low, ends.high);
+}
+
+double factorRank(const GivenFactor& factor, double value) {
+    const auto between = [value](double low, double high) {
+        return high == low ? 0.5 : std::clamp((value - low) / (high - low), 0.0, 1.0);
+    };
+    const Factor& law = factor.law;
+    if (law.grows) {
+        return between(std::min((*law.grows)[0], (*law.grows)[1]),
+                       std::max((*law.grows)[0], (*law.grows)[1]));
+    }
+    if (law.uniform) {
+        return between((*law.uniform)[0], (*law.uniform)[1]);
+    }
+    if (law.triangular) {
+        return triangularShare(*law.triangular, value);
+    }
+    if (law.measured) {
+        const auto [first, end] =
+            std::equal_range(law.measured->begin(), law.measured->end(), value);
+        return static_cast<double>((first - law.measured->begin()) + (end - law.measured->begin()))
+               / (2 * static_cast<double>(law.measured->size()));
+    }
+    const double m = (*law.normal)[0], s = (*law.normal)[1];
+    const FactorEnds ends = truncation(factor);
+    if (s == 0) {
+        return 0.5;
+    }
+    const double below = normalShare((ends.low - m) / s), upTo = normalShare((ends.high - m) / s);
+    return upTo > below
+               ? std::clamp((normalShare((value - m) / s) - below) / (upTo - below), 0.0, 1.0)
+               : 0.5;
 }
 
 double lawValue(const GivenFactor& factor, std::int64_t part, std::int64_t parts) {

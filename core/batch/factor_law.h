@@ -18,6 +18,11 @@ namespace sparkout {
 /// wheel's diameter changes with each dressing instead, from the first to the last of the batch.
 [[nodiscard]] double lawValue(const GivenFactor& factor, std::int64_t part, std::int64_t parts);
 
+/// The rank of a value within its factor's law, from 0 to 1: the share of a batch below it and half
+/// of the share that is equal to it; of a law over the batch its place between the ends. ½ of a
+/// constant.
+[[nodiscard]] double factorRank(const GivenFactor& factor, double value);
+
 /// The ends between which corners are taken: the least and greatest value; of a normal factor the
 /// bounds it is truncated to, else m ± 3s.
 struct FactorEnds {

@@ -72,26 +72,19 @@ std::optional<Ranks> quantileRanks(std::int64_t count, double order, double conf
     return Ranks{r, s};
 }
 
-Interval cpInterval(double cp, std::int64_t count, double confidence) {
+Interval ppInterval(double pp, std::int64_t count, double confidence) {
     const auto freedom = static_cast<double>(count - 1);
     const boost::math::chi_squared chi(freedom);
     const double tail = tailOf(confidence);
-    return {cp * std::sqrt(boost::math::quantile(chi, tail) / freedom),
-            cp * std::sqrt(boost::math::quantile(boost::math::complement(chi, tail)) / freedom)};
+    return {pp * std::sqrt(boost::math::quantile(chi, tail) / freedom),
+            pp * std::sqrt(boost::math::quantile(boost::math::complement(chi, tail)) / freedom)};
 }
 
-Interval cpkInterval(double cpk, std::int64_t count, double confidence) {
+Interval ppkInterval(double ppk, std::int64_t count, double confidence) {
     const auto n = static_cast<double>(count);
     const double half =
-        -normalQuantile(tailOf(confidence)) * std::sqrt(1 / (9 * n) + cpk * cpk / (2 * (n - 1)));
-    return {cpk - half, cpk + half};
-}
-
-// The survival of χ² with two degrees of freedom is e^(−x/2).
-double jarqueBeraProbability(double skewness, double excess, std::int64_t count) {
-    const double statistic =
-        static_cast<double>(count) / 6 * (skewness * skewness + excess * excess / 4);
-    return std::exp(-statistic / 2);
+        -normalQuantile(tailOf(confidence)) * std::sqrt(1 / (9 * n) + ppk * ppk / (2 * (n - 1)));
+    return {ppk - half, ppk + half};
 }
 
 double normalQuantile(double p) {

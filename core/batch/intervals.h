@@ -29,15 +29,12 @@ struct Ranks {
 [[nodiscard]] std::optional<Ranks> quantileRanks(std::int64_t count, double order,
                                                  double confidence);
 
-/// Of C_p = (U − L)/(6s): C_p·√(χ²/(n−1)) [KOTZ1993]; n ≥ 2.
-[[nodiscard]] Interval cpInterval(double cp, std::int64_t count, double confidence);
+/// Of P_p = (U − L)/(6s), and of C_p alike: P_p·√(χ²/(n−1)) [KOTZ1993]; n ≥ 2.
+[[nodiscard]] Interval ppInterval(double pp, std::int64_t count, double confidence);
 
-/// Of C_pk, Bissell's approximation: C_pk ± z·√(1/(9n) + C_pk²/(2(n−1))) [BISSELL1990]; n ≥ 2.
-[[nodiscard]] Interval cpkInterval(double cpk, std::int64_t count, double confidence);
-
-/// Probability that normal values show at least this skewness and excess kurtosis: the statistic of
-/// Jarque and Bera, n/6·(g₁² + g₂²/4), is χ² of 2 degrees of freedom for many values [JARQUE1987].
-[[nodiscard]] double jarqueBeraProbability(double skewness, double excess, std::int64_t count);
+/// Of P_pk, and of C_pk alike, Bissell's approximation: P_pk ± z·√(1/(9n) + P_pk²/(2(n−1)))
+/// [BISSELL1990]; n ≥ 2.
+[[nodiscard]] Interval ppkInterval(double ppk, std::int64_t count, double confidence);
 
 /// Quantile of the standard normal law, 0 < p < 1, and the law itself.
 [[nodiscard]] double normalQuantile(double p);

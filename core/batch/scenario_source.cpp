@@ -6,6 +6,7 @@
 #include "core/process/profile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -87,6 +88,15 @@ Project ScenarioSource::projectWith(const std::vector<double>& values) const {
         putFactor(m_factors[f].kind, values[f], project);
     }
     return project;
+}
+
+RankScores ScenarioSource::scores(const std::vector<double>& values) const {
+    RankScores scores{};
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        const double centred = factorRank(m_factors[f], values[f]) - 0.5;
+        scores[f] = static_cast<std::int32_t>(std::lround(std::ldexp(centred, rankScoreBits)));
+    }
+    return scores;
 }
 
 } // namespace sparkout

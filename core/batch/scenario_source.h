@@ -3,6 +3,7 @@
 
 #include "core/batch/correlation.h"
 #include "core/batch/factor_law.h"
+#include "core/batch/value_bins.h"
 
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] Project project(std::int64_t part) const;
     /// The project with these values of the factors.
     [[nodiscard]] Project projectWith(const std::vector<double>& values) const;
+    /// The ranks of these values within the laws of their factors.
+    [[nodiscard]] RankScores scores(const std::vector<double>& values) const;
     /// The project as it stands: every factor at its input.
     [[nodiscard]] const Project& nominal() const { return m_nominal; }
 

@@ -39,13 +39,18 @@ Eigen::VectorXd centredRanks(const std::vector<double>& values) {
     return ranks;
 }
 
+/// Fewer parts do not carry a plane over so many factors.
+std::size_t leastParts(std::size_t factors) {
+    return 2 * factors + 2;
+}
+
 // b = R⁻¹·r with the correlations R between the factors' ranks and r with the characteristic's;
 // R² = bᵀ·r.
 std::optional<RankRegression> regression(const std::vector<std::vector<double>>& factors,
                                          const std::vector<double>& values) {
     const auto k = static_cast<Eigen::Index>(factors.size());
     const Eigen::VectorXd y = centredRanks(values);
-    if (k == 0 || values.size() < 2 * factors.size() + 2 || y.squaredNorm() == 0) {
+    if (k == 0 || values.size() < leastParts(factors.size()) || y.squaredNorm() == 0) {
         return std::nullopt;
     }
     Eigen::MatrixXd X(y.size(), k);
@@ -59,6 +64,60 @@ std::optional<RankRegression> regression(const std::vector<std::vector<double>>&
     }
     const Eigen::VectorXd r = X.transpose() * y / y.norm();
     const Eigen::VectorXd b = (X.transpose() * X).ldlt().solve(r);
+    if (!b.allFinite()) {
+        return std::nullopt;
+    }
+    return RankRegression{{b.data(), b.data() + k}, b.dot(r)};
+}
+
+/// The middle rank of each bin's values less the mean rank, all of them together a list.
+std::vector<double> centredRanksOf(const ValueBins& bins, std::int64_t count) {
+    std::vector<double> ranks;
+    std::int64_t before = 0;
+    for (const auto& [number, bin] : bins.bins()) {
+        ranks.push_back(static_cast<double>(2 * before + bin.count - count) / 2);
+        before += bin.count;
+    }
+    return ranks;
+}
+
+// The same of the whole batch: of the characteristic its bins' ranks y_b, of the factors their
+// scores s. Σy·s_j = Σ_b y_b·S_j(b), S_j(b) the sum of the scores of a bin's parts; Σs_i·s_j less
+// the means' part is kept.
+std::optional<RankRegression> binnedRegression(const ValueStatistics& values, std::size_t factors) {
+    const auto k = static_cast<Eigen::Index>(factors);
+    const auto n = static_cast<double>(values.count);
+    if (k == 0 || values.count < static_cast<std::int64_t>(leastParts(factors))) {
+        return std::nullopt;
+    }
+    const std::vector<double> ranks = centredRanksOf(values.bins, values.count);
+    Eigen::VectorXd sums = Eigen::VectorXd::Zero(k), r = Eigen::VectorXd::Zero(k);
+    double size = 0;
+    auto rank = ranks.begin();
+    for (const auto& [number, bin] : values.bins.bins()) {
+        size += *rank * *rank * static_cast<double>(bin.count);
+        for (Eigen::Index f = 0; f < k; ++f) {
+            const auto score = static_cast<double>(bin.scores[static_cast<std::size_t>(f)]);
+            sums[f] += score;
+            r[f] += *rank * score;
+        }
+        ++rank;
+    }
+    Eigen::MatrixXd R(k, k);
+    for (Eigen::Index i = 0; i < k; ++i) {
+        for (Eigen::Index j = i; j < k; ++j) {
+            const auto product = static_cast<double>(values.products[productPlace(
+                static_cast<std::size_t>(i), static_cast<std::size_t>(j))]);
+            R(i, j) = R(j, i) = product - sums[i] * sums[j] / n;
+        }
+    }
+    const Eigen::VectorXd sizes = R.diagonal().cwiseMax(0).cwiseSqrt();
+    if (size == 0 || sizes.minCoeff() == 0) {
+        return std::nullopt;
+    }
+    r = r.cwiseQuotient(sizes) / std::sqrt(size);
+    R = sizes.cwiseInverse().asDiagonal() * R * sizes.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd b = R.ldlt().solve(r);
     if (!b.allFinite()) {
         return std::nullopt;
     }
@@ -147,8 +206,13 @@ std::vector<SobolIndex> indicesOf(const std::vector<double>& f, std::size_t fact
 std::vector<std::optional<RankRegression>> rankRegressions(const BatchResult& result) {
     const ScenarioSource source(result.project);
     const std::size_t count = result.statistics.values.size();
+    const bool keepsAll = result.statistics.keepsAll();
     std::vector<std::optional<RankRegression>> found;
     for (std::size_t c = 0; c < count; ++c) {
+        if (!keepsAll) {
+            found.push_back(binnedRegression(result.statistics.values[c], source.factors().size()));
+            continue;
+        }
         std::vector<std::vector<double>> factors(source.factors().size());
         std::vector<double> values;
         for (const PartRow& row : result.statistics.rows) {

@@ -17,8 +17,9 @@ struct RankRegression {
     double determination = 0;         ///< R²
 };
 
-/// By characteristic, from the parts that are kept one by one; nothing for a characteristic or a
-/// factor that does not vary, or fewer parts than twice the factors and two.
+/// By characteristic, over all parts; nothing for a characteristic or a factor that does not vary,
+/// or fewer parts than twice the factors and two. Where not all parts are kept one by one, the
+/// factors' ranks are those of their laws, and a characteristic's that of its bin.
 [[nodiscard]] std::vector<std::optional<RankRegression>> rankRegressions(const BatchResult& result);
 
 /// Sobol indices: the share of a characteristic's variance that a factor accounts for alone (first)

@@ -112,6 +112,20 @@ const StructInfo& tableOf<Batch>() {
             .hint =
                 SPARKOUT_NOOP("Input", "Correlation matrix of the factors given, in their order."),
             .source = "MODEL-8"),
+        SPARKOUT_FIELD(Batch, least_ppk, .label = SPARKOUT_NOOP("Input", "Least Ppk"),
+                       .symbol = "P_pk", .hard = {0, 99}, .soft = {0, 2}, .page = Page::batch,
+                       .hint = SPARKOUT_NOOP("Input",
+                                             "The verdict calls a cycle fit when the lower 95 % "
+                                             "bounds of all Ppk reach it, else conditionally fit."),
+                       .source = "MODEL-8"),
+        SPARKOUT_FIELD(
+            Batch, most_outside_share, .label = SPARKOUT_NOOP("Input", "Largest share outside"),
+            .hard = {0, 1}, .nullMeaning = SPARKOUT_NOOP("Input", "every part must be good"),
+            .page = Page::batch,
+            .hint = SPARKOUT_NOOP("Input", "Share of the parts that may fail before the cycle is "
+                                           "unfit; when more of them are expected to be out of "
+                                           "tolerance, it is conditionally fit."),
+            .source = "MODEL-8"),
     };
     static const StructInfo info = makeTable<Batch>(SPARKOUT_NOOP("Struct", "Batch"), rows);
     return info;

@@ -38,6 +38,8 @@ struct Batch {
     Scenarios scenarios = Scenarios::latin_hypercube;
     Factors factors;
     NumberRows correlation; ///< matrix over the factors, in the order of the table
+    double least_ppk = 1;   ///< of its lower 95 % bound, for a cycle to be fit
+    std::optional<double> most_outside_share; ///< of parts that are not good, and of expected ones
 };
 
 } // namespace sparkout

@@ -6,7 +6,9 @@
 #include "tests/cli/cli_process.h"
 #include "tests/registry.h"
 
+#include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -163,8 +165,9 @@ private slots:
         const Outcome outcome = run({"batch", m_file, "--sensitivity", "8"});
         QCOMPARE(outcome.status, 0);
         for (const char* word :
-             {"50 of 50 parts, completed", "not good", "worst part", "stock_mm", "rz1 diameter, µm",
-              "Cpk", "rank regression", "Sobol indices, first and total"}) {
+             {"50 of 50 parts, completed", "verdict ", "not good", "worst part", "stock_mm",
+              "rz1 diameter, µm", "Ppk", "normality (Shapiro-Wilk) p", "rank regression",
+              "Sobol indices, first and total"}) {
             QVERIFY2(outcome.out.find(word) != std::string::npos, word);
         }
     }
@@ -191,14 +194,61 @@ private slots:
             return outcome.status == 1 && outcome.out.empty()
                    && outcome.err.find(why) != std::string::npos;
         };
-        QVERIFY(refuses({first}, "parts of the batch are missing"));
-        QVERIFY(refuses({first, first}, "two shards hold the same parts"));
+        const QString copy = save("copy.json", samples::readText(first.toStdString()));
+        QVERIFY(refuses({first}, "parts 25…49 of 50 are in no shard"));
+        QVERIFY(refuses({first, second, copy}, "copy.json: holds parts 0…24, as does "));
+        QVERIFY(refuses({first, second, copy}, first.toUtf8()));
         QVERIFY(refuses({first, m_file}, "not a shard of a batch"));
+        std::string changed = samples::readText(second.toStdString());
+        const std::size_t least = changed.find("\"least\":[") + 10;
+        changed[least + 3] = changed[least + 3] == '1' ? '2' : '1';
+        QVERIFY(refuses({first, save("changed.json", changed)},
+                        "changed.json: changed since it was written"));
         QVERIFY(refuses({first, m_folder.filePath("none")}, "none: "));
         const QString other =
             save("other.json", run({"batch", m_file, "--shard", "2/2", "--seed", "9"}).out);
-        QVERIFY(refuses({first, other}, "not of one project"));
+        QVERIFY(refuses({first, other}, "other.json: of another batch (project "));
+        QVERIFY(refuses({other, first, second}, "other.json: of another batch (project "));
         QCOMPARE(run({"batch-merge", second, first}).status, 0);
+    }
+
+    /// The script of a cluster, run as Slurm runs it: a shard a job of the array, then the merge.
+    void theClusterScriptTakesTheNumberOfShardsFromTheArray() {
+        const QTemporaryDir folder;
+        QVERIFY(QFile::copy(m_file, folder.filePath("shaft.sparkout")));
+        QVERIFY(QFile::link(SPARKOUT_CLI, folder.filePath("sparkout-cli")));
+        const auto job = [&](const QStringList& given) {
+            QProcess process;
+            process.setWorkingDirectory(folder.path());
+            process.setEnvironment(
+                QStringList{"PATH=" + folder.path() + ":/usr/bin:/bin", "PARTS=20"} + given);
+            process.start("bash", {QString::fromStdString(
+                                      samples::sourcePath("resources/help/batch.sbatch"))});
+            return outcomeOf(process);
+        };
+        const auto array = [](int task, int last, int first = 1) {
+            return QStringList{"SLURM_ARRAY_TASK_ID=" + QString::number(task),
+                               "SLURM_ARRAY_TASK_MIN=" + QString::number(first),
+                               "SLURM_ARRAY_TASK_MAX=" + QString::number(last),
+                               "SLURM_ARRAY_TASK_COUNT=" + QString::number(last - first + 1)};
+        };
+        const auto written = [&] { return QDir(folder.path()).entryList({"*.json*"}); };
+        QCOMPARE(job(array(0, 2, 0)).status, 2); // counts from 0
+        QVERIFY(written().isEmpty());
+        for (const int task : {1, 3}) {
+            const Outcome outcome = job(array(task, 3));
+            QVERIFY2(outcome.status == 0, outcome.text().c_str());
+        }
+        const Outcome failed = job({"MERGE=1"});
+        QCOMPARE(failed.status, 1);
+        QVERIFY2(failed.err.find("parts 6…12 of 20 are in no shard") != std::string::npos,
+                 failed.err.c_str());
+        QCOMPARE(written(), (QStringList{"shard-1-of-3.json", "shard-3-of-3.json"}));
+        QCOMPARE(job(array(2, 2, 2) + QStringList{"SHARDS=3"}).status, 0); // the one that failed
+        QCOMPARE(job({"MERGE=1"}).status, 0);
+        QCOMPARE(samples::readText(folder.filePath("batch.json").toStdString()),
+                 run({"batch", m_file, "--parts", "20", "--json"}).out);
+        QVERIFY(!written().contains("batch.json.part"));
     }
 
     void optionsTakeThePlaceOfTheFile() {
@@ -337,12 +387,20 @@ private:
         QCOMPARE(answer.at("mean").get<double>(), expected.moments.mean);
         QCOMPARE(answer.at("standard_deviation").get<double>(), expected.moments.deviation);
         QCOMPARE(answer.at("mean_interval_95")[0].get<double>(), expected.mean95->low);
-        QCOMPARE(answer.at("cp").is_null(), !expected.cp);
-        QCOMPARE(answer.at("cpk").is_null(), !expected.cpk);
-        if (expected.cpk) {
-            QCOMPARE(answer.at("cpk").at("value").get<double>(), expected.cpk->value);
-            QCOMPARE(answer.at("cpk").at("interval_95")[0].get<double>(),
-                     expected.cpk->interval.low);
+        QVERIFY(answer.at("cp").is_null() && answer.at("cpk").is_null()); // the dullness drifts
+        QCOMPARE(answer.at("pp").is_null(), !expected.pp);
+        QCOMPARE(answer.at("ppk").is_null(), !expected.ppk);
+        QCOMPARE(answer.at("expected_outside").is_null(), !expected.expectedOutside);
+        if (expected.ppk) {
+            QCOMPARE(answer.at("ppk").at("value").get<double>(), expected.ppk->value);
+            QCOMPARE(answer.at("ppk").at("interval_95")[0].get<double>(),
+                     expected.ppk->interval.low);
+        }
+        QCOMPARE(answer.at("normality_probability").is_null(), !expected.normality);
+        if (expected.normality) {
+            QCOMPARE(answer.at("normality_probability").get<double>(),
+                     expected.normality->probability);
+            QVERIFY(answer.at("normality_test") == "shapiro_wilk");
         }
         QVERIFY(answer.at("outside").at("count") == expected.outside.count);
         QCOMPARE(answer.at("percentiles").size(), expected.percentiles.size());

@@ -197,6 +197,53 @@ private slots:
         }
     }
 
+    /// A drift from part to part does not go in step with the bits of a Sobol sequence: the
+    /// first coordinate of every other point lies in the upper half.
+    void aDriftIsNotConfoundedWithASobolSequence() {
+        for (const int between : {2, 4, 64}) {
+            Project project = batchOf(Scenarios::sobol, 1024);
+            project.batch->factors.dullness = Factor{};
+            project.batch->factors.dullness->grows = {0.01, 0.03};
+            project.batch->factors.dullness->parts_between_dressings = between;
+            const ScenarioSource source(project);
+            for (const std::size_t other : {0U, 2U}) {
+                const double r = correlationOf(source, 1, other);
+                QVERIFY2(std::abs(r) < 0.12, qPrintable(QString::number(r))); // 4/√1024
+            }
+            QVERIFY(fixtures::within(correlationOf(source, 0, 2), 0, 0.01)); // still a sequence
+        }
+    }
+
+    /// The rank of a value is the share that was asked of its law; equal values share
+    /// theirs.
+    void theRankOfAQuantileIsItsShare() {
+        Factor truncated = normal(0.2, 0.1);
+        truncated.within = {0.1, 0.25};
+        for (const Factor& law :
+             {uniform(0.1, 0.3), normal(0.2, 0.1), truncated, fixtures::triangular(0.1, 0.15, 0.3),
+              fixtures::triangular(0.1, 0.1, 0.3), fixtures::triangular(0.1, 0.3, 0.3)}) {
+            const GivenFactor factor{FactorKind::stock, law, {-10, 10}};
+            for (const double share : {0.001, 0.1, 0.5, 0.9, 0.999}) {
+                QVERIFY(fixtures::within(factorRank(factor, factorQuantile(factor, share)), share,
+                                         1e-9));
+            }
+        }
+        const GivenFactor few{FactorKind::stock, fixtures::measured({0.1, 0.2, 0.2, 0.4}), {0, 1}};
+        QCOMPARE(factorRank(few, 0.1), 0.125);
+        QCOMPARE(factorRank(few, 0.2), 0.5);
+        QCOMPARE(factorRank(few, 0.4), 0.875);
+        Factor falling;
+        falling.grows = {500, 450};
+        const GivenFactor wheel{FactorKind::wheelDiameter, falling, {0, 1000}};
+        QCOMPARE(factorRank(wheel, 500), 1.0);
+        QCOMPARE(factorRank(wheel, 460), 0.2);
+        for (const Factor& constant :
+             {uniform(0.2, 0.2), normal(0.2, 0), fixtures::triangular(0.2, 0.2, 0.2),
+              fixtures::measured({0.2, 0.2})}) {
+            QCOMPARE(factorRank({FactorKind::stock, constant, {0, 1}}, 0.2), 0.5);
+        }
+    }
+
     // Of normal factors R is Pearson's correlation, of uniform ones (6/π)·asin(R/2).
     void factorsAreCorrelatedAsTheMatrixSays() {
         Project project = batchOf(Scenarios::sobol, 4096);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace test_batch_statistics {
 
@@ -34,12 +35,22 @@ std::vector<double> mixedTerms(int count) {
 
 const Characteristic micrometres{"diameter", "µm", Zone::section, 0, -16, 0, 0x1p-6};
 
+constexpr std::size_t mostBins = 4096;
+
 ValueStatistics statisticsOf(const std::vector<double>& values) {
     ValueStatistics statistics;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        statistics.add(values[i], static_cast<std::int64_t>(i), micrometres);
+        statistics.add(values[i], static_cast<std::int64_t>(i), micrometres, {}, mostBins);
     }
     return statistics;
+}
+
+/// Of values in bins so narrow that each stands alone.
+Normality binnedNormality(const std::vector<double>& values) {
+    const ValueStatistics statistics = statisticsOf(values);
+    const Moments moments = momentsOf(statistics);
+    return andersonDarling(statistics.bins, micrometres.resolution, statistics.count, moments.mean,
+                           moments.deviation);
 }
 
 } // namespace
@@ -126,13 +137,98 @@ private slots:
 
     // χ² table: 16.047 and 45.722 of 29 degrees of freedom.
     void capabilityHasTheTabledBounds() {
-        const Interval cp = cpInterval(1.33, 30, 0.95);
-        QVERIFY(close(cp.low, 1.33 * std::sqrt(16.047 / 29), 5e-5));
-        QVERIFY(close(cp.high, 1.33 * std::sqrt(45.722 / 29), 5e-5));
-        const Interval cpk = cpkInterval(1.2, 30, 0.95);
+        const Interval pp = ppInterval(1.33, 30, 0.95);
+        QVERIFY(close(pp.low, 1.33 * std::sqrt(16.047 / 29), 5e-5));
+        QVERIFY(close(pp.high, 1.33 * std::sqrt(45.722 / 29), 5e-5));
+        const Interval ppk = ppkInterval(1.2, 30, 0.95);
         const double half = 1.959964 * std::sqrt(1.0 / 270 + 1.44 / 58);
-        QVERIFY(within(cpk.high - 1.2, half, 1e-6));
-        QVERIFY(within(1.2 - cpk.low, half, 1e-6));
+        QVERIFY(within(ppk.high - 1.2, half, 1e-6));
+        QVERIFY(within(1.2 - ppk.low, half, 1e-6));
+    }
+
+    // SHAPIRO1965, weights of 11 men, W = 0.79; ROYSTON1995, the example of AS R94, W = 0.83467 and
+    // p = 0.000914 in its single precision.
+    void shapiroAndWilksTestGivesThePublishedFigures() {
+        const std::vector<double> men{148, 154, 158, 160, 161, 162, 166, 170, 182, 195, 236};
+        const Normality few = shapiroWilk(men);
+        QVERIFY(few.test == NormalityTest::shapiroWilk);
+        QVERIFY(within(few.statistic, 0.79, 0.005) && within(few.probability, 0.0067, 5e-5));
+        const std::vector<double> royston{0.139, 0.157, 0.175, 0.256, 0.344, 0.413, 0.503,
+                                          0.577, 0.614, 0.655, 0.954, 1.392, 1.557, 1.648,
+                                          1.690, 1.994, 2.174, 2.206, 3.245, 3.510, 3.571,
+                                          4.354, 4.980, 6.084, 8.351};
+        const Normality skew = shapiroWilk(royston);
+        QVERIFY(within(skew.statistic, 0.83467, 5e-6));
+        QVERIFY(within(skew.probability, 0.000914, 1e-6));
+    }
+
+    // STEPHENS1974, weights of 20 chicks, A² = 0.214 of estimated mean and deviation; the tabled
+    // points of A²·(1 + 0.75/n + 2.25/n²) of DAGOSTINO1986: 0.631, 0.752, 0.873 and 1.035 at 10, 5,
+    // 2.5 and 1 %.
+    void andersonAndDarlingsTestGivesThePublishedFigures() {
+        const std::vector<double> chicks{156, 162, 168, 182, 186, 190, 190, 196, 202, 210,
+                                         214, 220, 226, 230, 230, 236, 236, 242, 246, 270};
+        const Normality found = binnedNormality(chicks);
+        QVERIFY(found.test == NormalityTest::andersonDarling);
+        QVERIFY(within(found.statistic, 0.214, 5e-4));
+        QVERIFY(found.probability > 0.8 && found.probability < 0.9);
+        for (const auto& [statistic, probability] :
+             {std::pair(0.631, 0.10), std::pair(0.752, 0.05), std::pair(0.873, 0.025),
+              std::pair(1.035, 0.01)}) {
+            QVERIFY(close(andersonDarlingProbability(statistic, 1e9), probability, 0.02));
+        }
+        QCOMPARE(andersonDarlingProbability(200, 1e9), 0.0);
+    }
+
+    /// Quantiles of a normal law pass, those of a uniform one do not, in bins as one by one.
+    void aLargeBatchIsTestedInBins() {
+        std::vector<double> bell, flat;
+        for (int i = 0; i < 20'000; ++i) {
+            const double share = (i + 0.5) / 20'000;
+            bell.push_back(-8 + 2 * normalQuantile(share));
+            flat.push_back(-8 + 4 * share);
+        }
+        QVERIFY(binnedNormality(bell).probability > 0.99);
+        QVERIFY(binnedNormality(flat).probability < 1e-9);
+    }
+
+    /// As few bins as are allowed, as narrow as that allows, whatever the order and the grouping.
+    void binsAreThoseOfTheValuesAlone() {
+        std::vector<double> values;
+        for (int i = 0; i < 3000; ++i) {
+            const double share = openUnit(randomBits(3, RandomStream::plain, std::uint64_t(i), 0));
+            values.push_back(i % 500 == 0 ? 1e12 * (share - 0.5) : -8 + normalQuantile(share));
+        }
+        ValueBins forward, backward, grouped;
+        const auto add = [&](ValueBins& bins, std::size_t i) {
+            bins.add(values[i], 0x1p-6, {static_cast<std::int32_t>(i), -7}, 512);
+        };
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            add(forward, i);
+            add(backward, values.size() - 1 - i);
+        }
+        for (std::size_t first = 0; first < values.size(); first += 700) {
+            ValueBins group;
+            for (std::size_t i = first; i < std::min(first + 700, values.size()); ++i) {
+                add(group, i);
+            }
+            grouped.add(group, 512);
+        }
+        QVERIFY(forward == backward && forward == grouped);
+        QVERIFY(forward.bins().size() <= 512 && forward.level() > 0);
+        ValueBins finer;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            finer.add(values[i], 0x1p-6, {}, values.size());
+        }
+        QVERIFY(finer.atLeast(forward.level() - 1).bins().size() > 512);
+        std::int64_t count = 0, scores = 0;
+        for (const auto& [number, bin] : forward.bins()) {
+            count += bin.count;
+            scores += bin.scores[0];
+            QCOMPARE(bin.scores[1], -7 * bin.count);
+        }
+        QCOMPARE(count, std::int64_t{3000});
+        QCOMPARE(scores, std::int64_t{3000 * 2999 / 2});
     }
 
     void momentsAreThoseOfTheDefinition() {
@@ -160,13 +256,13 @@ private slots:
 
     void extremesAreOfTheFirstPartThatHasThem() {
         ValueStatistics a, b;
-        a.add(-3, 7, micrometres);
-        a.add(1, 8, micrometres);
-        b.add(-3, 2, micrometres);
-        b.add(-17, 9, micrometres);
+        a.add(-3, 7, micrometres, {}, mostBins);
+        a.add(1, 8, micrometres, {}, mostBins);
+        b.add(-3, 2, micrometres, {}, mostBins);
+        b.add(-17, 9, micrometres, {}, mostBins);
         ValueStatistics ab = a, ba = b;
-        ab.add(b);
-        ba.add(a);
+        ab.add(b, mostBins);
+        ba.add(a, mostBins);
         QVERIFY(ab == ba);
         QCOMPARE(ab.least.part, std::int64_t{9});
         QCOMPARE(ab.below, std::int64_t{1});

@@ -109,7 +109,7 @@ private slots:
                 QCOMPARE(cell(bench, BatchFigures::most, column), value(of.most.value));
                 QCOMPARE(cell(bench, BatchFigures::mean, column), value(of.moments.mean));
                 QCOMPARE(cell(bench, BatchFigures::deviation, column), value(of.moments.deviation));
-                QCOMPARE(cell(bench, BatchFigures::cpk, column), BatchText::capability(of.cpk));
+                QCOMPARE(cell(bench, BatchFigures::ppk, column), BatchText::capability(of.ppk));
             }
         }
     }
@@ -300,7 +300,7 @@ private slots:
         QVERIFY(bench.settled());
         QCOMPARE(bench.view.batch()->summary.parts, std::int64_t{8});
         QVERIFY(cell(bench, BatchFigures::most, 0) != QStringLiteral("–"));
-        for (const auto row : {BatchFigures::mean, BatchFigures::deviation, BatchFigures::cpk,
+        for (const auto row : {BatchFigures::mean, BatchFigures::deviation, BatchFigures::ppk,
                                BatchFigures::median, BatchFigures::normality}) {
             QCOMPARE(cell(bench, row, 0), QStringLiteral("–"));
         }

@@ -110,7 +110,7 @@ private slots:
         HistogramPlot plot;
         plot.setSummaries(rows);
         QVERIFY(plot.heading(0).startsWith(QStringLiteral("RZ1")));
-        QVERIFY(plot.heading(0).endsWith(QString::number(rows[0].cpk->value, 'f', 2)));
+        QVERIFY(plot.heading(0).endsWith(QString::number(rows[0].ppk->value, 'f', 2)));
         QCOMPARE(plot.valueAxis(0)->label(), QStringLiteral("Mean diameter, µm"));
         QCOMPARE(plot.countAxis(0)->label(), QStringLiteral("Parts"));
         plot.setSummaries({});

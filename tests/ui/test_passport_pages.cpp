@@ -108,7 +108,7 @@ private slots:
         for (auto it = english.globalMatch(text); it.hasNext();) {
             words << it.next().captured();
         }
-        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Cpk", "RONt",
+        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Ppk", "RONt",
                                  "report", "passport", "pdf"}) { // names, symbols, the command
             words.removeAll(QString::fromLatin1(kept));
         }

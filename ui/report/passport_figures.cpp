@@ -22,7 +22,7 @@ namespace {
 constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
 constexpr std::size_t mostCharted = 24; ///< rows of the capability chart
 constexpr std::size_t mostAcross = 4;   ///< cross-sections beside each other
-constexpr double customaryCpk = 1.33;
+constexpr double customaryPpk = 1.33;
 constexpr double narrowBar = 0.8; ///< at least so wide
 // Of the capability chart, on paper.
 constexpr QColor chartInk(0, 0, 0), chartMark(40, 40, 40), chartGrid(190, 190, 190),
@@ -47,16 +47,16 @@ std::vector<int> allOf(const ProfileSeries& series) {
     return all;
 }
 
-/// Cpk with its bounds, a row a characteristic.
+/// Ppk with its bounds, a row a characteristic.
 class CapabilityDrawing {
 public:
     explicit CapabilityDrawing(std::vector<CharacteristicSummary> rows) : m_rows(std::move(rows)) {
         for (const CharacteristicSummary& of : m_rows) {
-            m_lowest = of.cpk->interval.low < 0 ? -1 : m_lowest;
+            m_lowest = of.ppk->interval.low < 0 ? -1 : m_lowest;
         }
         for (const double end : {2.0, 3.0, 5.0, 10.0}) {
             m_highest = end;
-            if (end >= 1.2 * m_rows.front().cpk->interval.high) {
+            if (end >= 1.2 * m_rows.front().ppk->interval.high) {
                 break;
             }
         }
@@ -80,19 +80,19 @@ private:
     static constexpr double left = 270, right = 690, top = 6, bottom = 26, rowHeight = 20;
     static constexpr int fontPixels = 12;
 
-    [[nodiscard]] double x(double cpk) const {
+    [[nodiscard]] double x(double ppk) const {
         return left
-               + (right - left) * (std::clamp(cpk, m_lowest, m_highest) - m_lowest)
+               + (right - left) * (std::clamp(ppk, m_lowest, m_highest) - m_lowest)
                      / (m_highest - m_lowest);
     }
 
     void paintScale(QPainter& painter) const {
         const double end = top + rowHeight * double(m_rows.size());
-        for (const double value : {-1.0, 0.0, 1.0, customaryCpk, 2.0, 3.0, 5.0, 10.0}) {
+        for (const double value : {-1.0, 0.0, 1.0, customaryPpk, 2.0, 3.0, 5.0, 10.0}) {
             if (value < m_lowest || value > m_highest) {
                 continue;
             }
-            const bool mark = value == customaryCpk || value == 1;
+            const bool mark = value == customaryPpk || value == 1;
             painter.setPen(
                 QPen(mark ? chartMark : chartGrid, 1, mark ? Qt::DashLine : Qt::SolidLine));
             painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
@@ -101,33 +101,33 @@ private:
             const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
             constexpr double reach = 3; // the two marks stand close: their numbers keep apart
             const double from = value == 1              ? x(value) + reach - width
-                                : value == customaryCpk ? x(value) - reach
+                                : value == customaryPpk ? x(value) - reach
                                                         : x(value) - width / 2;
             painter.drawText(QPointF(from, end + 16), name);
         }
     }
 
     void paintRow(QPainter& painter, const CharacteristicSummary& of, double y) const {
-        const Capability& cpk = *of.cpk;
+        const Capability& ppk = *of.ppk;
         const QFontMetricsF metrics(painter.font());
         const double base = y + metrics.ascent() / 2 - 1;
         painter.setPen(chartInk);
         painter.drawText(QPointF(2, base), metrics.elidedText(BatchText::full(of.characteristic),
                                                               Qt::ElideRight, left - 12));
-        painter.drawText(QPointF(right + 10, base), BatchText::capability(of.cpk));
-        const QColor colour = cpk.value < 1 ? chartPoor : chartGood;
+        painter.drawText(QPointF(right + 10, base), BatchText::capability(of.ppk));
+        const QColor colour = ppk.value < 1 ? chartPoor : chartGood;
         painter.setPen(QPen(colour, 2));
-        painter.drawLine(QPointF(x(cpk.interval.low), y), QPointF(x(cpk.interval.high), y));
+        painter.drawLine(QPointF(x(ppk.interval.low), y), QPointF(x(ppk.interval.high), y));
         painter.setBrush(colour);
-        if (cpk.value <= m_highest) {
-            painter.drawEllipse(QPointF(x(cpk.value), y), 4, 4);
+        if (ppk.value <= m_highest) {
+            painter.drawEllipse(QPointF(x(ppk.value), y), 4, 4);
         } else { // beyond the scale
             painter.drawPolygon(QPolygonF{QPointF(right - 7, y - 5), QPointF(right + 1, y),
                                           QPointF(right - 7, y + 5)});
         }
     }
 
-    std::vector<CharacteristicSummary> m_rows; ///< the least Cpk first
+    std::vector<CharacteristicSummary> m_rows; ///< the least Ppk first
     double m_lowest = 0, m_highest = 3;        ///< of the scale; what is beyond is cut
 };
 
@@ -147,7 +147,7 @@ Figure Passport::histograms(const BatchSummary& summary, const std::string& name
     }
     const QString axis = BatchText::axis(shown.front().characteristic);
     const QString caption = placesOf(summary, name).size() > shown.size()
-                                ? tr("%1: number of parts, where the Cpk is least").arg(axis)
+                                ? tr("%1: number of parts, where the Ppk is least").arg(axis)
                                 : tr("%1: number of parts").arg(axis);
     HistogramPlot plot;
     setUpForPaper(plot, histogramHeight);
@@ -161,23 +161,23 @@ Figure Passport::histograms(const BatchSummary& summary, const std::string& name
 std::optional<Figure> Passport::capabilityChart(const BatchSummary& summary) {
     std::vector<CharacteristicSummary> rows;
     for (const CharacteristicSummary& of : summary.characteristics) {
-        if (of.cpk) {
+        if (of.ppk) {
             rows.push_back(of);
         }
     }
     if (rows.empty()) {
         return {};
     }
-    std::ranges::stable_sort(rows, {}, [](const auto& of) { return of.cpk->value; });
+    std::ranges::stable_sort(rows, {}, [](const auto& of) { return of.ppk->value; });
     rows.resize(std::min(rows.size(), mostCharted));
     QStringList told;
     for (const CharacteristicSummary& of : rows) {
         told << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
-                                             BatchText::capability(of.cpk));
+                                             BatchText::capability(of.ppk));
     }
     const CapabilityDrawing drawing(std::move(rows));
-    return Figure{tr("Cpk with its 95 % bounds, the least first; dashed: 1 and %1")
-                      .arg(plainNumber(customaryCpk)),
+    return Figure{tr("Ppk with its 95 % bounds, the least first; dashed: 1 and %1")
+                      .arg(plainNumber(customaryPpk)),
                   told.join(QStringLiteral("; ")), drawing.size(),
                   [drawing](QPainter& painter) { drawing.paint(painter); }};
 }

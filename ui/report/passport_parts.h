@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/batch/batch_verdict.h"
 #include "ui/report/report_kinds.h"
 
 #include <QCoreApplication>
@@ -19,7 +20,8 @@ public:
     static std::vector<Block> recomputing(const Subject& subject);
 
     // What comes out.
-    static bool conforms(const Subject& subject);
+    static Fitness fitness(const Subject& subject);
+    static QString decision(const Subject& subject); ///< what decided it
     static std::vector<Block> verdict(const Subject& subject);
     static Table nominal(const Outcome& outcome); ///< of a passport without a batch
     static Table values(const Subject& subject);  ///< nominal, extremes, mean and s
@@ -35,7 +37,7 @@ public:
     static Figure crossSections(const Outcome& outcome);
 
     /// The characteristic that decides: of the greatest share out of tolerance, else the least
-    /// Cpk; null when none is limited.
+    /// Ppk; null when none is limited.
     static const CharacteristicSummary* deciding(const BatchSummary& summary);
     static const CharacteristicSummary* leastCapable(const BatchSummary& summary);
 };

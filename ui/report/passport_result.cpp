@@ -71,7 +71,7 @@ Table worstRequirements(const Outcome& outcome) {
 const CharacteristicSummary* Passport::leastCapable(const BatchSummary& summary) {
     const CharacteristicSummary* least = nullptr;
     for (const CharacteristicSummary& of : summary.characteristics) {
-        if (of.cpk && (!least || of.cpk->value < least->cpk->value)) {
+        if (of.ppk && (!least || of.ppk->value < least->ppk->value)) {
             least = &of;
         }
     }
@@ -88,16 +88,23 @@ const CharacteristicSummary* Passport::deciding(const BatchSummary& summary) {
     return most ? most : leastCapable(summary);
 }
 
-bool Passport::conforms(const Subject& subject) {
-    return verdict::overallLight(*subject.outcome) != Light::fails
-           && (!subject.batch || subject.batch->summary.bad.count == 0);
+Fitness Passport::fitness(const Subject& subject) {
+    return verdict::overallLight(*subject.outcome) == Light::fails ? Fitness::unfit
+           : subject.batch ? weigh(subject.batch->summary, subject.batch->result).fitness
+                           : Fitness::conditional;
+}
+
+QString Passport::decision(const Subject& subject) {
+    return verdict::overallLight(*subject.outcome) == Light::fails ? tr("the nominal part fails")
+           : subject.batch ? BatchText::decision(*subject.batch)
+                           : tr("the nominal part holds; no batch is described, so its scatter is "
+                                "not weighed");
 }
 
 std::vector<Block> Passport::verdict(const Subject& subject) {
     const Outcome& outcome = *subject.outcome;
-    Facts facts{{{tr("The cycle, by the prediction"),
-                  conforms(subject) ? tr("conforms to the drawing")
-                                    : tr("does not conform to the drawing")}}};
+    Facts facts{{{tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject))},
+                 {tr("What decided"), decision(subject)}}};
     QStringList reasons;
     if (outcome.result.status != RunStatus::completed) {
         reasons << sparkout::verdict::status(outcome.result);
@@ -108,11 +115,11 @@ std::vector<Block> Passport::verdict(const Subject& subject) {
         facts.facts.emplace_back(tr("Parts of the batch that are not good"),
                                  BatchText::share(summary.bad));
         if (const CharacteristicSummary* least = leastCapable(summary)) {
-            facts.facts.emplace_back(tr("Least Cpk"), QStringLiteral("%1: %2").arg(
-                                                          BatchText::capability(least->cpk),
+            facts.facts.emplace_back(tr("Least Ppk"), QStringLiteral("%1: %2").arg(
+                                                          BatchText::capability(least->ppk),
                                                           BatchText::full(least->characteristic)));
         }
-        reasons << BatchText::run(*subject.batch) + u' ' + BatchText::verdict(summary);
+        reasons << BatchText::run(*subject.batch) + u' ' + BatchText::counts(summary);
         for (const CharacteristicSummary& of : summary.characteristics) {
             if (of.outside.count > 0) {
                 reasons << tr("%1: out of tolerance %2.")
@@ -130,6 +137,9 @@ std::vector<Block> Passport::verdict(const Subject& subject) {
                                  tr("no batch is described"));
     }
     facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
+    const QString caution =
+        tr("This is the prediction of a model, to be confirmed at the machine; it is no assessment "
+           "of conformity and replaces no measurement.");
     std::vector<Block> blocks{facts};
     for (const QString& reason : reasons) {
         blocks.push_back(Paragraph{reason});
@@ -137,11 +147,12 @@ std::vector<Block> Passport::verdict(const Subject& subject) {
     blocks.push_back(Paragraph{
         subject.batch
             ? tr("The cycle conforms when the nominal part and every part that was run reach size "
-                 "and hold every requirement. This is the prediction of a model, to be confirmed "
-                 "at the machine; it is no assessment of conformity and replaces no measurement.")
-            : tr("The cycle conforms when the nominal part reaches size and holds every "
-                 "requirement. This is the prediction of a model, to be confirmed at the machine; "
-                 "it is no assessment of conformity and replaces no measurement.")});
+                 "and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it "
+                 "conforms conditionally when only the capability falls short or is not known. %2")
+                  .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
+            : tr("Without a batch the cycle conforms conditionally when the nominal part reaches "
+                 "size and holds every requirement. %1")
+                  .arg(caution)});
     return blocks;
 }
 
@@ -185,12 +196,12 @@ Table Passport::values(const Subject& subject) {
 
 Table Passport::capability(const BatchSummary& summary) {
     Table table;
-    table.head = {tr("Characteristic"), tr("Cp"), tr("Cpk"), tr("Out of tolerance"),
-                  tr("Normality, p")};
+    table.head = {tr("Characteristic"), tr("Pp"), tr("Ppk"), tr("Out of tolerance"),
+                  BatchText::normalityName(summary)};
     table.texts = {true};
     for (const CharacteristicSummary& of : summary.characteristics) {
         QStringList row{BatchText::full(of.characteristic)};
-        for (const auto figure : {BatchFigures::cp, BatchFigures::cpk, BatchFigures::outside,
+        for (const auto figure : {BatchFigures::pp, BatchFigures::ppk, BatchFigures::outside,
                                   BatchFigures::normality}) {
             row << unparted(BatchFigures::text(of, summary.isSample, figure));
         }

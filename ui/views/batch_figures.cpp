@@ -42,9 +42,11 @@ void addEstimates(std::vector<CsvCell>& row, const CharacteristicSummary& summar
         row.push_back(known ? CsvCell(value) : CsvCell());
     }
     addInterval(row, summary.mean95);
-    row.push_back(cellOf(summary.normality));
-    addCapability(row, summary.cp);
-    addCapability(row, summary.cpk);
+    row.push_back(summary.normality ? CsvCell(summary.normality->probability) : CsvCell());
+    row.push_back(summary.normality ? CsvCell(BatchText::test(summary.normality->test))
+                                    : CsvCell());
+    addCapability(row, summary.pp);
+    addCapability(row, summary.ppk);
 }
 
 } // namespace
@@ -95,8 +97,8 @@ QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, 
     case lowPercentile: return percentile(lowOrder);
     case median: return percentile(0.5);
     case highPercentile: return percentile(highOrder);
-    case cp: return BatchText::capability(summary.cp);
-    case cpk: return BatchText::capability(summary.cpk);
+    case pp: return BatchText::capability(summary.pp);
+    case ppk: return BatchText::capability(summary.ppk);
     case outside:
         return counted && (of.low || of.high) ? BatchText::share(summary.outside)
                                               : QStringLiteral("–");
@@ -155,19 +157,26 @@ QVariant BatchFigures::headerData(int section, Qt::Orientation orientation, int 
                         "quantity; told of 741 parts and more")
                          .replace(QStringLiteral("0.135"), QLocale().toString(0.135))
                    : tr("Percentile 99.865 %").replace(u'.', QLocale().decimalPoint());
-    case cp: return tip ? tr("Width of the field over 6 s, with 95 % bounds") : tr("Cp");
-    case cpk:
+    case pp:
+        return tip ? tr("Width of the field over 6 s, with 95 % bounds; s is that of all parts, "
+                        "with whatever drifts over the batch. Where nothing drifts it is Cp")
+                   : tr("Pp");
+    case ppk:
         return tip ? tr("Distance from the mean to the nearer limit over 3 s, with 95 % bounds; it "
-                        "says what it says of a normal quantity")
-                   : tr("Cpk");
+                        "says what it says of a normal quantity. A dash: no size or form of the "
+                        "part, or one that hardly scatters beside its field")
+                   : tr("Ppk");
     case outside:
         return tip ? tr("Parts beyond the limits, as a share with the 95 % bounds of Clopper and "
                         "Pearson")
                    : tr("Out of tolerance");
     case normality:
-        return tip ? tr("Probability that normal values show such a skewness and kurtosis (Jarque "
-                        "and Bera); below 0.05 the values are called not normal")
-                   : tr("Normality, p");
+        return tip ? tr(
+                   "Probability that normal values deviate so much from the normal law, by the "
+                   "test of Shapiro and Wilk, of more than 4096 parts of Anderson and "
+                   "Darling; below 0.05 the values are called not normal")
+               : m_outcome ? BatchText::normalityName(m_outcome->summary)
+                           : tr("Normality, p");
     default: return {};
     }
 }
@@ -182,10 +191,11 @@ CsvTable batchFiguresTable(const BatchSummary& summary) {
                  << BatchFigures::tr("Mean") << BatchFigures::tr("s")
                  << BatchFigures::tr("Skewness") << BatchFigures::tr("Excess kurtosis")
                  << BatchFigures::tr("Mean, 95 % from") << BatchFigures::tr("Mean, 95 % to")
-                 << BatchFigures::tr("Normality, p") << BatchFigures::tr("Cp")
-                 << BatchFigures::tr("Cp, 95 % from") << BatchFigures::tr("Cp, 95 % to")
-                 << BatchFigures::tr("Cpk") << BatchFigures::tr("Cpk, 95 % from")
-                 << BatchFigures::tr("Cpk, 95 % to") << BatchFigures::tr("Out of tolerance")
+                 << BatchFigures::tr("Normality, p") << BatchFigures::tr("Normality, test")
+                 << BatchFigures::tr("Pp") << BatchFigures::tr("Pp, 95 % from")
+                 << BatchFigures::tr("Pp, 95 % to") << BatchFigures::tr("Ppk")
+                 << BatchFigures::tr("Ppk, 95 % from") << BatchFigures::tr("Ppk, 95 % to")
+                 << BatchFigures::tr("Out of tolerance")
                  << BatchFigures::tr("Share out of tolerance")
                  << BatchFigures::tr("Share, 95 % from") << BatchFigures::tr("Share, 95 % to");
     if (summary.isSample && !summary.characteristics.empty()) {

@@ -23,8 +23,8 @@ public:
         lowPercentile,
         median,
         highPercentile,
-        cp,
-        cpk,
+        pp,
+        ppk,
         outside,
         normality,
         rowCount_

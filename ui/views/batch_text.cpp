@@ -15,7 +15,6 @@ namespace sparkout {
 
 namespace {
 
-constexpr double plenty = 99;     ///< Cpk beyond which only that is told
 constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
 constexpr double minute_s = 60;
 
@@ -24,9 +23,9 @@ QString percent(double share) {
     return Names::fixed(hundredth, hundredth > 0 && hundredth < 10 ? 1 : 0);
 }
 
-/// Cpk, where it was made; else the greatest number.
-double leastCpk(const CharacteristicSummary& summary) {
-    return summary.cpk ? summary.cpk->value : std::numeric_limits<double>::max();
+/// Ppk, where it was made; else the greatest number.
+double leastPpk(const CharacteristicSummary& summary) {
+    return summary.ppk ? summary.ppk->value : std::numeric_limits<double>::max();
 }
 
 } // namespace
@@ -83,19 +82,14 @@ QString BatchText::range(const Interval& interval, const Characteristic& charact
 }
 
 QString BatchText::capability(const std::optional<Capability>& capability) {
-    if (!capability) {
-        return QStringLiteral("–");
-    }
-    return capability->interval.low > plenty
-               ? brief(*capability)
-               : QStringLiteral("%1 (%2…%3)")
-                     .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
-                          Names::fixed(capability->interval.high, 2));
+    return capability ? QStringLiteral("%1 (%2…%3)")
+                            .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
+                                 Names::fixed(capability->interval.high, 2))
+                      : QStringLiteral("–");
 }
 
 QString BatchText::brief(const Capability& capability) {
-    return capability.interval.low > plenty ? QStringLiteral("> %1").arg(plenty)
-                                            : Names::fixed(capability.value, 2);
+    return Names::fixed(capability.value, 2);
 }
 
 QString BatchText::share(const Share& share) {
@@ -111,10 +105,66 @@ QString BatchText::normality(const CharacteristicSummary& summary) {
     if (!summary.normality) {
         return QStringLiteral("–");
     }
-    const QString p = *summary.normality < 0.001
-                          ? QStringLiteral("< %1").arg(Names::fixed(0.001, 3))
-                          : Names::fixed(*summary.normality, 3);
-    return *summary.normality < doubtful ? tr("%1, not normal").arg(p) : p;
+    const double probability = summary.normality->probability;
+    const QString p = probability < 0.001 ? QStringLiteral("< %1").arg(Names::fixed(0.001, 3))
+                                          : Names::fixed(probability, 3);
+    return probability < doubtful ? tr("%1, not normal").arg(p) : p;
+}
+
+QString BatchText::test(NormalityTest test) {
+    return test == NormalityTest::shapiroWilk ? tr("Shapiro–Wilk") : tr("Anderson–Darling");
+}
+
+QString BatchText::normalityName(const BatchSummary& summary) {
+    const auto tested = std::ranges::find_if(
+        summary.characteristics, [](const auto& of) { return of.normality.has_value(); });
+    return tested == summary.characteristics.end()
+               ? tr("Normality, p")
+               : tr("Normality, p (%1)", "name of the test").arg(test(tested->normality->test));
+}
+
+QString BatchText::fitness(Fitness fitness) {
+    switch (fitness) {
+    case Fitness::fit: return tr("conforms to the drawing");
+    case Fitness::conditional: return tr("conforms conditionally to the drawing");
+    case Fitness::unfit: return tr("does not conform to the drawing");
+    }
+    return {};
+}
+
+QString BatchText::decision(const BatchOutcome& outcome) {
+    const BatchSummary& summary = outcome.summary;
+    const BatchVerdict verdict = weigh(summary, outcome.result);
+    const CharacteristicSummary* const of =
+        verdict.characteristic ? &summary.characteristics[*verdict.characteristic] : nullptr;
+    const auto limit = [&verdict] { return Names::significant(verdict.limit); };
+    const auto limitPercent = [&verdict] { return Names::significant(100 * verdict.limit); };
+    switch (verdict.reason) {
+    case BatchReason::noPart: return tr("no part was run");
+    case BatchReason::partsFail:
+        return verdict.limit > 0 ? tr("%1 % of the parts are not good, more than the allowed %2 %")
+                                       .arg(percent(verdict.value), limitPercent())
+                                 : tr("not every part is good");
+    case BatchReason::someFail:
+        return tr("%1 % of the parts are not good, no more than the allowed %2 %")
+            .arg(percent(verdict.value), limitPercent());
+    case BatchReason::stopped: return tr("not all parts of the batch were run");
+    case BatchReason::noSample:
+        return tr("every part that was run is good, but such parts are no sample and tell no Ppk");
+    case BatchReason::fewParts: return tr("a single part tells no Ppk");
+    case BatchReason::outside:
+        return tr("%1 % of the parts are expected out of tolerance, more than the allowed %2 %: %3")
+            .arg(Names::significant(100 * verdict.value, 2), limitPercent(),
+                 full(of->characteristic));
+    case BatchReason::ppk:
+        return tr("Ppk %1, its lower bound below %2: %3")
+            .arg(capability(of->ppk), limit(), full(of->characteristic));
+    case BatchReason::allHold:
+        return of ? tr("every part is good, and the least lower bound of Ppk reaches %1: %2, %3")
+                        .arg(limit(), capability(of->ppk), full(of->characteristic))
+                  : tr("every part is good, and the sizes hardly scatter");
+    }
+    return {};
 }
 
 QString BatchText::run(const BatchOutcome& outcome) {
@@ -139,7 +189,7 @@ QString BatchText::run(const BatchOutcome& outcome) {
     return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts)).arg(what);
 }
 
-QString BatchText::verdict(const BatchSummary& summary) {
+QString BatchText::counts(const BatchSummary& summary) {
     QStringList texts;
     if (summary.parts > 0) {
         texts << tr("Not good: %1.").arg(share(summary.bad));
@@ -147,11 +197,14 @@ QString BatchText::verdict(const BatchSummary& summary) {
     if (summary.failed > 0) {
         texts << tr("%n did not reach size.", nullptr, static_cast<int>(summary.failed));
     }
-    const auto least = std::ranges::min_element(summary.characteristics, {}, leastCpk);
-    if (least != summary.characteristics.end() && least->cpk) {
-        texts << tr("Least Cpk %1: %2.").arg(brief(*least->cpk), full(least->characteristic));
-    }
     return texts.join(u' ');
+}
+
+QString BatchText::verdict(const BatchOutcome& outcome) {
+    const QString text =
+        tr("The cycle %1: %2.", "verdict, reason")
+            .arg(fitness(weigh(outcome.summary, outcome.result).fitness), decision(outcome));
+    return (counts(outcome.summary) + u' ' + text).trimmed();
 }
 
 QString BatchText::progress(qint64 done, qint64 parts, double left_s) {
@@ -193,7 +246,7 @@ std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary, const std::s
     std::vector<std::size_t> places = placesOf(summary, name);
     if (places.size() > mostPlaces) {
         std::ranges::stable_sort(
-            places, {}, [&summary](std::size_t i) { return leastCpk(summary.characteristics[i]); });
+            places, {}, [&summary](std::size_t i) { return leastPpk(summary.characteristics[i]); });
         places.resize(mostPlaces);
         std::ranges::sort(places);
     }

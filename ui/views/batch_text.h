@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/batch/batch_verdict.h"
 #include "ui/session/batch_runner.h"
 
 #include <QCoreApplication>
@@ -30,8 +31,14 @@ public:
 
     /// "50 parts, Latin hypercube, seed 1."
     static QString run(const BatchOutcome& outcome);
-    /// How many are not good, and where the least Cpk is.
-    static QString verdict(const BatchSummary& summary);
+    static QString
+    counts(const BatchSummary& summary); ///< how many are not good, did not reach size
+    /// The counts, the verdict and what decided it.
+    static QString verdict(const BatchOutcome& outcome);
+    static QString fitness(Fitness fitness);                   ///< "conforms to the drawing"
+    static QString decision(const BatchOutcome& outcome);      ///< what decided the verdict
+    static QString test(NormalityTest test);                   ///< "Shapiro–Wilk"
+    static QString normalityName(const BatchSummary& summary); ///< "Normality, p (Shapiro–Wilk)"
     static QString progress(qint64 done, qint64 parts, double left_s);
     /// Number of a part and the values of its factors.
     static QString part(const BatchOutcome& outcome, std::int64_t part);
@@ -41,7 +48,7 @@ public:
 [[nodiscard]] std::vector<std::size_t> placesOf(const BatchSummary& summary,
                                                 const std::string& name);
 
-/// The same, of too many those of the least Cpk, still in the order of the places.
+/// The same, of too many those of the least Ppk, still in the order of the places.
 inline constexpr std::size_t mostPlaces = 6; ///< drawn side by side
 [[nodiscard]] std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary,
                                                      const std::string& name);

@@ -163,9 +163,8 @@ void BatchView::showState() {
     m_stop->setEnabled(runs);
     m_progress->setVisible(runs);
     m_state->setVisible(!runs);
-    m_state->setText(m_batch
-                         ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(m_batch->summary)
-                         : QString());
+    m_state->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
+                             : QString());
     m_worst->setEnabled(!faint && m_batch && m_batch->summary.worstPart >= 0 && !runs);
     const bool drawn = m_batch && contentNotice().isEmpty();
     for (QWidget* part : std::initializer_list<QWidget*>{m_splitter, m_legend, m_values}) {

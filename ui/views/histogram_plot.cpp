@@ -275,8 +275,8 @@ void HistogramPlot::outline() {
 QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
     const Characteristic& of = summary.characteristic;
     const QString where = BatchText::where(of);
-    const bool named = summary.cpk && m_cells.size() <= mostNamed;
-    return named ? QStringLiteral("%1, Cpk %2").arg(where, BatchText::brief(*summary.cpk)) : where;
+    const bool named = summary.ppk && m_cells.size() <= mostNamed;
+    return named ? QStringLiteral("%1, Ppk %2").arg(where, BatchText::brief(*summary.ppk)) : where;
 }
 
 void HistogramPlot::setTexts() {

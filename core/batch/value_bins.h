@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+namespace sparkout {
+
+inline constexpr std::size_t factorKinds = 7; ///< rows of the table of factors
+
+/// Ranks of a part's factors within their laws, from −2¹⁹ to 2¹⁹: whole numbers, so that sums of
+/// them are exact. Factors that are not given stand at 0 behind the others.
+using RankScores = std::array<std::int32_t, factorKinds>;
+inline constexpr int rankScoreBits = 20;
+
+/// A histogram whose bins are as narrow as their number allows, and what the factors' ranks sum up
+/// to in each of them.
+///
+/// The bins are ⌊x/(finest·2^level)⌋ of the least level at which no more than `most` are filled.
+/// That is a property of the values alone: any order and any grouping of them ends at the same
+/// level with the same counts, and nothing here grows with their number.
+class ValueBins {
+public:
+    struct Bin {
+        std::int64_t count = 0;
+        std::array<std::int64_t, factorKinds> scores{};
+        friend bool operator==(const Bin&, const Bin&) = default;
+    };
+    using Map = std::map<std::int64_t, Bin>;
+
+    /// Bins of level 0 are a 2²⁰-th of a characteristic's resolution; values farther out than 2²⁰
+    /// times the resolution are counted in the last bin of their side.
+    static constexpr int levelOfResolution = 20;
+    static constexpr int highestLevel = 41;
+
+    /// At most so many are filled of each of `characteristics`, so that they have room together.
+    static std::size_t mostFor(std::size_t characteristics);
+
+    void add(double value, double resolution, const RankScores& scores, std::size_t most);
+    void add(const ValueBins& other, std::size_t most);
+
+    [[nodiscard]] int level() const { return m_level; }
+    [[nodiscard]] const Map& bins() const { return m_bins; }
+    /// Of a state that was read: the numbers of the bins must be in range.
+    static ValueBins of(int level, Map bins);
+
+    /// The same values in bins that are at least as wide as those of a level.
+    [[nodiscard]] ValueBins atLeast(int level) const;
+    /// Width of a bin of a characteristic of this resolution.
+    [[nodiscard]] double width(double resolution) const;
+    /// The outermost numbers of bins at a level.
+    [[nodiscard]] static std::int64_t lowest(int level);
+    [[nodiscard]] static std::int64_t highest(int level);
+
+    friend bool operator==(const ValueBins&, const ValueBins&) = default;
+
+private:
+    void coarsen();
+
+    int m_level = 0;
+    Map m_bins;
+};
+
+} // namespace sparkout
