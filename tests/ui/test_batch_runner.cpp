@@ -60,6 +60,32 @@ private slots:
         QVERIFY(fewer.batch->correlation == two);
     }
 
+    /// What was kept since the batch was run is no part's: it stays with the user's project.
+    void aPartTakenOverLeavesTheKeptRuns() {
+        const Project project = fixtures::shaftBatch(3);
+        const BatchResult batch = runBatch(project);
+        Project now = project;
+        now.runs = {{"before", "2026-01-01T00:00:00Z", "0.1", {"{}"}, {"{}"}}};
+        now.notes = "mine";
+        const Project part = withPart(now, batch, 1);
+        QVERIFY(part.runs == now.runs);
+        QCOMPARE(part.notes, now.notes);
+        QVERIFY(part.part.stock_mm != project.part.stock_mm);
+    }
+
+    /// The ends of a law are three deviations from its middle.
+    void aLawMadeNormalHasItsEndsAtThreeDeviations() {
+        Project project = fixtures::shaftBatch(3);
+        project.batch->factors.stock_mm = fixtures::uniform(0.12, 0.18);
+        const Factor made = withForm(project, FactorKind::stock, FactorForm::normal);
+        QVERIFY(made.normal && made.normal->size() == 2 && made.within);
+        QCOMPARE(made.normal->at(0), 0.15);
+        QCOMPARE(made.normal->at(1), 0.01);
+        QCOMPARE(made.within->at(0), 0.12);
+        QCOMPARE(made.within->at(1), 0.18);
+        QVERIFY(formOf(made) == FactorForm::normal);
+    }
+
     void theOutcomeIsThatOfTheEngine() {
         const Project project = fixtures::shaftBatch(50);
         BatchRunner runner;

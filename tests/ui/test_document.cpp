@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/difference.h"
 #include "ui/session/document.h"
 #include "ui/session/operation.h"
 
@@ -237,6 +238,26 @@ private slots:
             const Issues issues = validate(newProject(operation));
             QVERIFY2(issues.empty(), issues.empty() ? "" : issueTemplate(issues.front().code));
         }
+    }
+
+    void theFirstDifferenceIsFoundByItsPath() {
+        const Project project = newProject(Operation::traverse);
+        QCOMPARE(firstDifference(project, project), std::string());
+        Project other = withDiameter(project, 31);
+        QCOMPARE(firstDifference(project, other), std::string("/part/diameter_mm"));
+        other = project;
+        other.cycle.stages.back().stock_mm += 1;
+        QCOMPARE(firstDifference(project, other),
+                 "/cycle/stages/" + std::to_string(project.cycle.stages.size() - 1) + "/stock_mm");
+        other.cycle.stages.push_back({});
+        QCOMPARE(firstDifference(project, other), std::string("/cycle/stages"));
+        other = project;
+        other.batch.emplace(); // an object that appears, or goes
+        QCOMPARE(firstDifference(project, other), std::string("/batch"));
+        QCOMPARE(firstDifference(other, project), std::string("/batch"));
+        const Project same = other;
+        other.batch->seed += 1;
+        QCOMPARE(firstDifference(same, other), std::string("/batch/seed"));
     }
 
     void everyExampleCanBeTurnedToTheOtherOperationAndBack_data() {

@@ -46,6 +46,33 @@ private slots:
         QCOMPARE(changed.count(), 0);
     }
 
+    // The bytes are in place, but could not be read back: the next try must not ask whose they are.
+    void whatAFailedSavePutInPlaceIsNoChangeFromOutside() {
+        if (::geteuid() != 0) {
+            QSKIP("no right to become another user here");
+        }
+        Bench bench;
+        bench.open();
+        setDiameter(bench.document, 31);
+        // Its group may write and read it; the file that replaces it becomes the user's own, whom
+        // the same mode forbids both.
+        trouble::setMode(bench.folder.path(), 0777);
+        trouble::setMode(bench.path, 0066);
+        std::optional<FileError> error;
+        {
+            const trouble::Unprivileged user;
+            error = bench.guard.save(bench.path);
+        }
+        QVERIFY(error && error->replaced);
+        QCOMPARE(error->step, FileStep::verify);
+        QVERIFY(bench.document.modified());
+        trouble::setMode(bench.path, 0644);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(31));
+        QVERIFY2(!bench.guard.changedOutside(bench.path), "they are the document's own");
+        trouble::write(bench.path, textWith(35));
+        QVERIFY(bench.guard.changedOutside(bench.path));
+    }
+
     void aFileThatIsRewrittenReplacedOrRemovedIsReported_data() {
         QTest::addColumn<QString>("how");
         for (const char* name : {"in place", "replaced", "removed", "same size and time"}) {

@@ -169,6 +169,24 @@ private slots:
         QVERIFY(!QFileInfo::exists(bench.lock));
     }
 
+    // A file system gives the number of a removed file to the next one.
+    void aLockLikeOursOfAnotherTimeIsNotOurs() {
+        Bench bench;
+        FileLock lock;
+        QCOMPARE(lock.acquire(bench.path), State::held);
+        const auto before = stampOf(bench.lock);
+        QFile file(bench.lock);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(60),
+                                 QFile::FileModificationTime));
+        file.close();
+        const auto now = stampOf(bench.lock);
+        QVERIFY(before && now && now->inode == before->inode && now->size == before->size);
+        QVERIFY(!lock.stillOurs());
+        lock.release();
+        QVERIFY2(QFileInfo::exists(bench.lock), "it is whose it is by now");
+    }
+
     void aFolderThatTakesNoFilesMeansReadOnly() {
         Bench bench;
         trouble::setMode(bench.folder.path(), 0555);

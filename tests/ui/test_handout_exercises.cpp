@@ -7,8 +7,10 @@
 #include "tests/ui/report_reading.h"
 #include "ui/report/exercises.h"
 #include "ui/report/pages.h"
+#include "ui/session/difference.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace test_handout_exercises {
 
@@ -50,6 +52,71 @@ class TestHandoutExercises : public QObject {
 
 private slots:
     void init() { m_language.apply(QStringLiteral("en")); }
+
+    void eachQuestionChangesItsInputByTheShareItNames() {
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const Project& before = outcome->result.project;
+        QStringList changed;
+        for (const report::Exercise& exercise : report::makeExercises(*outcome, std::nullopt)) {
+            const Project& now = exercise.changed;
+            changed << QString::fromStdString(firstDifference(before, now));
+            if (changed.last() == u"/cycle/stages/1/radial_feed_mm") { // of the last stage
+                QCOMPARE(*now.cycle.stages[1].radial_feed_mm,
+                         0.5 * *before.cycle.stages[1].radial_feed_mm);
+            } else if (changed.last() == u"/part/stock_mm") {
+                const double more = 0.2 * before.part.stock_mm;
+                QCOMPARE(now.part.stock_mm, before.part.stock_mm + more);
+                QCOMPARE(now.cycle.stages[0].stock_mm, before.cycle.stages[0].stock_mm + more);
+                QCOMPARE(now.cycle.stages[1].stock_mm, before.cycle.stages[1].stock_mm);
+            } else if (changed.last() == u"/part/initial_runout_mm") {
+                QCOMPARE(now.part.initial_runout_mm, 2 * before.part.initial_runout_mm);
+            } else if (changed.last() == u"/machine/compliance_mm_per_n") {
+                const auto& was = std::get<ZoneCompliance>(before.machine.compliance_mm_per_n);
+                const auto& is = std::get<ZoneCompliance>(now.machine.compliance_mm_per_n);
+                QCOMPARE(is.rz1, 1.5 * was.rz1);
+                QCOMPARE(is.nz, 1.5 * was.nz);
+                QCOMPARE(is.rz2, 1.5 * was.rz2);
+            }
+        }
+        changed.sort();
+        QCOMPARE(changed, (QStringList{QStringLiteral("/cycle/stages/1/radial_feed_mm"),
+                                       QStringLiteral("/machine/compliance_mm_per_n"),
+                                       QStringLiteral("/part/initial_runout_mm"),
+                                       QStringLiteral("/part/stock_mm"),
+                                       QStringLiteral("/wheel/dullness")}));
+    }
+
+    /// What yields more is less stiff.
+    void unitsThatYieldMoreAreLessStiff() {
+        Project project = fixtures::traverseProject();
+        project.part.shaft.segments = {{150, 30}};
+        project.part.shaft.ground_from_mm = 29;
+        project.machine.compliance_mm_per_n = std::monostate();
+        project.machine.stiffness_n_um = Stiffness{60, 45, 30};
+        const auto exercises = report::makeExercises(*fixtures::run(project), std::nullopt);
+        const auto softer = std::ranges::find_if(exercises, [&](const report::Exercise& exercise) {
+            return firstDifference(project, exercise.changed)
+                   == "/machine/stiffness_n_um/headstock";
+        });
+        QVERIFY(softer != exercises.end());
+        const Stiffness& stiffness = *softer->changed.machine.stiffness_n_um;
+        QCOMPARE(stiffness.headstock, 40.0);
+        QCOMPARE(stiffness.tailstock, 30.0);
+        QCOMPARE(stiffness.wheel_head, 20.0);
+    }
+
+    /// The zone with the smallest diameter need not be the one whose largest is the least.
+    void theSpreadIsFromTheSmallestOfAllDiametersToTheLargest() {
+        SimulationResult result;
+        result.sections.resize(2);
+        result.sections[0].diameterDeviationMin_mm = -0.005;
+        result.sections[0].diameterDeviationMax_mm = 0.009;
+        result.sections[1].diameterDeviationMin_mm = -0.002;
+        result.sections[1].diameterDeviationMax_mm = 0.001;
+        QCOMPARE(report::askedValue(report::Asked::spread_um, result, nullptr).value_or(0), 14.0);
+        std::swap(result.sections[0], result.sections[1]);
+        QCOMPARE(report::askedValue(report::Asked::spread_um, result, nullptr).value_or(0), 14.0);
+    }
 
     void theAnswersAreThoseOfTheChangedProject_data() { addCases({"en"}); }
     void theAnswersAreThoseOfTheChangedProject() {

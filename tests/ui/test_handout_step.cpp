@@ -70,6 +70,34 @@ private slots:
         QVERIFY(!report::findStep(trajectory, *report::readStepWish(QStringLiteral("s1"))));
     }
 
+    void twoCyclesAreComparedInTheNearestStrokeThatBothHave() {
+        const auto cycleOf = [](std::initializer_list<int> counts) {
+            Trajectory trajectory;
+            for (const int count : counts) {
+                Pass pass;
+                pass.place.zone = Zone::nz;
+                pass.place.stage = 1;
+                pass.place.cycleCount = count;
+                trajectory.passes.push_back(pass);
+            }
+            return trajectory;
+        };
+        const Trajectory one = cycleOf({2, 5, 8, 9, 20}), other = cycleOf({2, 5, 8, 20, 21});
+        const auto shared = [&](int count) {
+            Place place = one.passes.front().place;
+            place.cycleCount = count;
+            const std::optional<Place> found = report::sharedPlace(one, other, place);
+            return found ? found->cycleCount : -1;
+        };
+        QCOMPARE(shared(9), 8); // the other cycle has none
+        QCOMPARE(shared(8), 8);
+        QCOMPARE(shared(2), 2);
+        QCOMPARE(shared(30), 20); // 21 is of the other alone
+        Place elsewhere = one.passes.front().place;
+        elsewhere.stage = 2;
+        QVERIFY(!report::sharedPlace(one, other, elsewhere));
+    }
+
     void theDialogOffersTheStepTheCycleStandsAt() {
         const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
         CycleCursor cursor;

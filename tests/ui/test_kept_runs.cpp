@@ -181,6 +181,19 @@ private slots:
         QVERIFY(desk.kept.isChanged(1));
     }
 
+    void aRunWhoseSummaryCannotBeReadCountsAsChanged() {
+        Desk desk;
+        QVERIFY(desk.keep());
+        QVERIFY(desk.keep());
+        Project project = desk.document.project();
+        project.runs[0].summary.text = "[]";
+        desk.document.startUntitled(project);
+        QVERIFY(!desk.kept.summary(0));
+        QVERIFY(desk.settled());
+        QVERIFY(desk.kept.isChanged(0));
+        QVERIFY(!desk.kept.isChanged(1));
+    }
+
     void inputsThatAreNoneAreToldNotRun() {
         Desk desk;
         Project project = desk.document.project();

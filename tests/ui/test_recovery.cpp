@@ -215,6 +215,35 @@ private slots:
         QVERIFY(bench.store.left().empty());
     }
 
+    void whatIsLeftIsOfferedTheNewestFirst() {
+        const Bench bench;
+        QVERIFY(makePrivateFolder(bench.store.folder()));
+        const QDateTime now(QDate(2026, 11, 22), QTime(12, 0), Qt::UTC);
+        for (const int hours : {5, 1, 3}) { // in another order by name
+            RecoveryHeader header;
+            header.title = QString::number(hours);
+            header.when = now.addSecs(-3600 * hours);
+            const std::string text = recoveryText(header, newProject(Operation::plunge));
+            const QString name = QStringLiteral("/%1.recovery").arg(9 - hours);
+            trouble::write(bench.store.folder() + name, QByteArray::fromStdString(text));
+        }
+        const auto titles = [](const std::vector<RecoveryItem>& items) {
+            QStringList list;
+            for (const RecoveryItem& item : items) {
+                list << item.header.title;
+            }
+            return list;
+        };
+        const QStringList newestFirst{QStringLiteral("1"), QStringLiteral("3"),
+                                      QStringLiteral("5")};
+        const std::vector<RecoveryItem> left = bench.store.left();
+        QCOMPARE(titles(left), newestFirst);
+        for (const std::size_t i : {1, 0, 2}) {
+            QVERIFY(bench.store.discard(left[i].file));
+        }
+        QCOMPARE(titles(bench.store.discarded()), newestFirst);
+    }
+
     // The times of the files are turned around: they must not matter.
     void whatIsOfferedIsDecidedByContentAndNotByTime() {
         Bench bench;

@@ -4,6 +4,7 @@
 
 #include "tests/registry.h"
 #include "tests/ui/xlsx_reader.h"
+#include "ui/session/xlsx_parts.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -200,6 +201,29 @@ private slots:
         QCOMPARE(read.text("author"), book.author);
         QCOMPARE(read.text("program"), book.program);
         QCOMPARE(xlsxBytes(book), xlsxBytes(book)); // equal content, equal bytes
+    }
+
+    /// openpyxl reads no escapes: of Excel, which does, the standard says what it reads.
+    void aTextThatLooksLikeAnEscapeStaysAText() {
+        QCOMPARE(xlsx::escaped(QStringLiteral("_x0041_")), QByteArray("_x005F_x0041_"));
+        QCOMPARE(xlsx::escaped(QStringLiteral("a_x00e9_b")), QByteArray("a_x005F_x00e9_b"));
+        for (const char* plain : {"_x41_", "x0041_", "_x0041", "_X0041_", "a_b"}) {
+            QCOMPARE(xlsx::escaped(QString::fromLatin1(plain)), QByteArray(plain));
+        }
+        const QString text = QStringLiteral("_x0041_");
+        const XlsxReader read =
+            reread(bookOf({sheetOf(column(QStringLiteral("x"), {text}), QStringLiteral("s"))}));
+        QCOMPARE(read.text(0, 1, 0), text);
+    }
+
+    void everyTextIsHeldOnce() {
+        xlsx::SharedTexts texts;
+        QCOMPARE(texts.numberOf(QStringLiteral("RZ1")), 0);
+        QCOMPARE(texts.numberOf(QStringLiteral("NZ")), 1);
+        QCOMPARE(texts.numberOf(QStringLiteral("RZ1")), 0);
+        const QByteArray xml = texts.xml();
+        QVERIFY2(xml.contains(" count=\"3\" uniqueCount=\"2\""), xml.constData());
+        QCOMPARE(xml.count("<si>"), 2);
     }
 
     void aTableByPlacesHasASheetForEach() {
