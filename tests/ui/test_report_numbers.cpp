@@ -46,16 +46,16 @@ Outcome unlikeZones() {
     return outcome;
 }
 
-/// The first characteristics of a shaft with such Cpk, one number each.
-BatchSummary summaryWith(const std::vector<double>& cpk) {
+/// The first characteristics of a shaft with such Ppk, one number each.
+BatchSummary summaryWith(const std::vector<double>& ppk) {
     const std::vector<Characteristic> all = characteristicsOf(fixtures::traverseProject());
     BatchSummary summary;
     summary.parts = 50;
-    for (std::size_t i = 0; i < cpk.size(); ++i) {
+    for (std::size_t i = 0; i < ppk.size(); ++i) {
         CharacteristicSummary of;
         of.characteristic = all.at(i);
         of.count = summary.parts;
-        of.cpk = Capability{cpk[i], {cpk[i] - 0.2, cpk[i] + 0.2}};
+        of.ppk = Capability{ppk[i], {ppk[i] - 0.2, ppk[i] + 0.2}};
         summary.characteristics.push_back(of);
     }
     return summary;
@@ -124,18 +124,18 @@ private slots:
         }
     }
 
-    void theLeastCpkIsThatOfTheLeastCapable() {
+    void theLeastPpkIsThatOfTheLeastCapable() {
         BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
         QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[1]);
-        summary.characteristics[1].cpk.reset(); // not limited
+        summary.characteristics[1].ppk.reset(); // not limited
         QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[2]);
         for (CharacteristicSummary& of : summary.characteristics) {
-            of.cpk.reset();
+            of.ppk.reset();
         }
         QVERIFY(!Passport::leastCapable(summary));
     }
 
-    /// What rejects most parts decides; without rejects the least Cpk does.
+    /// What rejects most parts decides; without rejects the least Ppk does.
     void theCharacteristicOfMostRejectsDecides() {
         BatchSummary summary = summaryWith({1.5, 1.4, 0.9});
         QCOMPARE(Passport::deciding(summary), &summary.characteristics[2]);
@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(Passport::deciding(summary), &summary.characteristics[1]);
     }
 
-    void theCapabilityChartBeginsWithTheLeastCpk() {
+    void theCapabilityChartBeginsWithTheLeastPpk() {
         const BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
         const std::optional<report::Figure> chart = Passport::capabilityChart(summary);
         QVERIFY(chart.has_value());
@@ -153,7 +153,7 @@ private slots:
         for (const std::size_t i : {1, 2, 0}) {
             const CharacteristicSummary& of = summary.characteristics[i];
             expected << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
-                                                     BatchText::capability(of.cpk));
+                                                     BatchText::capability(of.ppk));
         }
         QCOMPARE(chart->told, expected.join(QStringLiteral("; ")));
     }
