@@ -94,6 +94,11 @@
             <translation>Нормальность, p (критерий %1)</translation>
         </message>
         <message>
+            <source>%1, p</source>
+            <comment>name of the test</comment>
+            <translation>%1, p</translation>
+        </message>
+        <message>
             <source>conforms to the drawing</source>
             <translation>годен</translation>
         </message>
@@ -4231,7 +4236,7 @@ target, µm</source>
         </message>
         <message>
             <source>Capability and share out of tolerance</source>
-            <translation>Воспроизводимость и доля вне допуска</translation>
+            <translation>Пригодность и доля вне допуска</translation>
         </message>
         <message>
             <source>Percentiles</source>

@@ -175,7 +175,7 @@ QVariant BatchFigures::headerData(int section, Qt::Orientation orientation, int 
                    "Probability that normal values deviate so much from the normal law, by the "
                    "test of Shapiro and Wilk, of more than 4096 parts of Anderson and "
                    "Darling; below 0.05 the values are called not normal")
-               : m_outcome ? BatchText::normalityName(m_outcome->summary)
+               : m_outcome ? BatchText::shortNormalityName(m_outcome->summary)
                            : tr("Normality, p");
     default: return {};
     }

@@ -115,12 +115,21 @@ QString BatchText::test(NormalityTest test) {
     return test == NormalityTest::shapiroWilk ? tr("Shapiro–Wilk") : tr("Anderson–Darling");
 }
 
-QString BatchText::normalityName(const BatchSummary& summary) {
+std::optional<NormalityTest> BatchText::testOf(const BatchSummary& summary) {
     const auto tested = std::ranges::find_if(
         summary.characteristics, [](const auto& of) { return of.normality.has_value(); });
-    return tested == summary.characteristics.end()
-               ? tr("Normality, p")
-               : tr("Normality, p (%1)", "name of the test").arg(test(tested->normality->test));
+    return tested == summary.characteristics.end() ? std::nullopt
+                                                   : std::optional(tested->normality->test);
+}
+
+QString BatchText::normalityName(const BatchSummary& summary) {
+    const auto of = testOf(summary);
+    return of ? tr("Normality, p (%1)", "name of the test").arg(test(*of)) : tr("Normality, p");
+}
+
+QString BatchText::shortNormalityName(const BatchSummary& summary) {
+    const auto of = testOf(summary);
+    return of ? tr("%1, p", "name of the test").arg(test(*of)) : tr("Normality, p");
 }
 
 QString BatchText::fitness(Fitness fitness) {

@@ -39,6 +39,8 @@ public:
     static QString decision(const BatchOutcome& outcome);      ///< what decided the verdict
     static QString test(NormalityTest test);                   ///< "Shapiro–Wilk"
     static QString normalityName(const BatchSummary& summary); ///< "Normality, p (Shapiro–Wilk)"
+    static QString shortNormalityName(const BatchSummary& summary); ///< "Shapiro–Wilk, p"
+    static std::optional<NormalityTest> testOf(const BatchSummary& summary);
     static QString progress(qint64 done, qint64 parts, double left_s);
     /// Number of a part and the values of its factors.
     static QString part(const BatchOutcome& outcome, std::int64_t part);
