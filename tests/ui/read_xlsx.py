@@ -16,6 +16,11 @@ def cell(c):
     return [c.data_type, value, c.number_format, bool(c.quotePrefix)]
 
 
+def area(printed):
+    """One range, or a list of them, by openpyxl's version."""
+    return ",".join(printed) if isinstance(printed, (list, tuple)) else printed or ""
+
+
 book = openpyxl.load_workbook(sys.argv[1])
 print(json.dumps({
     "title": book.properties.title,
@@ -24,6 +29,9 @@ print(json.dumps({
     "sheets": [{
         "name": sheet.title,
         "frozen": sheet.freeze_panes,
+        "print": [sheet.page_setup.orientation, sheet.sheet_properties.pageSetUpPr.fitToPage,
+                  sheet.page_setup.fitToWidth, sheet.page_setup.fitToHeight,
+                  sheet.page_setup.paperSize, sheet.print_title_rows, area(sheet.print_area)],
         "widths": [sheet.column_dimensions[c].width for c in sheet.column_dimensions],
         "rows": [[cell(c) for c in row] for row in sheet.iter_rows()],
     } for sheet in book.worksheets],

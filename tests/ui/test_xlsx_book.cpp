@@ -117,6 +117,54 @@ private slots:
         QCOMPARE(read.format(0, 2, 0), format);
     }
 
+    void numbersOfAnySizeAreShownWithTheirOwnDigits() {
+        CsvTable table = column(QStringLiteral("x"), {0.1 + 0.2, 9.6034567890123, 30.0,
+                                                      1234.5678901, 1.23456789e-7, 123456789.0});
+        table.ownUnits = true; // a length beside a force beside a count
+        const XlsxReader read = reread(bookOf({sheetOf(table, QStringLiteral("x"))}));
+        const QStringList formats{QStringLiteral("0.0"),         QStringLiteral("0.00000"),
+                                  QStringLiteral("General"),     QStringLiteral("0.00"),
+                                  QStringLiteral("0.00000E+00"), QStringLiteral("General")};
+        for (int i = 0; i < formats.size(); ++i) {
+            QCOMPARE(read.format(0, i + 1, 0), formats[i]);
+            QVERIFY(sameBits(read.number(0, i + 1, 0),
+                             std::get<double>(table.rows[std::size_t(i)].front())));
+        }
+    }
+
+    void sheetsPrintAcrossWithTheirHeads() {
+        CsvTable shortOne;
+        shortOne.header = {QStringLiteral("zone"), QStringLiteral("actual feed, µm")};
+        shortOne.rows = {{QStringLiteral("RZ1"), 1.25}};
+        Sheet longOne;
+        longOne.name = QStringLiteral("Trace of John's");
+        longOne.columns = {{QStringLiteral("n")}, {QStringLiteral("m")}, {QStringLiteral("k")}};
+        longOne.rows = 2000;
+        longOne.fill = [](std::size_t row, std::vector<CsvCell>& cells) {
+            cells.assign(3, double(row));
+        };
+        const XlsxReader read =
+            reread(bookOf({sheetOf(shortOne, QStringLiteral("Feeds")), longOne}));
+        QCOMPARE(read.fault(), QString());
+        for (const int sheet : {0, 1}) {
+            const QJsonArray print = read.sheet(sheet).value(QStringLiteral("print")).toArray();
+            QCOMPARE(print.at(0).toString(), QStringLiteral("landscape"));
+            QVERIFY(print.at(1).toBool());
+            QCOMPARE(print.at(2).toInt(), 1); // page wide
+            QCOMPARE(print.at(3).toInt(), 0); // as many pages high as it takes
+            QCOMPARE(print.at(4).toVariant().toInt(), 9);
+        }
+        const QJsonArray first = read.sheet(0).value(QStringLiteral("print")).toArray(),
+                         second = read.sheet(1).value(QStringLiteral("print")).toArray();
+        QCOMPARE(first.at(5).toString(), QStringLiteral("$1:$2"));
+        QVERIFY(first.at(6).toString().isEmpty());
+        QCOMPARE(second.at(5).toString(), QStringLiteral("$1:$1"));
+        // not a thousand pages: the first rows alone
+        QVERIFY2(second.at(6).toString().endsWith(QStringLiteral("$A$1:$C$501")),
+                 qPrintable(second.at(6).toString()));
+        QCOMPARE(read.rows(1), 2001);
+    }
+
     void textsAreTextsWhateverTheyBeginWith() {
         const std::vector<CsvCell> cells{QStringLiteral("=1+1"),
                                          QStringLiteral("+1"),

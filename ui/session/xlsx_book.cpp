@@ -20,15 +20,6 @@ constexpr qsizetype chunkBytes = 64 * 1024;
 constexpr int narrowest = 9, widest = 48; // characters
 constexpr qsizetype headWidth = 16;       // longer names are wrapped
 
-/// "A", …, "Z", "AA", …
-QByteArray columnLetters(std::size_t column) {
-    QByteArray name;
-    for (std::size_t rest = column + 1; rest > 0; rest = (rest - 1) / 26) {
-        name.prepend(static_cast<char>('A' + (rest - 1) % 26));
-    }
-    return name;
-}
-
 /// The shortest digits that read back as the same double.
 QByteArray exactDigits(double value) {
     char buffer[32];
@@ -108,13 +99,15 @@ QByteArray SheetWriter::columnsXml(const Sheet& sheet) const {
 void SheetWriter::begin(const Sheet& sheet) {
     m_letters.clear();
     for (std::size_t i = 0; i < sheet.columns.size(); ++i) {
-        m_letters.push_back(columnLetters(i));
+        m_letters.push_back(xlsx::columnLetters(i));
     }
     m_row = 0;
     const std::size_t headRows = sheet.hasUnits() ? 2 : 1;
     const QByteArray under = "A" + digitsOf(headRows + 1);
     m_xml = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n<worksheet xmlns=\""
-            "http://schemas.openxmlformats.org/spreadsheetml/2006/main\"><sheetViews><sheetView "
+            "http://schemas.openxmlformats.org/spreadsheetml/2006/main\"><sheetPr><pageSetUpPr "
+            "fitToPage=\"1\"/></sheetPr>"
+            "<sheetViews><sheetView "
             + QByteArray(m_begun++ == 0 ? "tabSelected=\"1\" " : "")
             + "workbookViewId=\"0\"><pane ySplit=\"" + digitsOf(headRows) + "\" topLeftCell=\""
             + under
@@ -134,8 +127,9 @@ void SheetWriter::addText(const QString& text, int style) {
 void SheetWriter::addCell(const CsvCell& cell, int style) {
     if (const auto* value = std::get_if<double>(&cell)) {
         if (std::isfinite(*value)) {
+            const int own = style == xlsx::plain ? xlsx::styleOf(*value) : style;
             m_xml += "<c r=\"" + m_letters[m_column] + digitsOf(m_row) + "\" s=\""
-                     + QByteArray::number(style) + "\"><v>" + exactDigits(*value) + "</v></c>";
+                     + QByteArray::number(own) + "\"><v>" + exactDigits(*value) + "</v></c>";
         }
     } else if (const auto* text = std::get_if<QString>(&cell); text && !text->isEmpty()) {
         // The mark before a text that would become a formula when it is edited.
@@ -193,7 +187,7 @@ bool SheetWriter::write(const Sheet& sheet) {
     begin(sheet);
     addHead(sheet);
     const bool whole = addRows(sheet);
-    m_zip.add(m_xml + "</sheetData></worksheet>");
+    m_zip.add(m_xml + "</sheetData>" + xlsx::pageSetUp() + "</worksheet>");
     return whole;
 }
 
@@ -257,7 +251,7 @@ QByteArray xlsxBytes(const Book& book, const KeepGoing& keepGoing) {
     addFile(zip, "_rels/.rels", xlsx::packageLinks());
     addFile(zip, "docProps/app.xml", xlsx::programProperties(book));
     addFile(zip, "docProps/core.xml", xlsx::coreProperties(book));
-    addFile(zip, "xl/workbook.xml", xlsx::workbook(sheetNames(names)));
+    addFile(zip, "xl/workbook.xml", xlsx::workbook(sheetNames(names), book.sheets));
     addFile(zip, "xl/_rels/workbook.xml.rels", xlsx::workbookLinks(book.sheets.size()));
     addFile(zip, "xl/styles.xml", xlsx::styles());
     xlsx::SharedTexts texts;

@@ -4,6 +4,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sparkout::xlsx {
 
@@ -112,16 +113,57 @@ QByteArray packageLinks() {
                  + link(3, office + "relationships/extended-properties", "docProps/app.xml"));
 }
 
-QByteArray workbook(const QStringList& names) {
+QByteArray workbook(const QStringList& names, const std::vector<Sheet>& sheets) {
     QByteArray xml = start + "<workbook xmlns=\"" + space + "\" xmlns:r=\"" + office
                      + "relationships\"><bookViews><workbookView xWindow=\"0\" yWindow=\"0\" "
                        "windowWidth=\"24000\" windowHeight=\"12000\"/></bookViews><sheets>";
+    QByteArray areas, heads;
     for (qsizetype i = 0; i < names.size(); ++i) {
         const QByteArray number = QByteArray::number(i + 1);
         xml += "<sheet name=\"" + escaped(names[i]) + "\" sheetId=\"" + number + "\" r:id=\"rId"
                + number + "\"/>";
+        const Sheet& sheet = sheets[static_cast<std::size_t>(i)];
+        const QByteArray local = "\" localSheetId=\"" + QByteArray::number(i) + "\">";
+        const QByteArray of = escaped(u'\'' + QString(names[i]).replace(u'\'', QStringLiteral("''"))
+                                      + QStringLiteral("'!"));
+        const QByteArray headRows = sheet.hasUnits() ? "2" : "1";
+        heads += "<definedName name=\"_xlnm.Print_Titles" + local + of + "$1:$" + headRows
+                 + "</definedName>";
+        if (sheet.rows > printedRows && !sheet.columns.empty()) {
+            areas += "<definedName name=\"_xlnm.Print_Area" + local + of + "$A$1:$"
+                     + columnLetters(sheet.columns.size() - 1) + '$'
+                     + QByteArray::number(quint64(printedRows + (sheet.hasUnits() ? 2 : 1)))
+                     + "</definedName>";
+        }
     }
-    return xml + "</sheets></workbook>";
+    return xml + "</sheets><definedNames>" + areas + heads + "</definedNames></workbook>";
+}
+
+QByteArray columnLetters(std::size_t column) {
+    QByteArray name;
+    for (std::size_t rest = column + 1; rest > 0; rest = (rest - 1) / 26) {
+        name.prepend(static_cast<char>('A' + (rest - 1) % 26));
+    }
+    return name;
+}
+
+QByteArray pageSetUp() {
+    return "<pageMargins left=\"0.5\" right=\"0.5\" top=\"0.6\" bottom=\"0.6\" header=\"0.3\" "
+           "footer=\"0.3\"/><pageSetup paperSize=\"9\" orientation=\"landscape\" fitToWidth=\"1\" "
+           "fitToHeight=\"0\"/><headerFooter><oddHeader>&amp;L&amp;A</oddHeader><oddFooter>"
+           "&amp;L&amp;F&amp;R&amp;P / &amp;N</oddFooter></headerFooter>";
+}
+
+int styleOf(double value) {
+    constexpr int shownDigits = 6;
+    const QByteArray shown = QByteArray::number(value, 'g', shownDigits);
+    if (shown.contains('e')) {
+        return std::abs(value) < 1 ? int(scientific) : int(plain);
+    }
+    const qsizetype point = shown.indexOf('.');
+    return point < 0
+               ? int(plain)
+               : decimals + std::min(static_cast<int>(shown.size() - point - 1), mostDecimals);
 }
 
 QByteArray workbookLinks(std::size_t sheets) {

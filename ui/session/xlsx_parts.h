@@ -12,6 +12,8 @@ namespace sparkout::xlsx {
 enum Style { plain, head, unit, text, scientific, decimals };
 inline constexpr int mostDecimals = 9;
 [[nodiscard]] int styleOf(const SheetColumn& column);
+/// For a number among others of any size: as many decimals as six digits of it need.
+[[nodiscard]] int styleOf(double value);
 
 /// What XML may hold, escaped.
 [[nodiscard]] QByteArray escaped(const QString& text);
@@ -30,7 +32,11 @@ private:
 
 [[nodiscard]] QByteArray contentTypes(std::size_t sheets);
 [[nodiscard]] QByteArray packageLinks();
-[[nodiscard]] QByteArray workbook(const QStringList& names);
+/// The heads are printed on every page, of a long sheet the first rows alone.
+[[nodiscard]] QByteArray workbook(const QStringList& names, const std::vector<Sheet>& sheets);
+inline constexpr std::size_t printedRows = 500;
+[[nodiscard]] QByteArray columnLetters(std::size_t column); ///< "A", …, "Z", "AA", …
+[[nodiscard]] QByteArray pageSetUp(); ///< A4 across, one page wide, with names and page numbers
 [[nodiscard]] QByteArray workbookLinks(std::size_t sheets);
 [[nodiscard]] QByteArray styles();
 [[nodiscard]] QByteArray coreProperties(const Book& book);

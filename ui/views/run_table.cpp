@@ -33,11 +33,40 @@ struct RunValue {
     QString unit;
     QString shown;
     CsvCell cell;
-    QString symbol = {}; ///< of an input
+    QString symbol = {};                               ///< of an input
+    std::vector<std::pair<QString, double>> list = {}; ///< of an input: its items, each with a name
 };
 using RunValues = std::vector<RunValue>;
 
 // --- inputs -------------------------------------------------------------------------------------
+
+/// The items of a list, by number or zone; nothing of another input.
+std::vector<std::pair<QString, double>> itemsOf(const Field& field, const void* owner) {
+    std::vector<double> values;
+    if (field.kind == Kind::numberList) {
+        values = field.as<std::vector<double>>(owner);
+    } else if (field.kind == Kind::optionalNumberList) {
+        values = field.as<std::optional<std::vector<double>>>(owner).value_or(values);
+    } else if (field.kind == Kind::compliance) {
+        const auto& given = field.as<GivenCompliance>(owner);
+        if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
+            return {{Names::zone(Zone::rz1), zones->rz1},
+                    {Names::zone(Zone::nz), zones->nz},
+                    {Names::zone(Zone::rz2), zones->rz2}};
+        }
+        if (const auto* sections = std::get_if<std::vector<double>>(&given)) {
+            values = *sections;
+        }
+    }
+    std::vector<std::pair<QString, double>> items;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        items.emplace_back(field.kind == Kind::compliance
+                               ? Names::zone(Zone::section, static_cast<int>(i))
+                               : QString::number(i + 1),
+                           values[i]);
+    }
+    return items;
+}
 
 RunValues inputValues(const Project& project) {
     RunValues values;
@@ -55,7 +84,8 @@ RunValues inputValues(const Project& project) {
                           unitText(field.unit),
                           shown,
                           number ? CsvCell(*number) : CsvCell(shown),
-                          QString::fromUtf8(field.symbol)});
+                          QString::fromUtf8(field.symbol),
+                          itemsOf(field, leaf.owner)});
     }
     return values;
 }
@@ -306,8 +336,17 @@ CsvTable inputTable(const Project& project) {
     table.header << RunTable::tr("Input") << RunTable::tr("Symbol") << RunTable::tr("Unit")
                  << RunTable::tr("Value") << RunTable::tr("Key in the file");
     for (const RunValue& value : inputValues(project)) {
-        table.rows.push_back({locationText(value.path).remove(QChar::SoftHyphen), value.symbol,
-                              value.unit, value.cell, QString::fromStdString(value.path)});
+        const QString what = locationText(value.path).remove(QChar::SoftHyphen);
+        const QString path = QString::fromStdString(value.path);
+        if (value.list.size() > 1) { // numbers, not a text of numbers
+            for (std::size_t i = 0; i < value.list.size(); ++i) {
+                const auto& [name, number] = value.list[i];
+                table.rows.push_back({what + levelSign + name, value.symbol, value.unit, number,
+                                      QStringLiteral("%1/%2").arg(path).arg(i)});
+            }
+            continue;
+        }
+        table.rows.push_back({what, value.symbol, value.unit, value.cell, path});
     }
     return table;
 }
