@@ -494,14 +494,6 @@
             <translation>Файл проекта</translation>
         </message>
         <message>
-            <source>A shaft of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
-            <translation>Шлифуется вал ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
-        </message>
-        <message>
-            <source>A bore of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.</source>
-            <translation>Шлифуется отверстие ⌀%1 мм с отклонениями %2 / %3 мкм на длине %4 мм. Припуск заготовки не меньше %5 мм на сторону, её радиальное биение %6 мм.</translation>
-        </message>
-        <message>
             <source>By the model the cycle takes %1. Follow one step of it, formula by formula, and find what limits the feed there.</source>
             <translation>По модели цикл длится %1. Проследите один его шаг формула за формулой и найдите, что ограничивает там подачу.</translation>
         </message>
@@ -532,10 +524,6 @@
         <message>
             <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
             <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
-        </message>
-        <message>
-            <source>With this input the cycle does not end as it should: %1.</source>
-            <translation>С этим исходным данным цикл не завершается как следует: %1.</translation>
         </message>
         <message>
             <source>Asked for</source>
@@ -658,6 +646,26 @@
             <source>not met at any depth</source>
             <translation>не выполнено ни при какой подаче</translation>
         </message>
+        <message>
+            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be told from it.</source>
+            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
+        </message>
+        <message>
+            <source>No other requirement of this project limits the feed.</source>
+            <translation>Других требований, ограничивающих подачу, в проекте нет.</translation>
+        </message>
+        <message>
+            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from.</source>
+            <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
+        </message>
+        <message>
+            <source>A shaft of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
+            <translation>Шлифуется вал %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
+        </message>
+        <message>
+            <source>A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
+            <translation>Шлифуется отверстие %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
+        </message>
     </context>
     <context>
         <name>CycleCard</name>
@@ -740,10 +748,6 @@
         <message>
             <source>Cylindrical plunge grinding</source>
             <translation>Круглое наружное врезное шлифование</translation>
-        </message>
-        <message>
-            <source>⌀%1 mm, deviations %2 / %3 µm</source>
-            <translation>⌀%1 мм, отклонения %2 / %3 мкм</translation>
         </message>
         <message>
             <source>Operation</source>
@@ -900,6 +904,10 @@
         <message>
             <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
             <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
+        </message>
+        <message>
+            <source>These predictions rest on inputs that are estimates, to be calibrated at the machine.</source>
+            <translation>Эти результаты опираются на исходные данные, которые являются оценками и подлежат калибровке на станке.</translation>
         </message>
     </context>
     <context>
@@ -1064,92 +1072,148 @@
     <context>
         <name>Exercises</name>
         <message>
-            <source>The wheel has become dull: η rises from %1 to %2. How do the actual feed a and the normal force Py change, at the same zone, step and radius as above, and how the machining time?</source>
-            <translation>Круг затупился: η выросла с %1 до %2. Как изменятся фактическая подача a и радиальная сила Py в той же зоне, на том же этапе и радиусе, что и выше, и как изменится машинное время?</translation>
+            <source>The wheel has become dull: η rises from %1 to %2.</source>
+            <translation>Круг затупился: η выросла с %1 до %2.</translation>
         </message>
         <message>
-            <source>The friction of the wear flats, kr·√a, grows with η. At the same lag less is cut, so the lag and the force grow until the programmed feed is cut again. What the system has yielded goes on cutting in the next, slower stage.</source>
-            <translation>Трение площадок износа kr·√a растёт вместе с η. При том же отставании срезается меньше, поэтому отставание и сила растут, пока снова не будет срезаться программная подача. То, на что отжата система, срезается ещё на следующей, более медленной ступени.</translation>
+            <source>at the same lag less is cut</source>
+            <translation>при том же отставании срезается меньше</translation>
         </message>
         <message>
-            <source>The technological system is %1 times as compliant in every zone. How do the difference of diameters along the part and the largest normal force change?</source>
-            <translation>Технологическая система во всех зонах податливее в %1 раза. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+            <source>the friction of the wear flats, kr·√a, grows with η</source>
+            <translation>трение площадок износа kr·√a растёт вместе с η</translation>
         </message>
         <message>
-            <source>A zone differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end. The lag of a compliant system takes longer to build up, and goes on cutting when the feed is reduced.</source>
-            <translation>Диаметр зоны отличается от диаметра зоны с прибором активного контроля на удвоенную разность их упругих отжатий γ·Py в конце цикла. Отставание податливой системы дольше нарастает и дольше срезается после снижения подачи.</translation>
+            <source>The technological system is %1 times as compliant in every zone.</source>
+            <translation>Технологическая система во всех зонах податливее в %1 раза.</translation>
         </message>
         <message>
-            <source>The units of the machine yield %1 times as much under the same force. How do the difference of diameters along the part and the largest normal force change?</source>
-            <translation>Узлы станка отжимаются той же силой в %1 раза больше. Как изменятся разность диаметров по длине детали и наибольшая радиальная сила?</translation>
+            <source>a place differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end</source>
+            <translation>диаметр отличается от диаметра под прибором активного контроля на удвоенную разность упругих отжатий γ·Py в конце цикла</translation>
         </message>
         <message>
-            <source>A smaller feed ends the cycle with a smaller force, hence a smaller deflection that differs less from zone to zone; for the same stock it takes longer.</source>
-            <translation>При меньшей подаче цикл заканчивается с меньшей силой, а значит, с меньшим отжатием, которое меньше различается по зонам; тот же припуск снимается дольше.</translation>
+            <source>the lag takes longer to build up, and the stage is over before the force of its feed is reached</source>
+            <translation>отставание нарастает дольше, и ступень заканчивается раньше, чем сила достигает значения, соответствующего её подаче</translation>
         </message>
         <message>
-            <source>The radial feed of stage %1 is halved, from %2 to %3. What does that cost in time, and what does it gain in accuracy?</source>
-            <translation>Радиальная подача ступени %1 уменьшена вдвое, с %2 до %3. Сколько времени это стоит и что даёт для точности?</translation>
+            <source>The units of the machine yield %1 times as much under the same force.</source>
+            <translation>Узлы станка отжимаются той же силой в %1 раза больше.</translation>
         </message>
         <message>
-            <source>The blanks come with twice the runout, %1 instead of %2. How much of it is left on the part, and what does it cost?</source>
-            <translation>Биение заготовок вдвое больше: %1 вместо %2. Сколько от него останется на детали и во что это обойдётся?</translation>
+            <source>the force at the end is that of a smaller feed, so the deflections differ less from place to place</source>
+            <translation>в конце цикла сила соответствует меньшей подаче, поэтому отжатия меньше различаются по длине</translation>
         </message>
         <message>
-            <source>The stock is the least that any radius has, so a larger runout is more metal to take off. High places are cut deeper than low ones: pass by pass little of the runout is left.</source>
-            <translation>Припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла. Выступающие места срезаются глубже, чем впадины: от прохода к проходу от биения остаётся всё меньше.</translation>
+            <source>after more and shallower cuts less of it is left</source>
+            <translation>после большего числа менее глубоких проходов от него остаётся меньше</translation>
         </message>
         <message>
-            <source>The first stage lasts longer. Force and power are those of its feeds: once the lag is built up, they no longer depend on how much is left. How far the gauge lets a stage overrun depends on the phase, and with it the time of the slow stage.</source>
-            <translation>Первая ступень длится дольше. Сила и мощность определяются её подачами: когда отставание установилось, они уже не зависят от оставшегося припуска. Насколько ступень пройдёт дальше своего порога, зависит от момента отсчёта прибора, а от этого — время медленной ступени.</translation>
+            <source>the last revolution leaves a step as deep as its cut, which is shallower now</source>
+            <translation>последний оборот оставляет уступ, равный глубине среза, а она стала меньше</translation>
         </message>
         <message>
-            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off. How do the machining time and the largest power change?</source>
-            <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень. Как изменятся машинное время и наибольшая мощность?</translation>
+            <source>The radial feed of stage %1 is halved, from %2 to %3.</source>
+            <translation>Радиальная подача ступени %1 уменьшена вдвое, с %2 до %3.</translation>
         </message>
         <message>
-            <source>Take double stroke %1, which both cycles have.</source>
-            <translation>Возьмите двойной ход %1: он есть в обоих циклах.</translation>
+            <source>The blanks come with twice the runout, %1 instead of %2.</source>
+            <translation>Биение заготовок вдвое больше: %1 вместо %2.</translation>
         </message>
         <message>
-            <source>Take revolution %1, which both cycles have.</source>
-            <translation>Возьмите оборот %1: он есть в обоих циклах.</translation>
+            <source>high places are cut deeper than low ones, but not so much deeper that nothing is left of the added %1</source>
+            <translation>выступающие места срезаются глубже впадин, но не настолько, чтобы от прибавленных %1 ничего не осталось</translation>
         </message>
         <message>
-            <source>Actual feed a of the step, µm</source>
-            <translation>Фактическая подача a шага, мкм</translation>
+            <source>the stock is the least that any radius has, so a larger runout is more metal to take off</source>
+            <translation>припуск — наименьший из припусков всех радиусов, поэтому с большим биением снимается больше металла</translation>
         </message>
         <message>
-            <source>Normal force Py of the step, N</source>
-            <translation>Радиальная сила Py шага, Н</translation>
+            <source>the first stage has more metal to take off</source>
+            <translation>первая ступень снимает больше металла</translation>
         </message>
         <message>
-            <source>Machining time, min</source>
-            <translation>Машинное время, мин</translation>
+            <source>The stock is larger by a fifth: %1 instead of %2 per side, and the first stage takes the rest off.</source>
+            <translation>Припуск больше на пятую часть: %1 вместо %2 на сторону, прибавку снимает первая ступень.</translation>
         </message>
         <message>
-            <source>Double strokes</source>
-            <translation>Двойные ходы</translation>
+            <source>The step is at the place and the radius worked out above.</source>
+            <translation>Шаг — в том же месте и на том же радиусе, что разобраны выше.</translation>
         </message>
         <message>
-            <source>Revolutions</source>
-            <translation>Обороты</translation>
+            <source>The step is at the place and the radius worked out above; take double stroke %1, which both cycles have.</source>
+            <translation>Шаг — в том же месте и на том же радиусе, что разобраны выше; возьмите двойной ход %1: он есть в обоих циклах.</translation>
         </message>
         <message>
-            <source>Largest less smallest diameter along the part, µm</source>
-            <translation>Наибольший диаметр детали минус наименьший, мкм</translation>
+            <source>The step is at the place and the radius worked out above; take revolution %1, which both cycles have.</source>
+            <translation>Шаг — в том же месте и на том же радиусе, что разобраны выше; возьмите оборот %1: он есть в обоих циклах.</translation>
         </message>
         <message>
-            <source>Largest radial runout, µm</source>
-            <translation>Наибольшее радиальное биение, мкм</translation>
+            <source>Find how this changes, and why: %1.</source>
+            <translation>Найдите, как изменится и почему: %1.</translation>
         </message>
         <message>
-            <source>Largest normal force Py, N</source>
-            <translation>Наибольшая радиальная сила Py, Н</translation>
+            <source>Find how these change, and why: %1.</source>
+            <translation>Найдите, как изменятся и почему: %1.</translation>
         </message>
         <message>
-            <source>Largest power, kW</source>
-            <translation>Наибольшая мощность, кВт</translation>
+            <source>stage %1 takes %2 longer</source>
+            <translation>ступень %1 длиннее на %2</translation>
+        </message>
+        <message>
+            <source>stage %1 takes %2 less</source>
+            <translation>ступень %1 короче на %2</translation>
+        </message>
+        <message>
+            <source>the larger lag takes longer to build up</source>
+            <translation>большее отставание нарастает дольше</translation>
+        </message>
+        <message>
+            <source>what the system has yielded goes on cutting in the slower stage</source>
+            <translation>то, на что отжата система, срезается ещё и на более медленной ступени</translation>
+        </message>
+        <message>
+            <source>Actual feed a of the step</source>
+            <translation>Фактическая подача a шага</translation>
+        </message>
+        <message>
+            <source>Normal force Py of the step</source>
+            <translation>Радиальная сила Py шага</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Машинное время</translation>
+        </message>
+        <message>
+            <source>Number of double strokes</source>
+            <translation>Число двойных ходов</translation>
+        </message>
+        <message>
+            <source>Number of revolutions</source>
+            <translation>Число оборотов</translation>
+        </message>
+        <message>
+            <source>Largest less smallest diameter along the part</source>
+            <translation>Разность наибольшего и наименьшего диаметров детали</translation>
+        </message>
+        <message>
+            <source>Largest radial runout</source>
+            <translation>Наибольшее радиальное биение</translation>
+        </message>
+        <message>
+            <source>Largest normal force Py</source>
+            <translation>Наибольшая радиальная сила Py</translation>
+        </message>
+        <message>
+            <source>Largest power</source>
+            <translation>Наибольшая мощность</translation>
+        </message>
+        <message>
+            <source>%1 rises</source>
+            <translation>%1 растёт</translation>
+        </message>
+        <message>
+            <source>%1 falls</source>
+            <translation>%1 уменьшается</translation>
         </message>
     </context>
     <context>
@@ -2692,7 +2756,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Uniform</source>
-            <translation>Выборочно</translation>
+            <translation>Равномерное</translation>
         </message>
         <message>
             <source>not this form</source>
@@ -2700,7 +2764,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Normal</source>
-            <translation>Нормально</translation>
+            <translation>Нормальное</translation>
         </message>
         <message>
             <source>Mean and standard deviation.</source>
@@ -2708,7 +2772,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Within</source>
-            <translation>В пределах</translation>
+            <translation>Границы усечения</translation>
         </message>
         <message>
             <source>not truncated</source>
@@ -2720,7 +2784,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Grows</source>
-            <translation>Растёт</translation>
+            <translation>Рост</translation>
         </message>
         <message>
             <source>From the first to the last part between two dressings.</source>
@@ -3929,6 +3993,11 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1 × the upper limit</source>
             <translation>%1 × верхний предел</translation>
         </message>
+        <message>
+            <source>double stroke %1</source>
+            <comment>short</comment>
+            <translation>дв.ход %1</translation>
+        </message>
     </context>
     <context>
         <name>OperationNotice</name>
@@ -4478,7 +4547,7 @@ target, µm</source>
         </message>
         <message>
             <source>s</source>
-            <translation>с</translation>
+            <translation>s</translation>
         </message>
         <message>
             <source>Mean, 95 %</source>
@@ -8387,8 +8456,8 @@ per revolution</source>
         <message>
             <source>Feed, µm per
 double stroke</source>
-            <translation>Подача, мкм
-на дв. ход</translation>
+            <translation>Подача,
+мкм/дв.ход</translation>
         </message>
         <message>
             <source>Feed, µm
@@ -11590,7 +11659,7 @@ target, µm</source>
         </message>
         <message>
             <source>Depth, burn</source>
-            <translation>Прижог</translation>
+            <translation>Глубина, прижог</translation>
         </message>
         <message>
             <source>Pressure</source>

@@ -5,6 +5,7 @@
 #include "ui/file_commands.h"
 #include "ui/notice_bar.h"
 #include "ui/session/document.h"
+#include "ui/session/number_text.h"
 #include "ui/session/settings.h"
 #include "ui/session/texts.h"
 
@@ -144,8 +145,7 @@ void FileCommands::tellRecovered(const RecoveryHeader& header) {
         {recoveredKey,
          Mark::none,
          [header] {
-             const QString when =
-                 QLocale().toString(header.when.toLocalTime(), QLocale::ShortFormat);
+             const QString when = momentText(header.when.toLocalTime());
              return header.path.isEmpty()
                         ? tr("This is recovered work of %1. It is not saved yet.").arg(when)
                         : tr("This is recovered work of %1 on “%2”. It is not saved "

@@ -88,6 +88,10 @@ double RoughnessModel::limitDepth(double Ra, FormulaSheet* sheet) const {
     return a;
 }
 
+bool isRoughnessCalibrated(const Project& project) {
+    return project.wheel.roughness_factor != 1;
+}
+
 FormulaSheet roughnessSheet(const Project& project, double a) {
     FormulaSheet sheet{SPARKOUT_NOOP("Formula", "Roughness"), "MODEL-8", {}};
     stateContact(&sheet, project, cuttingOf(project));

@@ -31,6 +31,10 @@ private:
     double m_profile;   ///< G = (d_g/tg φ)·√(Δ/(4·N_s)) [mm^1.5]
 };
 
+/// Whether a measured Ra has been put in relation to the computed one. Until then Ra comes out too
+/// small, and the depth of cut that a limit of Ra allows is no number to go by.
+[[nodiscard]] bool isRoughnessCalibrated(const Project& project);
+
 [[nodiscard]] FormulaSheet roughnessSheet(const Project& project, double a);
 /// The limiting depth and, as its last step, the limiting feed S_ф = a·n [mm/min].
 [[nodiscard]] FormulaSheet roughnessLimitSheet(const Project& project, double Ra);

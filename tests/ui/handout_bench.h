@@ -37,6 +37,7 @@ inline OutcomePtr exampleOutcome(const QString& path) {
 /// With everything that limits the feed.
 inline Project fullProject(Project project) {
     project.part.tolerance.roughness_ra_um = 0.4;
+    project.wheel.roughness_factor = 2;
     project.material.burn_rise_k = 700;
     project.machine.wheel_drive_kw = 7.5;
     project.machine.work_drive_kw = 1;

@@ -2,6 +2,7 @@
 #include "ui/dialogs/file_questions.h"
 
 #include "ui/session/document.h"
+#include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 
 #include <QCoreApplication>
@@ -133,7 +134,7 @@ bool mayLoseRefused(QWidget* window, const QStringList& refused) {
 }
 
 QString holderText(const LockHolder& holder) {
-    const QString since = QLocale().toString(holder.since, QLocale::ShortFormat);
+    const QString since = momentText(holder.since);
     if (!holder.readable) {
         return Words::tr("The lock file beside it cannot be understood; it belongs to the user %1 "
                          "and is of %2.")

@@ -3,6 +3,7 @@
 
 #include "ui/help/help_topic.h"
 #include "ui/inputs/mark.h"
+#include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 
 #include <QDialogButtonBox>
@@ -84,11 +85,10 @@ void RecoveryDialog::fill() {
         const QString path =
             item.header.path.isEmpty() ? tr("never saved") : printableText(item.header.path);
         const bool unknown = item.state == RecoveryItem::State::damaged && title.isEmpty();
-        auto* row = new QTreeWidgetItem(
-            m_list,
-            {title.isEmpty() ? tr("Untitled") : title, unknown ? printableText(item.file) : path,
-             QLocale().toString(item.header.when.toLocalTime(), QLocale::ShortFormat),
-             stateText(item)});
+        auto* row = new QTreeWidgetItem(m_list, {title.isEmpty() ? tr("Untitled") : title,
+                                                 unknown ? printableText(item.file) : path,
+                                                 momentText(item.header.when.toLocalTime()),
+                                                 stateText(item)});
         row->setToolTip(1, unknown ? printableText(item.file) : path);
         if (item.state == RecoveryItem::State::damaged) {
             row->setIcon(3, markIcon(Mark::warning));

@@ -2,6 +2,7 @@
 #include "ui/dialogs/versions_dialog.h"
 
 #include "ui/help/help_topic.h"
+#include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 
 #include <QDialogButtonBox>
@@ -34,9 +35,9 @@ VersionsDialog::VersionsDialog(const QString& project, std::vector<EarlierVersio
     m_list->setHeaderLabels({tr("Replaced at"), tr("Size"), tr("File")});
     m_list->setTextElideMode(Qt::ElideMiddle);
     for (const EarlierVersion& earlier : m_versions) {
-        auto* row = new QTreeWidgetItem(
-            m_list, {QLocale().toString(earlier.when.toLocalTime(), QLocale::ShortFormat),
-                     QLocale().formattedDataSize(earlier.bytes), printableText(earlier.file)});
+        auto* row = new QTreeWidgetItem(m_list, {momentText(earlier.when.toLocalTime()),
+                                                 QLocale().formattedDataSize(earlier.bytes),
+                                                 printableText(earlier.file)});
         row->setToolTip(2, printableText(earlier.file));
     }
     for (const int column : {0, 1}) {

@@ -85,13 +85,12 @@ QString CourseHandout::task(const Outcome& outcome) {
     const Part& part = project.part;
     const QString ground =
         part.surface == Surface::external
-            ? tr("A shaft of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 "
-                 "mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.")
-            : tr("A bore of ⌀%1 mm with the deviations %2 / %3 µm is ground over a length of %4 "
-                 "mm. Its blank has at least %5 mm of stock per side and a runout of %6 mm.");
-    return ground.arg(plainNumber(part.diameter_mm), drawnDeviation(part.upper_deviation_um),
-                      drawnDeviation(part.lower_deviation_um), plainNumber(part.length_mm),
-                      plainNumber(part.stock_mm), plainNumber(part.initial_runout_mm))
+            ? tr("A shaft of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of "
+                 "stock per side and a runout of %4 mm.")
+            : tr("A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of "
+                 "stock per side and a runout of %4 mm.");
+    return ground.arg(drawnSize(part), plainNumber(part.length_mm), plainNumber(part.stock_mm),
+                      plainNumber(part.initial_runout_mm))
            + u' '
            + tr("By the model the cycle takes %1. Follow one step of it, formula by formula, and "
                 "find what limits the feed there.")
@@ -152,13 +151,8 @@ std::vector<Block> CourseHandout::answers(const std::vector<Exercise>& exercises
         tr("Computed by the engine: it has run the whole cycle with that one input changed.")});
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         const Exercise& exercise = exercises[i];
-        QString text = QStringLiteral("%1. %2").arg(QString::number(i + 1), exercise.reason);
-        if (exercise.status != RunStatus::completed) {
-            text += u' '
-                    + tr("With this input the cycle does not end as it should: %1.")
-                          .arg(Names::status(exercise.status));
-        }
-        blocks.emplace_back(Paragraph{text});
+        blocks.emplace_back(
+            Paragraph{QStringLiteral("%1. %2").arg(QString::number(i + 1), exercise.reason)});
         Table table;
         table.head = {tr("Asked for"), tr("Before"), tr("Changed"), tr("Difference, %")};
         table.texts = {true};

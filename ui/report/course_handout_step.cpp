@@ -124,7 +124,8 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
     if (const auto& U = project.material.burn_rise_k) {
         sheets.push_back(burnLimitSheet(project, *U, std::max(0.0, stock)));
     }
-    if (const auto& Ra = project.part.tolerance.roughness_ra_um) {
+    if (const auto& Ra = project.part.tolerance.roughness_ra_um;
+        Ra && isRoughnessCalibrated(project)) {
         sheets.push_back(roughnessLimitSheet(project, *Ra / units::umPerMm));
     }
     if (auto sheet = selfSharpeningSheet(project)) {
@@ -205,12 +206,24 @@ StepBlocks CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep
     formulas.add(visitSheet(outcome.result, outcome.trajectory, step.pass, step.radius));
     formulas.add(Heading{tr("What limits the feed at this step")});
     const std::vector<FormulaSheet> sheets = limitSheets(project, b, stock);
+    const bool limitsRa = project.part.tolerance.roughness_ra_um.has_value();
+    const bool calibrated = isRoughnessCalibrated(project);
+    if (limitsRa && !calibrated) {
+        formulas.say(tr("Roughness is not limiting while it is not calibrated: with the roughness "
+                        "calibration of 1 the computed Ra is too small, and no depth of cut can be "
+                        "told from it."));
+    }
     if (sheets.empty()) {
-        formulas.say(tr("No requirement of this project limits the feed."));
+        formulas.say(limitsRa ? tr("No other requirement of this project limits the feed.")
+                              : tr("No requirement of this project limits the feed."));
         return formulas.take();
     }
-    formulas.say(tr("Each requirement allows a greatest depth of cut; the formulas below say where "
-                    "it comes from. Roughness limits the last cut of the cycle alone."));
+    formulas.say(
+        limitsRa && calibrated
+            ? tr("Each requirement allows a greatest depth of cut; the formulas below say where "
+                 "it comes from. Roughness limits the last cut of the cycle alone.")
+            : tr("Each requirement allows a greatest depth of cut; the formulas below say where "
+                 "it comes from."));
     formulas.add(limits(outcome, step));
     for (const FormulaSheet& sheet : sheets) {
         formulas.add(sheet);
@@ -229,7 +242,9 @@ Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
          depthLimits(project, pass.effectiveWidth_mm, std::max(0.0, stock))) {
         const bool power =
             limit.kind == ConstraintKind::wheelPower || limit.kind == ConstraintKind::workPower;
-        if (power && isCoupled(project)) {
+        const bool guessed =
+            limit.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project);
+        if (guessed || (power && isCoupled(project))) {
             continue;
         }
         const double share = percentOf * visit.actual_mm / limit.depth_mm;

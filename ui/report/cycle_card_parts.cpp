@@ -5,6 +5,7 @@
 #include "core/process/system_compliance.h"
 #include "core/units.h"
 #include "ui/report/report_values.h"
+#include "ui/session/number_text.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_shop_text.h"
 
@@ -25,20 +26,16 @@ QString CycleCard::operation(const Project& project) {
 
 Facts CycleCard::header(const Project& project, const QDate& date) {
     const Part& part = project.part;
-    const QString size =
-        tr("⌀%1 mm, deviations %2 / %3 µm")
-            .arg(plainNumber(part.diameter_mm), drawnDeviation(part.upper_deviation_um),
-                 drawnDeviation(part.lower_deviation_um));
     return {{{tr("Operation"), operation(project)},
              {tr("Part"), cell(oneLine(part.name))},
              {tr("Equipment"), cell(oneLine(project.machine.name))},
-             {tr("Size by the drawing"), size},
+             {tr("Size by the drawing"), drawnSize(part)},
              {tr("Material"), cell(oneLine(project.material.grade))},
              {tr("Hardness"), inputFact(project, "/material/hardness_hrc").second},
              inputFact(project, "/part/length_mm"),
              inputFact(project, "/part/stock_mm"),
              {tr("Prepared by"), cell(oneLine(project.author))},
-             {tr("Date"), QLocale().toString(date, QLocale::ShortFormat)}}};
+             {tr("Date"), dateText(date)}}};
 }
 
 Facts CycleCard::settings(const Outcome& outcome) {

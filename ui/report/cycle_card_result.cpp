@@ -102,13 +102,31 @@ Table CycleCard::requirements(const Outcome& outcome) {
 }
 
 QStringList CycleCard::estimates(const Outcome& outcome) {
-    QStringList lines;
+    std::vector<std::pair<QString, QStringList>> groups; // requirements by what is behind them
     for (const ConstraintResult& c : outcome.constraints) {
-        if (const QString behind = EstimateNames::behind(c.kind); !behind.isEmpty()) {
-            lines << QStringLiteral("%1. %2").arg(Names::constraint(c.kind), behind);
+        const QString inputs = EstimateNames::inputs(c.kind);
+        const auto same = [&inputs](const auto& group) { return group.first == inputs; };
+        auto group = std::ranges::find_if(groups, same);
+        if (inputs.isEmpty()) {
+            continue;
+        }
+        if (group == groups.end()) {
+            group = groups.insert(group, {inputs, {}});
+        }
+        const QString name = Names::constraint(c.kind);
+        const QString word = group->second.isEmpty() ? name : Names::inSentence(name);
+        if (!group->second.contains(name) && !group->second.contains(word)) {
+            group->second << word;
         }
     }
-    lines.removeDuplicates();
+    QStringList lines;
+    for (const auto& [inputs, names] : groups) {
+        lines << QStringLiteral("%1: %2.").arg(names.join(QStringLiteral(", ")), inputs);
+    }
+    if (!lines.isEmpty()) {
+        lines.prepend(tr("These predictions rest on inputs that are estimates, to be calibrated at "
+                         "the machine."));
+    }
     return lines;
 }
 

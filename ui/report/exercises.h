@@ -34,23 +34,28 @@ struct Answer {
 
 struct Exercise {
     QString question;
-    QString reason; ///< why it comes out so
+    QString reason; ///< how each answer moves, and why
     Project changed;
-    RunStatus status = RunStatus::completed; ///< of the changed project
-    std::optional<Place> at{};               ///< the step that is asked for, in both runs
+    std::optional<Place> at{}; ///< the step that is asked for, in both runs
     std::vector<Answer> answers{};
 };
 
 inline constexpr std::size_t mostExercises = 5;
 
-/// At most five, each of one input changed; a change that the inputs do not allow is left out.
+/// At most five, each of one input changed. Left out are a change that the inputs do not allow,
+/// one with which the cycle does not reach size, and what it does not move far enough to be read.
 /// `step` is of the outcome's trajectory, if that was recorded.
 [[nodiscard]] std::vector<Exercise> makeExercises(
     const Outcome& outcome, const std::optional<HandoutStep>& step,
     const std::function<void()>& breathe = [] {});
 
+[[nodiscard]] QString askedQuantity(Asked asked, Operation operation);
 [[nodiscard]] QString askedName(Asked asked, Operation operation); ///< with its unit
 [[nodiscard]] QString askedNumber(Asked asked, double value);
+/// Whether the two differ by enough to be read off the run, and off a gauge in the shop.
+[[nodiscard]] bool canBeRead(const Answer& answer);
+/// "Machining time rises".
+[[nodiscard]] QString movedText(Asked asked, Operation operation, bool rises);
 
 /// What is asked for in a result; nothing for a step when there is no visit.
 [[nodiscard]] std::optional<double> askedValue(Asked asked, const SimulationResult& result,

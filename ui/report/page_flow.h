@@ -20,6 +20,7 @@ public:
     PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing);
     [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
     [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
+    [[nodiscard]] std::vector<Pages::Box> takeBoxes() { return std::move(m_boxes); }
 
     void operator()(const Heading& heading);
     void operator()(const Paragraph& paragraph);
@@ -30,28 +31,58 @@ public:
     void operator()(const PageBreak&);
 
 private:
-    /// Height of what must not be parted from the heading above.
-    [[nodiscard]] double together(const Block& block) const;
+    /// Widths of a table's columns, and the size of its type [points]: smaller where a number would
+    /// not fit into its cell else.
+    struct Columns {
+        std::vector<double> widths;
+        double body, head;
+    };
+    /// A row as it is laid out.
+    struct Row {
+        std::vector<TextBox> boxes;
+        double height;
+    };
+    [[nodiscard]] Columns columnsOf(const Table& table) const;
+    [[nodiscard]] static Row rowOf(const QStringList& cells, const Columns& columns,
+                                   const Table& table, const QFont& font);
+    [[nodiscard]] Row headOf(const Table& table, const Columns& columns) const;
+    [[nodiscard]] std::vector<Row> rowsOf(const Table& table, const Columns& columns) const;
+    /// Pairs of facts, two abreast.
+    [[nodiscard]] std::vector<Row> rowsOf(const Facts& facts) const;
+    /// How much of a block, and of what is never parted from it, stands on one page at least.
+    [[nodiscard]] double together(std::size_t block) const;
     [[nodiscard]] double scaleOf(const Figure& figure) const;
+    [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
+    [[nodiscard]] double heightOf(const Formula& formula) const;
+    [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
     void newPage();
     /// Begins a page unless so much fits below what is there.
     void need(double height);
     [[nodiscard]] double room() const { return m_bottom - m_y; }
+    /// The end of the rows from the first that fit on this page: where few are over, more go with
+    /// them to the next page, and the last ones keep the room for the note below.
+    [[nodiscard]] std::size_t rowsThatFit(const std::vector<Row>& rows, std::size_t first,
+                                          double note) const;
+    /// Whether a short text belongs to what follows it.
+    [[nodiscard]] bool introduces(std::size_t block, const TextBox& box) const;
+    /// Height of the note below a table.
+    [[nodiscard]] double noteBelow(std::size_t table) const;
     void add(Paint paint) { m_pages.back().push_back(std::move(paint)); }
+    void mark(Pages::Box::Kind kind, double height, std::vector<TextBox> cells = {});
     void addTitle();
-    [[nodiscard]] static std::vector<TextBox> boxesOf(const QStringList& cells,
-                                                      const std::vector<double>& widths,
-                                                      const Table& table, const QFont& font);
-    void addRow(const std::vector<TextBox>& boxes, const std::vector<double>& widths,
-                const QColor& ground);
+    void addRow(const Row& row, const Columns& columns, const QColor& ground,
+                Pages::Box::Kind kind);
+    void addLongRow(const Row& row, const Row& head, const Columns& columns, const QColor& ground);
     void addMargins(); ///< head and foot of every page
 
     const Report& m_report;
     QSizeF m_area;
     double m_top, m_bottom;
     double m_y = 0;
+    std::size_t m_block = 0; ///< which is laid out
     std::vector<std::vector<Paint>> m_pages;
     std::vector<Pages::Mark> m_marks;
+    std::vector<Pages::Box> m_boxes;
 };
 
 } // namespace sparkout::report

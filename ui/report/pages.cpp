@@ -72,6 +72,7 @@ Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing
     });
     m_pages = flow.takePages();
     m_marks = flow.takeMarks();
+    m_boxes = flow.takeBoxes();
 }
 
 void Pages::paint(QPainter& painter, int page) const {

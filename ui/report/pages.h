@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/report/report.h"
+#include "ui/report/text_box.h"
 #include "ui/session/sheet.h"
 
 #include <QByteArray>
@@ -32,6 +33,17 @@ public:
         double y;
     };
     [[nodiscard]] const std::vector<Mark>& marks() const { return m_marks; }
+
+    /// What stands where, in the order of the report: rows and lines that are never cut.
+    struct Box {
+        enum class Kind { title, heading, text, facts, head, row, figure, formula };
+        Kind kind;
+        std::size_t block = 0; ///< of the report; a title: none
+        int page = 0;
+        double y = 0, height = 0;
+        std::vector<TextBox> cells{}; ///< of a text, of facts (names and values) or of a row
+    };
+    [[nodiscard]] const std::vector<Box>& boxes() const { return m_boxes; }
     [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
     void paint(QPainter& painter, int page) const; ///< from 0; at 720 units an inch
 
@@ -40,6 +52,7 @@ private:
     using Paint = std::function<void(QPainter&)>;
     std::vector<std::vector<Paint>> m_pages;
     std::vector<Mark> m_marks;
+    std::vector<Box> m_boxes;
 };
 
 /// A4 upright with the margins of the report.

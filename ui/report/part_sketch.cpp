@@ -245,10 +245,7 @@ void Drawing::drawDimensions() {
         dimension(left, right, wholeLine, Sketch::length(m_whole_mm));
     }
     text({(from + to) / 2, zoneLine - 12}, // with its deviations as a drawing writes them
-         QStringLiteral("⌀%1 (%2 / %3)")
-             .arg(showNumber(m_part.diameter_mm, QLocale()),
-                  drawnDeviation(m_part.upper_deviation_um),
-                  drawnDeviation(m_part.lower_deviation_um)));
+         drawnSize(m_part));
 }
 
 void Drawing::paint() {

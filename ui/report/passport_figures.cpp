@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    static constexpr double left = 270, right = 690, top = 6, bottom = 26, rowHeight = 20;
+    static constexpr double left = 270, right = 670, top = 6, bottom = 26, rowHeight = 20;
     static constexpr int fontPixels = 12;
 
     [[nodiscard]] double x(double ppk) const {
@@ -88,7 +88,8 @@ private:
 
     void paintScale(QPainter& painter) const {
         const double end = top + rowHeight * double(m_rows.size());
-        for (const double value : {-1.0, 0.0, 1.0, customaryPpk, 2.0, 3.0, 5.0, 10.0}) {
+        std::vector<QRectF> taken; // the marks' numbers come first, and no other stands in them
+        for (const double value : {1.0, customaryPpk, 0.0, 10.0, 5.0, 3.0, 2.0, -1.0}) {
             if (value < m_lowest || value > m_highest) {
                 continue;
             }
@@ -96,14 +97,19 @@ private:
             painter.setPen(
                 QPen(mark ? chartMark : chartGrid, 1, mark ? Qt::DashLine : Qt::SolidLine));
             painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
-            painter.setPen(chartInk);
             const QString name = plainNumber(value);
             const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
             constexpr double reach = 3; // the two marks stand close: their numbers keep apart
             const double from = value == 1              ? x(value) + reach - width
                                 : value == customaryPpk ? x(value) - reach
                                                         : x(value) - width / 2;
-            painter.drawText(QPointF(from, end + 16), name);
+            const QRectF box(from - reach, end, width + 2 * reach, bottom);
+            const auto meets = [&box](const QRectF& other) { return box.intersects(other); };
+            if (mark || std::ranges::none_of(taken, meets)) {
+                painter.setPen(chartInk);
+                painter.drawText(QPointF(from, end + 16), name);
+                taken.push_back(box);
+            }
         }
     }
 

@@ -277,7 +277,7 @@ Table Passport::requirements(const Outcome& outcome) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), amount(c.value, sign),
                               Names::limit(c), Names::margin(c),
                               cell(unitText(constraintUnit(c.kind))),
-                              c.at ? Names::place(*c.at, outcome.result.project.operation)
+                              c.at ? Names::moment(*c.at, outcome.result.project.operation)
                               : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")
                                                                             : tr("at the end"),
                               lightName(lightOf(c))});

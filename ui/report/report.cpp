@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report.h"
 
-#include <QLocale>
+#include "ui/session/number_text.h"
 
 namespace sparkout::report {
 
 QString Report::origin() const {
-    QStringList parts{program, file, QLocale().toString(date, QLocale::ShortFormat)};
+    QStringList parts{program, file, dateText(date)};
     parts.removeAll(QString());
     return parts.join(QStringLiteral(" · "));
 }

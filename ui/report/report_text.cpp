@@ -27,19 +27,27 @@ const char* const styleSheet =
     "color:#555}dd{margin:0;font-weight:bold}figure{margin:1em 0}figure svg{width:100%;"
     "height:auto}div.formula{display:flex;align-items:center;gap:1em;overflow-x:auto;"
     "margin:.4em 0 .4em 1.5em}div.formula math{margin:0}div.formula span{margin-left:auto;"
-    "color:#555}@media "
-    "print{div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:"
+    "color:#555}@page{size:A4;margin:12mm 12mm 12mm 18mm}@media print{body{max-width:none;margin:0;"
+    "padding:0;font-size:9.5pt}h1,h2{break-after:avoid}thead{display:table-header-group}"
+    "tr,figure,dl div,div.formula{break-inside:avoid}p{orphans:3;widows:3}"
+    "p:has(+table),p:has(+dl),p:has(+div.formula){break-after:avoid}"
+    "th,tr.sum td{print-color-adjust:exact;-webkit-print-color-adjust:exact}"
+    "div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:"
     "center}";
 
-/// A drawing as an element of its page; the names in it are its own.
-QString svgOf(const Figure& figure, int number) {
+QByteArray drawn(const Figure& figure) {
     SvgDevice device(figure.size.toSize(), figureDotsPerInch, figure.told);
     QPainter painter;
     if (painter.begin(&device)) {
         figure.paint(painter);
         painter.end();
     }
-    QString svg = QString::fromUtf8(device.document());
+    return device.document();
+}
+
+/// A drawing as an element of its page; the names in it are its own.
+QString svgOf(const Figure& figure, int number) {
+    QString svg = QString::fromUtf8(drawn(figure));
     svg.remove(0, svg.indexOf(QStringLiteral("<svg")));
     const QString own = QStringLiteral("f%1c").arg(number);
     svg.replace(QStringLiteral("<clipPath id=\"c"), QStringLiteral("<clipPath id=\"") + own);
@@ -144,7 +152,11 @@ public:
         m_text += u'\n';
     }
     void operator()(const Figure& figure) {
+        const QString name = QStringLiteral("figure-%1").arg(++m_figures);
+        m_text += QStringLiteral("![%1][%2]").arg(plain(figure.caption), name) + end();
         m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.told)) + end();
+        m_pictures += QStringLiteral("[%1]: data:image/svg+xml;base64,").arg(name)
+                      + QString::fromLatin1(drawn(figure).toBase64()) + u'\n';
     }
     /// In one line, with indices and powers as HTML has them, which Markdown takes.
     void operator()(const Formula& formula) {
@@ -154,6 +166,8 @@ public:
     }
     void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
     [[nodiscard]] const QString& text() const { return m_text; }
+    /// The drawings, for the end of the file: the text above them stays one to read.
+    [[nodiscard]] const QString& pictures() const { return m_pictures; }
     /// Signs that mean something to Markdown or HTML stand for themselves.
     static QString plain(const QString& text) {
         static const QRegularExpression signs(QStringLiteral("([\\\\`*_{}\\[\\]#|~$])"));
@@ -184,7 +198,8 @@ private:
         return text + u'\n';
     }
 
-    QString m_text;
+    QString m_text, m_pictures;
+    int m_figures = 0;
 };
 
 } // namespace
@@ -231,7 +246,8 @@ QByteArray markdown(const Report& report) {
     return harmlessText(QStringLiteral("# ") + Markdown::plain(report.title)
                         + QStringLiteral("\n\n") + Markdown::plain(report.subject)
                         + QStringLiteral("\n\n") + body.text() + QStringLiteral("---\n\n")
-                        + Markdown::plain(report.origin()) + u'\n')
+                        + Markdown::plain(report.origin()) + u'\n'
+                        + (body.pictures().isEmpty() ? QString() : u'\n' + body.pictures()))
         .toUtf8();
 }
 

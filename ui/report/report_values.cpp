@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_values.h"
 
+#include "core/project/iso286.h"
+#include "core/units.h"
 #include "core/version.h"
 #include "ui/session/example_texts.h"
 #include "ui/session/member.h"
 #include "ui/session/number_text.h"
+#include "ui/session/size_field.h"
 #include "ui/session/texts.h"
 
 #include <QFileInfo>
 #include <QLocale>
 
+#include <cmath>
+
 namespace sparkout::report {
+
+namespace {
+constexpr double nanometres = 1e3; ///< in a micrometre
+}
 
 QString manyLines(QString text) {
     text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
@@ -44,8 +53,31 @@ QString withUnit(const QString& value, const char* unit) {
     return value + u'\u00a0' + unitText(unit);
 }
 
-QString drawnDeviation(double value_um) {
-    return (value_um > 0 ? QStringLiteral("+") : QString()) + plainNumber(value_um);
+QString drawnSize(const Part& part) {
+    QString field = fieldOf(part);
+    for (const QString& word : oneLine(part.name).split(u' ', Qt::SkipEmptyParts)) {
+        const auto size = parseSizeDesignation(word.toStdString());
+        if (field.isEmpty() && size && size->nominal_mm == part.diameter_mm
+            && size->isHole() == (part.surface == Surface::internal)) {
+            field = plainNumber(size->nominal_mm) + QString::fromStdString(size->letters)
+                    + QString::number(size->grade);
+        }
+    }
+    const auto limit = [](double value_um) {
+        return (value_um > 0 ? QStringLiteral("+") : QString())
+               + plainNumber(std::round(value_um * nanometres) / nanometres / units::umPerMm);
+    };
+    const double upper = part.upper_deviation_um, lower = part.lower_deviation_um;
+    QString limits;
+    if (upper == -lower) {
+        limits = upper == 0 ? QStringLiteral("0") : u'±' + limit(upper).remove(u'+');
+    } else if (upper == 0 || lower == 0) {
+        limits = limit(upper == 0 ? lower : upper);
+    } else {
+        limits = limit(upper) + QStringLiteral("; ") + limit(lower);
+    }
+    return u'⌀' + (field.isEmpty() ? plainNumber(part.diameter_mm) + u' ' : field) + u'(' + limits
+           + u')';
 }
 
 std::pair<QString, QString> inputFact(const Project& project, const char* path) {

@@ -23,8 +23,9 @@ namespace sparkout::report {
 [[nodiscard]] QString plainNumber(double value);
 /// A value and the unit of a table, not to be parted.
 [[nodiscard]] QString withUnit(const QString& value, const char* unit);
-/// A deviation as a drawing writes it: "+18", "0", "−16" [µm].
-[[nodiscard]] QString drawnDeviation(double value_um);
+/// The ground size as a drawing writes it, in millimetres: "⌀30h6(−0.016)". The field is the one
+/// whose limits these are, else the one in the part's name; a deviation of 0 is not written.
+[[nodiscard]] QString drawnSize(const Part& part);
 /// An input by its path: its name as in its form, with the symbol, and its value with the unit.
 [[nodiscard]] std::pair<QString, QString> inputFact(const Project& project, const char* path);
 

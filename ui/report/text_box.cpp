@@ -15,10 +15,13 @@ namespace sparkout::report {
 
 namespace {
 constexpr double unitsPerPoint = 10;
+constexpr QChar wordJoiner(0x2060);
+const QString keptSlash = u'/' + QString(wordJoiner);
 
 QStringList wrapped(const QString& text, const QFont& font, double width) {
     QStringList lines;
-    for (const QString& paragraph : text.split(u'\n')) {
+    for (QString paragraph : text.split(u'\n')) {
+        paragraph.replace(u'/', keptSlash); // a unit stays whole
         QTextLayout layout(paragraph, font);
         QTextOption option;
         option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
@@ -26,7 +29,7 @@ QStringList wrapped(const QString& text, const QFont& font, double width) {
         layout.beginLayout();
         for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
             row.setLineWidth(width);
-            lines += paragraph.mid(row.textStart(), row.textLength()).trimmed();
+            lines += paragraph.mid(row.textStart(), row.textLength()).remove(wordJoiner).trimmed();
         }
         layout.endLayout();
         if (paragraph.isEmpty()) {

@@ -17,6 +17,9 @@ public:
 
     [[nodiscard]] double height() const { return m_lineHeight * double(m_lines.size()); }
     [[nodiscard]] int lines() const { return static_cast<int>(m_lines.size()); }
+    [[nodiscard]] double width() const { return m_width; }
+    [[nodiscard]] const QFont& font() const { return m_font; }
+    [[nodiscard]] const QStringList& texts() const { return m_lines; } ///< line by line
     /// The lines from one on, as many as given.
     [[nodiscard]] TextBox part(int first, int count) const;
     /// "k_s" is painted with its index below the line.

@@ -106,4 +106,15 @@ QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
     return (digits < 0 ? QStringLiteral("-") : QString()) + shown + exponent;
 }
 
+QString dateText(const QDate& date) {
+    const QLocale locale;
+    return locale.toString(date, locale.language() == QLocale::Russian
+                                     ? QStringLiteral("dd.MM.yyyy")
+                                     : QStringLiteral("d MMMM yyyy"));
+}
+
+QString momentText(const QDateTime& moment) {
+    return dateText(moment.date()) + moment.time().toString(QStringLiteral(", HH:mm"));
+}
+
 } // namespace sparkout

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDateTime>
 #include <QLocale>
 #include <QString>
 
 #include <optional>
 
-/// Numbers as people type and read them.
+/// Numbers and dates as people type and read them.
 namespace sparkout {
 
 /// Reads a number written with a decimal point or comma, an exponent, a typographic minus and
@@ -20,5 +21,10 @@ namespace sparkout {
 /// The number of a text one step of its last digit higher (steps > 0) or lower, written as the
 /// text is. A step to zero that the caller refuses goes one digit finer.
 [[nodiscard]] QString stepNumber(const QString& text, int steps, bool zeroAllowed);
+
+/// A date as the present language writes it, the year in full: "23 November 2026", "23.11.2026".
+[[nodiscard]] QString dateText(const QDate& date);
+/// The same with hours and minutes.
+[[nodiscard]] QString momentText(const QDateTime& moment);
 
 } // namespace sparkout

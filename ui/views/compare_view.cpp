@@ -2,6 +2,7 @@
 #include "ui/views/compare_view.h"
 
 #include "ui/font_size.h"
+#include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 #include "ui/views/compare_plot.h"
 #include "ui/views/copy_table.h"
@@ -149,7 +150,7 @@ QString CompareView::toldOf(int run) const {
     const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
     const QDateTime when = QDateTime::fromString(QString::fromStdString(kept.when), Qt::ISODate);
     lines << tr("Kept %1 by version %2")
-                 .arg(when.isValid() ? QLocale().toString(when.toLocalTime(), QLocale::ShortFormat)
+                 .arg(when.isValid() ? momentText(when.toLocalTime())
                                      : QString::fromStdString(kept.when),
                       QString::fromStdString(kept.engine_version));
     const RecalledRun* const now = m_kept.recalled(run);

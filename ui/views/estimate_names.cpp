@@ -8,13 +8,17 @@
 
 namespace sparkout {
 
-QString EstimateNames::behind(ConstraintKind kind) {
+QString EstimateNames::inputs(ConstraintKind kind) {
     QStringList names;
     for (const Field* field : estimatesBehind(kind)) {
         names += inputText(field->label).toLower();
     }
-    return names.isEmpty() ? QString()
-                           : tr("Rests on estimates, to be calibrated: %1.").arg(names.join(u", "));
+    return names.join(u", ");
+}
+
+QString EstimateNames::behind(ConstraintKind kind) {
+    const QString names = inputs(kind);
+    return names.isEmpty() ? QString() : tr("Rests on estimates, to be calibrated: %1.").arg(names);
 }
 
 } // namespace sparkout

@@ -12,6 +12,8 @@ namespace sparkout {
 class EstimateNames {
     Q_DECLARE_TR_FUNCTIONS(EstimateNames)
 public:
+    /// "flow stress, dullness, compliance"; empty for a setting.
+    static QString inputs(ConstraintKind kind);
     /// "Rests on estimates, to be calibrated: …"; empty for a setting.
     static QString behind(ConstraintKind kind);
 };

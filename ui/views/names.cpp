@@ -99,6 +99,18 @@ QString Names::place(const Place& place, Operation operation) {
     return parts.join(QStringLiteral(", "));
 }
 
+QString Names::moment(const Place& place, Operation operation) {
+    QStringList parts;
+    if (place.step != Step::none) {
+        parts << step(place.step);
+    }
+    parts << tr("stage %1").arg(place.stage);
+    parts << (operation == Operation::traverse
+                  ? tr("double stroke %1", "short").arg(place.cycleCount)
+                  : tr("revolution %1").arg(place.cycleCount));
+    return parts.join(QStringLiteral(", "));
+}
+
 QString Names::status(RunStatus status) {
     switch (status) {
     case RunStatus::completed: return tr("Completed");

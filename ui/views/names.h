@@ -23,6 +23,8 @@ public:
     /// Of the cycle: "After double stroke 27 of 54", or within it; before the first one.
     static QString moment(Operation operation, int stroke, int count, bool strokeDone);
     static QString place(const Place& place, Operation operation);
+    /// The same without the zone or section, for a table that names it already.
+    static QString moment(const Place& place, Operation operation);
     static QString status(RunStatus status);
     static QString constraint(ConstraintKind kind); ///< "Largest diameter"
     /// A name as it stands within a sentence; a symbol, as Ra, stays.

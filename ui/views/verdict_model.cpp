@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/verdict_model.h"
 
+#include "core/quality/roughness.h"
 #include "ui/session/texts.h"
 #include "ui/views/estimate_names.h"
 #include "ui/views/margin_model.h"
@@ -214,7 +215,7 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     const Light light = lightOf(*row.constraint);
     const ConstraintKind kind = row.constraint->kind;
     const bool guessed =
-        kind == ConstraintKind::roughness && m_outcome->result.project.wheel.roughness_factor == 1;
+        kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_outcome->result.project);
     const QString name = guessed ? tr("Ra, estimate") : briefName(kind);
     const QString shown =
         first ? requirementName(*row.constraint, name, tr("stage %1").arg(row.constraint->stage))
