@@ -51,7 +51,7 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
 
 std::string constraintLine(const ConstraintResult& constraint) {
     const std::string unit = constraintUnit(constraint.kind);
-    const int decimals = unit.empty() ? 0 : unit == "mm" ? 5 : 3;
+    const int decimals = unit.empty() ? 0 : unit == "mm/dbl stroke" ? 5 : 3;
     return padded(std::string("  ") + constraintName(constraint.kind))
            + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals) + ", "
            + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
