@@ -101,8 +101,10 @@ private slots:
         if (!batch) {
             project.batch.reset();
         }
+        static const QRegularExpression pictures( // of the Markdown text, by their names
+            QStringLiteral("\\[figure-\\d+\\](: data:\\S+)?"));
         const QString text = textOfHtml(made(project, Format::html))
-                             + QString::fromUtf8(made(project, Format::markdown));
+                             + QString::fromUtf8(made(project, Format::markdown)).remove(pictures);
         static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
         QStringList words;
         for (auto it = english.globalMatch(text); it.hasNext();) {
