@@ -76,9 +76,13 @@ private slots:
         m_language.apply(language);
         const QString minus(QChar(0x2212));
         const QString point = language == u"ru" ? QStringLiteral(",") : QStringLiteral(".");
-        QCOMPARE(report::drawnDeviation(18), QStringLiteral("+18"));
-        QCOMPARE(report::drawnDeviation(0), QStringLiteral("0"));
-        QCOMPARE(report::drawnDeviation(-16), minus + QStringLiteral("16"));
+        Part part;
+        part.diameter_mm = 30;
+        part.upper_deviation_um = 18;
+        part.lower_deviation_um = -16;
+        QCOMPARE(report::drawnSize(part), QStringLiteral("⌀30 (+0") + point
+                                              + QStringLiteral("018; ") + minus + u'0' + point
+                                              + QStringLiteral("016)"));
         QCOMPARE(report::plainNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
         QCOMPARE(report::plainNumber(2.5), QStringLiteral("2") + point + u'5');
     }
