@@ -3978,12 +3978,12 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>вне диапазона</translation>
         </message>
         <message>
-            <source>%1 × min</source>
-            <translation>%1 × мин.</translation>
+            <source>%1× min</source>
+            <translation>%1×мин.</translation>
         </message>
         <message>
-            <source>%1 × max</source>
-            <translation>%1 × макс.</translation>
+            <source>%1× max</source>
+            <translation>%1×макс.</translation>
         </message>
         <message>
             <source>%1 × the lower limit</source>

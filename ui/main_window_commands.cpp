@@ -14,7 +14,6 @@
 #include "ui/views/batch_view.h"
 
 #include <QStatusBar>
-#include <QTimer>
 
 namespace sparkout {
 
@@ -113,8 +112,6 @@ void MainWindow::setFontSize(int percent) {
     applyFontSize(percent);
     m_actions->showFontSize(percent);
     fitPanels();
-    // And when the panels have been laid out with it: until then they ask for the room of the old.
-    QTimer::singleShot(0, this, [this] { QTimer::singleShot(0, this, &MainWindow::fitPanels); });
 }
 
 } // namespace sparkout

@@ -67,7 +67,7 @@ private slots:
         QVERIFY(row >= 0);
         const ConstraintResult& c = model.at(row);
         QVERIFY(std::abs(c.relativeMargin) < 0.05); // the share of its field: next to nothing
-        QCOMPARE(model.index(row, MarginModel::usage).data().toString(), QStringLiteral("2 × min"));
+        QCOMPARE(model.index(row, MarginModel::usage).data().toString(), QStringLiteral("2× min"));
         QVERIFY(model.index(row, MarginModel::usage)
                     .data(Qt::ToolTipRole)
                     .toString()
@@ -85,10 +85,10 @@ private slots:
         end.isLeast = false;
         end.margin = end.relativeMargin = 0;
         QCOMPARE(Names::limit(end).left(1), QStringLiteral("≤"));
-        QCOMPARE(Names::inRange(end, true), QStringLiteral("1 × max"));
+        QCOMPARE(Names::inRange(end, true), QStringLiteral("1× max"));
         end.value *= 1.004;
         end.holds = false;
-        QCOMPARE(Names::inRange(end, true), QStringLiteral("1.004 × max"));
+        QCOMPARE(Names::inRange(end, true), QStringLiteral("1.004× max"));
         QCOMPARE(placeInRange(end).value(), 1.0);
     }
 

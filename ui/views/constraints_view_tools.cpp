@@ -157,6 +157,10 @@ QWidget* ConstraintsView::buildMargins() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(MarginModel::requirement, QHeaderView::Stretch);
+    // In a narrower column names wrap; asked for when all columns have their widths.
+    connect(
+        header, &QHeaderView::sectionResized, m_table, [this] { m_table->resizeRowsToContents(); },
+        Qt::QueuedConnection);
     return m_table;
 }
 

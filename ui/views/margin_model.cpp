@@ -235,7 +235,7 @@ void drawScale(QPainter& painter, const QRectF& area, double place, QColor fill,
     for (const double end : {scale.left(), scale.right()}) {
         painter.drawLine(QLineF(end, scale.top() - 2, end, scale.bottom() + 2));
     }
-    painter.drawText(area.adjusted(air, -air, 0, -scaleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(area.adjusted(0, -air, air, -scaleHeight), Qt::AlignLeft | Qt::AlignVCenter,
                      text);
 }
 
@@ -272,8 +272,10 @@ void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
     painter->restore();
 }
 
-QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-    return {barWidth, option.fontMetrics.height() + 2 * air};
+QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const QString text = index.data().toString();
+    return {std::max(barWidth, option.fontMetrics.horizontalAdvance(text) + 2 * air),
+            option.fontMetrics.height() + 2 * air};
 }
 
 } // namespace sparkout

@@ -208,7 +208,7 @@ QString Names::inRange(const ConstraintResult& c, bool brief) {
         text.chop(1);
     }
     if (brief) {
-        return (c.isLeast ? tr("%1 × min") : tr("%1 × max")).arg(text);
+        return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(text);
     }
     return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(text);
 }

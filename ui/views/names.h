@@ -35,7 +35,7 @@ public:
     static QString amount(ConstraintKind kind, double value, bool withSign);
     static QString limit(const ConstraintResult& c); ///< of a range "≥50" or "≤500"
     static bool isRange(ConstraintKind kind);        ///< of the machine: with two ends
-    /// A setting against the nearer end of its range: "2 × lower limit"; brief "2 × min". Of a
+    /// A setting against the nearer end of its range: "2 × lower limit"; brief "2× min". Of a
     /// range from 0, whose end is no measure, whether it is inside.
     static QString inRange(const ConstraintResult& c, bool brief);
     static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
