@@ -33,9 +33,6 @@ const char* statusName(SearchStatus status) {
 double minutes(double time_s) {
     return time_s / units::secondsPerMinute;
 }
-double minutes(std::int64_t time_us) {
-    return minutes(static_cast<double>(time_us) * 1e-6);
-}
 
 /// The given cycle beside the one found.
 struct Given {
@@ -154,9 +151,7 @@ std::string machineText(const OptimiseReport& report) {
 }
 
 double timeFound_s(const OptimiseReport& report) {
-    return static_cast<double>(report.refined ? report.refined->time_us
-                                              : report.search.best->time_us)
-           * 1e-6;
+    return report.refined ? report.refined->time_s : report.search.best->time_s;
 }
 
 double leastMargin(const OptimiseReport& report) {
@@ -165,7 +160,7 @@ double leastMargin(const OptimiseReport& report) {
 }
 
 std::string refinedText(const OptimiseReport& report) {
-    const double grid_s = static_cast<double>(report.search.best->time_us) * 1e-6;
+    const double grid_s = report.search.best->time_s;
     const std::string runs = "; " + std::to_string(report.refined->runs) + " cycles run\n";
     return report.refined->isQuicker
                ? "refined              off the grid, "
@@ -216,10 +211,9 @@ std::string givenText(const OptimiseReport& report, double best_s) {
 }
 
 std::string robustText(const RobustSummary& robust, double best_s) {
-    const double nominal_s = static_cast<double>(robust.nominalTime_us) * 1e-6;
     return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
            + std::to_string(robust.rounds) + " rounds; costs "
-           + fixed((best_s / nominal_s - 1) * 100, 1) + " % of time\n"
+           + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n"
            + "confidence           held in all of " + std::to_string(robust.freshPhases)
            + " phases of the stock drawn afresh: with 95 % confidence at most "
            + fixed(mostFailing(robust.freshPhases) * 100, 1) + " % of the phases fail\n";
@@ -265,7 +259,7 @@ std::string optimiseText(const OptimiseReport& report) {
     }
     text += givenText(report, best_s);
     if (report.robust) {
-        text += robustText(*report.robust, static_cast<double>(search.best->time_us) * 1e-6);
+        text += robustText(*report.robust, search.best->time_s);
     }
     const std::string binding = joined(bindingNames(report));
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
@@ -314,7 +308,7 @@ std::string optimiseJson(const OptimiseReport& report) {
         root["bound_time_min"] = minutes(report.limit_s);
         root["refined"] = {{"is_quicker", report.refined->isQuicker},
                            {"grid_status", statusName(search.status)},
-                           {"grid_time_min", minutes(search.best->time_us)},
+                           {"grid_time_min", minutes(search.best->time_s)},
                            {"grid_bound_time_min", minutes(search.bound_s)},
                            {"cycles_run", report.refined->runs}};
     }
@@ -342,7 +336,7 @@ std::string optimiseJson(const OptimiseReport& report) {
                                                               : ordered_json(nullptr)},
                                 {"confidence", 0.95},
                                 {"cycles_that_failed", report.robust->freshFailures}};
-        root["nominal_time_min"] = minutes(report.robust->nominalTime_us);
+        root["nominal_time_min"] = minutes(report.robust->nominalTime_s);
     }
     return root.dump(2) + '\n';
 }

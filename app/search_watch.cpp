@@ -53,7 +53,7 @@ void SearchWatch::printProgress() {
     }
     const SearchProgress progress = *std::exchange(m_progress, std::nullopt);
     std::string line =
-        progress.best ? "best " + minutesText(static_cast<double>(progress.best->time_us) * 1e-6)
+        progress.best ? "best " + minutesText(progress.best->time_s)
                       : std::string("none feasible so far");
     if (progress.bound_s > 0) {
         line += ", none quicker than " + minutesText(progress.bound_s);

@@ -63,7 +63,8 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
-    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant};
+    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant,
+                        result.time_s};
     if (found.time_us > bestTime_us() || (m_options.everyStageSteps && hasIdleStage(result))) {
         return false;
     }
@@ -118,11 +119,11 @@ void Judge::settle(double time_s) {
 }
 
 double Judge::leastWaiting_s() const {
-    std::int64_t least_us = noTime_us;
+    double least_s = seconds(noTime_us);
     for (const FeasibleCycle& each : m_waiting) {
-        least_us = std::min(least_us, each.time_us);
+        least_s = std::min(least_s, each.time_s);
     }
-    return seconds(least_us);
+    return least_s;
 }
 
 /// In the place of the best, which waits on where it took as long.

@@ -127,7 +127,7 @@ private:
         if (m_sum.status == SearchStatus::stopped) {
             m_sum.bound_s = std::min(m_sum.bound_s, restBound_s());
         } else if (m_sum.best && !isHeuristic(m_options.method)) {
-            m_sum.bound_s = seconds(m_sum.best->time_us);
+            m_sum.bound_s = m_sum.best->time_s;
         }
         m_sum.bound_s = m_sum.bound_s < 1e300 ? m_sum.bound_s : 0;
         if (m_sum.best) {

@@ -42,9 +42,10 @@ enum class SearchMethod {
 /// A feasible cycle of the grid and what it is compared by.
 struct FeasibleCycle {
     GridCycle cycle;
-    std::int64_t time_us = 0;
+    std::int64_t time_us = 0; ///< what it is compared by
     double leastRelativeMargin = 0;
     std::size_t variant = 0; ///< of Variants
+    double time_s = 0;       ///< to the last bit, as simulate() has it: what is stated
 };
 
 /// Where a full search was stopped, to go on from.

@@ -23,6 +23,7 @@ struct Tried {
     double value = 0; ///< what is made small
     bool holds = false;
     std::int64_t time_us = 0;
+    double time_s = 0;
     double margin = 0; ///< least relative
 };
 
@@ -43,6 +44,7 @@ public:
         const Tried given = tryCycle(cycle, {}); // what the answer is compared with
         m_best.cycle = cycle;
         m_best.time_us = given.time_us;
+        m_best.time_s = given.time_s;
         m_best.leastRelativeMargin = given.margin;
     }
 
@@ -70,13 +72,14 @@ private:
 
     Tried tryCycle(const Cycle& cycle, const std::stop_token& stop) {
         ++m_best.runs;
-        Tried tried{0, true, 0, std::numeric_limits<double>::infinity()};
+        Tried tried{0, true, 0, 0, std::numeric_limits<double>::infinity()};
         double broken = 0;
         for (Project& part : m_parts) {
             part.cycle = cycle;
             const SimulationResult result = simulate(part, nullptr, stop);
             if (&part == &m_parts.front()) {
                 tried.holds = !m_options.everyStageSteps || !hasIdleStage(result);
+                tried.time_s = result.time_s;
                 tried.time_us = comparedTime_us(result.time_s);
                 const double beyond = std::min(0.0, result.remainingStock_mm);
                 tried.value = result.time_s * (1 + beyond / part.part.stock_mm);
@@ -123,6 +126,7 @@ private:
             if (counts && tried.holds && better) {
                 m_best.cycle = *cycle;
                 m_best.time_us = tried.time_us;
+                m_best.time_s = tried.time_s;
                 m_best.leastRelativeMargin = tried.margin;
                 m_best.isQuicker = true;
             }

@@ -34,7 +34,8 @@ struct RefineOptions {
 
 struct RefineSummary {
     Cycle cycle;
-    std::int64_t time_us = 0;
+    std::int64_t time_us = 0; ///< what it is compared by
+    double time_s = 0;        ///< as simulate() has it
     double leastRelativeMargin = 0;
     long long runs = 0;     ///< cycles that were run
     bool isQuicker = false; ///< than the one given

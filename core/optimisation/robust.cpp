@@ -97,7 +97,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
         summary.evaluations += summary.search.evaluations;
         summary.visits += summary.search.visits;
         if (summary.rounds++ == 0 && summary.search.best) {
-            summary.nominalTime_us = summary.search.best->time_us;
+            summary.nominalTime_s = summary.search.best->time_s;
         }
         for (Project& scenario : summary.search.added) {
             search.scenarios.push_back(scenario);

@@ -29,7 +29,7 @@ struct RobustSummary {
                                      ///< the fresh phases
     int freshPhases = 0;             ///< that the answer was tried on at last, and held in all
     int freshFailures = 0;           ///< cycles that failed in one of theirs; it was added
-    std::int64_t nominalTime_us = 0; ///< of the first round's best; 0: none
+    double nominalTime_s = 0;        ///< of the first round's best; 0: none
 };
 
 /// Optimises, tests the best cycle on the source's scenarios, adds one in which it fails to those

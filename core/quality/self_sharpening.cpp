@@ -34,11 +34,17 @@ std::optional<Strengths> strengths(const Wheel& wheel) {
 void lattice(SelfSharpening& s, const Wheel& wheel, FormulaSheet* sheet) {
     const double dg = wheel.grain_mm, Wg = wheel.grain_share, Wb = wheel.bond_share;
     const double edge = std::cbrt(Wg);
-    s.bridgeArea_mm2 = dg * dg * Wb / (3 * edge * edge * (1 - edge));
-    state(sheet, "{S_b} = {d_g}²·{W_b}/(3·{W_g}^(2/3)·(1 − {W_g}^(1/3)))",
-          {"S_b", s.bridgeArea_mm2, "mm²"}, {{"d_g", dg, "mm"}, {"W_b", Wb, ""}, {"W_g", Wg, ""}});
-    s.bridge_mm = wheel.bond_bridge_mm.value_or(std::sqrt(4 * s.bridgeArea_mm2 / std::numbers::pi));
-    if (!wheel.bond_bridge_mm) {
+    if (wheel.bond_bridge_mm) {
+        s.bridge_mm = *wheel.bond_bridge_mm;
+        s.bridgeArea_mm2 = std::numbers::pi * s.bridge_mm * s.bridge_mm / 4;
+        state(sheet, "{S_b} = π·{D_b}²/4", {"S_b", s.bridgeArea_mm2, "mm²"},
+              {{"D_b", s.bridge_mm, "mm"}});
+    } else {
+        s.bridgeArea_mm2 = dg * dg * Wb / (3 * edge * edge * (1 - edge));
+        s.bridge_mm = std::sqrt(4 * s.bridgeArea_mm2 / std::numbers::pi);
+        state(sheet, "{S_b} = {d_g}²·{W_b}/(3·{W_g}^(2/3)·(1 − {W_g}^(1/3)))",
+              {"S_b", s.bridgeArea_mm2, "mm²"},
+              {{"d_g", dg, "mm"}, {"W_b", Wb, ""}, {"W_g", Wg, ""}});
         state(sheet, "{D_b} = √(4·{S_b}/π)", {"D_b", s.bridge_mm, "mm"},
               {{"S_b", s.bridgeArea_mm2, "mm²"}});
     }

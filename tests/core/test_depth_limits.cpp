@@ -224,20 +224,19 @@ private slots:
     }
 
     // MODEL-8: with the crack length d_g/2 for the bond too, f_b/f_g = √(γ_bE_b/(γ_gE_g))·S_b/d_g²:
-    // 001 eq. 23. A given bridge of that size, 1.7·d_g/2, is that case.
-    void bridgeOfTheGrainsCrackGivesThePrintedExponent() {
+    // 001 eq. 23. The bond's crack is D_b/1.7.
+    void exponentIsThePrintedOneButForTheBondsCrack() {
         QVERIFY(holds("001 eq. 23", [] {
             Project p = anyWheel();
             const double dg = p.wheel.grain_mm, Wg = p.wheel.grain_share, Wb = p.wheel.bond_share;
-            p.wheel.bond_bridge_mm = 1.7 * dg / 2;
             const double gammaE_b = *p.wheel.bond_surface_energy_j_m2 * *p.wheel.bond_modulus_gpa;
             const double gammaE_g = *p.wheel.grain_surface_energy_j_m2 * *p.wheel.grain_modulus_gpa;
             const double exponent = std::sqrt(gammaE_b / gammaE_g) * Wb
                                     / (3 * std::pow(Wg, 2.0 / 3) * (1 - std::pow(Wg, 1.0 / 3)));
-            // J/m²·GPa = N²/mm³
-            const double printed =
-                dg * dg * std::sqrt(2 * gammaE_g / dg) * (1 - std::exp(-exponent));
-            RC_ASSERT(close(selfSharpening(p)->criticalForce_n, printed, 1e-9));
+            const SelfSharpening s = *selfSharpening(p);
+            RC_ASSERT(close(s.grainForce_n, dg * dg * std::sqrt(2 * gammaE_g / dg), 1e-12));
+            const double crack = s.bridge_mm / 1.7 / (dg / 2);
+            RC_ASSERT(close(s.bondForce_n * std::sqrt(crack), s.grainForce_n * exponent, 1e-12));
         }));
     }
 
@@ -250,8 +249,29 @@ private slots:
         QVERIFY(close(selfSharpening(p)->allowed, lattice.allowed, 1e-15));
         *p.wheel.grains_per_mm2 *= 2;
         QVERIFY(close(selfSharpening(p)->allowed, 2 * lattice.allowed, 1e-14));
-        *p.wheel.bond_bridge_mm *= 4;
-        QVERIFY(close(selfSharpening(p)->bondForce_n, lattice.bondForce_n / 2, 1e-14));
+        *p.wheel.bond_bridge_mm *= 4; // S_b·√(1/D_b) = π/4·D_b^(3/2)
+        QVERIFY(close(selfSharpening(p)->bondForce_n, lattice.bondForce_n * 8, 1e-14));
+    }
+
+    // The bridge given is the lattice's area, too: the lattice's own changes nothing, a thinner one
+    // makes a weaker wheel, and its strength falls with the power 3/2 of its diameter.
+    void thinnerBridgeIsAWeakerWheel() {
+        QVERIFY(holds("thinner bridge", [] {
+            Project p = anyWheel();
+            const SelfSharpening lattice = *selfSharpening(p);
+            p.wheel.bond_bridge_mm = lattice.bridge_mm;
+            const SelfSharpening same = *selfSharpening(p);
+            RC_ASSERT(close(same.bridgeArea_mm2, lattice.bridgeArea_mm2, 1e-15));
+            RC_ASSERT(close(same.allowed, lattice.allowed, 1e-13));
+            const double share = between(0.05, 0.95);
+            p.wheel.bond_bridge_mm = share * lattice.bridge_mm;
+            const SelfSharpening thin = *selfSharpening(p);
+            RC_ASSERT(close(thin.bondForce_n, lattice.bondForce_n * std::pow(share, 1.5), 1e-12));
+            // a bond far stronger than the grain breaks the grain, whatever the bridge
+            RC_ASSERT(thin.allowed <= lattice.allowed);
+            RC_ASSERT(thin.bondForce_n > 20 * thin.grainForce_n || thin.allowed < lattice.allowed);
+            RC_ASSERT(thin.limitDepth().value_or(0) <= lattice.limitDepth().value_or(0));
+        }));
     }
 
     // The limit inserted gives the limit, for every width: P_y = 0.25·f_cr·n_g·b·L.

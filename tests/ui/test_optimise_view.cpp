@@ -230,7 +230,7 @@ private slots:
         SearchedNumber number;
         number.stages = 2;
         number.holds = false;
-        number.search.best.emplace().time_us = 60'000'000;
+        number.search.best.emplace().time_s = 60;
         number.search.bound_s = outcome.bound_s = 60;
         outcome.numbers.push_back(number);
         QVERIFY(outcome.unresolved());
@@ -242,7 +242,7 @@ private slots:
         QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
         outcome.found.front().time_s = 50; // quicker than any that is left
         QVERIFY(outcome.proved());
-        outcome.numbers.front().nominalTime_us = 40'000'000;
+        outcome.numbers.front().nominalTime_s = 40;
         const QString cost = OptimiseText::answer(outcome, {});
         QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
                  qPrintable(cost));

@@ -109,8 +109,8 @@ Table CycleCard::stages(const Outcome& outcome) {
         if (traverse) {
             row << feed(stage.axial_feed_mm_min);
         }
-        row << (feeds ? plainNumber(stage.stock_mm) : cell({}));
-        stock += feeds ? stage.stock_mm : 0;
+        row << plainNumber(stage.stock_mm); // a spark-out removes its stock, too
+        stock += stage.stock_mm;
         rest(row, outcome.shop.stages.at(z),
              feeds ? cell({})
              : stage.spark_out.mode == SparkOut::Mode::untilSize

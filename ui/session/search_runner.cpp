@@ -81,7 +81,7 @@ private:
                 optimiseRobustly(project, scenariosAskedFor(project), {.search = options});
             number.scenariosAdded = static_cast<int>(robust.added.size());
             number.holds = robust.holdsInSample;
-            number.nominalTime_us = robust.nominalTime_us;
+            number.nominalTime_s = robust.nominalTime_s;
             std::ranges::move(robust.added, std::back_inserter(m_scenarios));
             number.search = std::move(robust.search);
         } else {
@@ -118,7 +118,7 @@ private:
         SearchState state{
             .looksFor = looksFor, .stages = stages, .bound_s = bound_s, .evaluations = evaluations};
         for (const Noted& each : m_found) {
-            const double time_s = seconds(each.cycle.time_us);
+            const double time_s = each.cycle.time_s;
             state.best_s = std::min(state.best_s.value_or(time_s), time_s);
         }
         m_note(state);
@@ -175,7 +175,7 @@ private:
                                     {.by = FoundBy::refinement,
                                      .cycle = refined.cycle,
                                      .machine = best.machine,
-                                     .time_s = seconds(refined.time_us),
+                                     .time_s = refined.time_s,
                                      .leastRelativeMargin = refined.leastRelativeMargin});
         }
     }
@@ -191,7 +191,7 @@ private:
                 {.by = by,
                  .cycle = m_variants.grid(each.variant).cycle(each.cycle),
                  .machine = machineSettings(m_variants.project(each.variant)),
-                 .time_s = seconds(each.time_us),
+                 .time_s = each.time_s,
                  .leastRelativeMargin = each.leastRelativeMargin,
                  .isBest = numbers.empty(),
                  .isBestOfItsNumber = first});
@@ -257,18 +257,18 @@ std::array<long long, constraintKinds> SearchOutcome::cuts() const {
 bool SearchOutcome::unresolved() const {
     return std::ranges::any_of(numbers, [this](const SearchedNumber& number) {
         return !number.holds && number.search.best
-               && (!best() || seconds(number.search.best->time_us) < best()->time_s);
+               && (!best() || number.search.best->time_s < best()->time_s);
     });
 }
 
 double SearchOutcome::nominal_s() const {
-    std::int64_t least_us = 0;
+    double least_s = 0;
     for (const SearchedNumber& number : numbers) {
-        if (number.nominalTime_us > 0 && (least_us == 0 || number.nominalTime_us < least_us)) {
-            least_us = number.nominalTime_us;
+        if (number.nominalTime_s > 0 && (least_s == 0 || number.nominalTime_s < least_s)) {
+            least_s = number.nominalTime_s;
         }
     }
-    return seconds(least_us);
+    return least_s;
 }
 
 SearchRunner::SearchRunner(QObject* parent) : QObject(parent) {

@@ -43,7 +43,7 @@ struct SearchedNumber {
     int stages = 0;
     SearchSummary search = {};
     int scenariosAdded = 0;
-    std::int64_t nominalTime_us = 0; ///< of the best one before any was added; 0: none
+    double nominalTime_s = 0; ///< of the best one before any was added; 0: none
     bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
 };
 

@@ -70,7 +70,7 @@ void StageCountPlot::fill() {
     for (const SearchedNumber& number : m_outcome->numbers) {
         if (number.search.best && number.holds) {
             m_curves[quickest]->addData(
-                number.stages, inMinutes(static_cast<double>(number.search.best->time_us) * 1e-6));
+                number.stages, inMinutes(number.search.best->time_s));
         }
         if (number.search.status == SearchStatus::stopped && number.search.bound_s > 0) {
             m_curves[proven]->addData(number.stages, inMinutes(number.search.bound_s));
@@ -157,7 +157,7 @@ CsvTable StageCountPlot::table() const {
         const bool found = number.search.best && number.holds;
         table.rows.push_back(
             {double(number.stages),
-             found ? CsvCell(inMinutes(static_cast<double>(number.search.best->time_us) * 1e-6))
+             found ? CsvCell(inMinutes(number.search.best->time_s))
                    : CsvCell(),
              inMinutes(number.search.bound_s), inMinutes(m_outcome->limit_s)});
     }
@@ -177,7 +177,7 @@ void StageCountPlot::onMouse(QMouseEvent* event) {
                 number.search.best && number.holds
                     ? tr("%1: %2 min")
                           .arg(who, OptimiseText::minutes(
-                                        static_cast<double>(number.search.best->time_us) * 1e-6))
+                                        number.search.best->time_s))
                     : tr("%1: no cycle was found that holds every requirement").arg(who));
             return;
         }
