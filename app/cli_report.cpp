@@ -5,6 +5,7 @@
 #include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
+#include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/units.h"
 
@@ -33,6 +34,9 @@ std::string um(double value_mm) {
 std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
     std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
                        "minimum zone, least squares\n";
+    if (leavesStrips(result.project)) {
+        text = "strips stay uncut: what follows is of the cut surface alone\n" + text;
+    }
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         text += padded("  " + sectionName(section.zone, static_cast<int>(i)))
@@ -51,7 +55,14 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
 
 std::string constraintLine(const ConstraintResult& constraint) {
     const std::string unit = constraintUnit(constraint.kind);
-    const int decimals = unit.empty() ? 0 : unit == "mm/dbl stroke" ? 5 : 3;
+    const int decimals = constraint.kind == ConstraintKind::gaugeCommands ? 0
+                         : unit == "mm/dbl stroke"                        ? 5
+                                                                          : 3;
+    if (!constraint.isWhole) {
+        return padded(std::string("  ") + constraintName(constraint.kind))
+               + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
+               + "  FAILS in " + whereText(constraint) + '\n';
+    }
     return padded(std::string("  ") + constraintName(constraint.kind))
            + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals) + ", "
            + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "

@@ -3782,6 +3782,10 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>Names</name>
         <message>
+            <source>Overlap of the turns</source>
+            <translation>Перекрытие витков</translation>
+        </message>
+        <message>
             <source>RZ1</source>
             <comment>entry reversal zone, short</comment>
             <translation>РЗ1</translation>
@@ -6284,6 +6288,10 @@ target, µm</source>
     <context>
         <name>VerdictText</name>
         <message>
+            <source>overlap B/s in %1 is %2, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
+            <translation>перекрытие B/s (%1) равно %2, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
+        </message>
+        <message>
             <source>diameter in %1 is %2 µm below the lower limit</source>
             <translation>диаметр (%1) на %2 мкм меньше нижнего предела</translation>
         </message>
@@ -6346,6 +6354,14 @@ target, µm</source>
     </context>
     <context>
         <name>VerdictWhy</name>
+        <message>
+            <source>%1: not known, since strips stay uncut; an axial feed of at most %2 mm/min leaves none.</source>
+            <translation>%1: не известно, так как остаются непрошлифованные полосы; при осевой подаче не более %2 мм/мин их нет.</translation>
+        </message>
+        <message>
+            <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
+            <translation>Высота круга, умноженная на частоту вращения детали и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
+        </message>
         <message>
             <source>%1 against the gauge %2 µm</source>
             <comment>zone</comment>
@@ -11573,6 +11589,14 @@ target, µm</source>
     </context>
     <context>
         <name>sparkout::VerdictModel</name>
+        <message>
+            <source>not known: strips uncut</source>
+            <translation>не известно: остались полосы</translation>
+        </message>
+        <message>
+            <source>Overlap B/s</source>
+            <translation>Перекрытие B/s</translation>
+        </message>
         <message>
             <source>holds</source>
             <translation>выполнено</translation>

@@ -42,7 +42,7 @@ public:
             summary.status = SearchStatus::stopped;
         } else if (summary.best) {
             summary.status = SearchStatus::proved;
-            summary.bound_s = static_cast<double>(summary.best->time_us) * 1e-6;
+            summary.bound_s = summary.best->time_s;
         }
         return summary;
     }

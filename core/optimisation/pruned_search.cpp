@@ -3,6 +3,7 @@
 
 #include "core/optimisation/judge.h"
 #include "core/optimisation/stage_runs.h"
+#include "core/quality/ranges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,12 @@ public:
                      && !(project.optimisation && project.optimisation->stage_stock_mm))
         , m_most(options.memory_bytes
                  / (prefixBytes(project)
-                    + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {}
+                    + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {
+        for (const StageSetting& setting : grid.settings()) {
+            m_strips.push_back(project.operation == Operation::traverse
+                               && leavesStrips(overlapOf(project, setting.axialFeed_mm_min)));
+        }
+    }
 
     SearchSummary run() {
         begin();
@@ -73,7 +79,7 @@ public:
         summary.best = m_judge.best();
         if (summary.status != SearchStatus::stopped && summary.best) {
             summary.status = SearchStatus::proved;
-            summary.bound_s = seconds(summary.best->time_us);
+            summary.bound_s = summary.best->time_s;
         }
         summary.evaluations = m_judge.counts.evaluations;
         summary.visits = m_judge.counts.visits;
@@ -125,7 +131,7 @@ private:
     void seed(std::size_t stages) {
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
-            if (m_grid.settings()[s].sparkOut == 0) {
+            if (m_grid.settings()[s].sparkOut == 0 && !m_strips[s]) {
                 order.emplace_back(
                     m_runs.bound().rest_s(s, 0, m_grid.mostLast_mm(), m_grid.sparkOut() == 0), s);
             }
@@ -161,6 +167,10 @@ private:
         prefix.next.reserve(m_grid.settings().size());
         for (std::size_t s = 0; s < m_grid.settings().size(); ++s) {
             if (s == shorter || !m_grid.mayGoOn(done.cycle, done.stages, s)) {
+                continue;
+            }
+            if (m_strips[s]) {
+                m_judge.cut(ConstraintKind::overlap);
                 continue;
             }
             const double bound_s = std::max(least_s, m_runs.bound_s(done, steps.run(), s, taken));
@@ -290,6 +300,7 @@ private:
     Judge m_judge;
     CycleRunner m_runner;
     StageRuns m_runs;
+    std::vector<bool> m_strips;     ///< settings that leave strips uncut, whatever the cycle
     bool m_freeLast;                ///< no bounds of the last stage's stock
     bool m_mayMerge;                ///< ends of stages before the one before the last
     std::vector<Branch> m_branches; ///< a heap

@@ -163,6 +163,40 @@ ordered_json objectSchema(const StructInfo& table) {
     return closedObject(std::move(properties), std::move(required));
 }
 
+/// Keys of a table that the reader requires for some projects only.
+void addConditional(const StructInfo& table, const std::string& path, std::string& list) {
+    for (const Field& field : table.fields) {
+        const std::string here = path + "/" + field.key;
+        if (field.required && !alwaysRequired(field)) {
+            list += (list.empty() ? "" : ", ") + here;
+        }
+        if (field.nested) {
+            addConditional(*field.nested, here + (field.kind == Kind::objectList ? "/N" : ""),
+                           list);
+        }
+    }
+}
+
+/// What the reader refuses and the schema does not.
+std::string gaps() {
+    std::string conditional;
+    addConditional(tableOf<Project>(), {}, conditional);
+    return "The program's reader refuses all that this schema refuses, and beyond it: keys that "
+           "only some projects need ("
+           + conditional
+           + "); rules between values, such as a lower deviation that is not below the upper one, "
+             "a "
+             "ground length that leaves no zone between the reversals, a list with another number "
+             "of values than sections, or a spark-out before the last stage; among the levels of "
+             "/optimisation/spark_out and in /optimisation/stages what is not a whole number; the "
+             "inputs of a kept run, which are a project of their own, and its summary; a key given "
+             "twice in one object; a number beyond the range of a double; a file of more than "
+           + std::to_string(limits::fileBytes >> 20U) + " MB, " + std::to_string(limits::values)
+           + " values or " + std::to_string(limits::depth) + " levels, a text of more than "
+           + std::to_string(limits::stringBytes >> 10U)
+           + " kB. sparkout-cli validate names each of them.";
+}
+
 } // namespace
 
 std::string projectSchema() {
@@ -175,7 +209,8 @@ std::string projectSchema() {
         required.push_back(key);
     }
     ordered_json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                         {"title", "Sparkout project"}};
+                         {"title", "Sparkout project"},
+                         {"description", gaps()}};
     root.update(closedObject(std::move(properties), std::move(required)));
     return printJson(root);
 }

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
+#include <string_view>
 
 namespace sparkout {
 
@@ -53,23 +55,44 @@ private:
     void warn(IssueCode code, const std::string& path, std::string value, std::string limit) {
         add(code, path, std::move(value), std::move(limit), Severity::warning);
     }
+    /// Whether none of these inputs is refused, nor what is within them: a rule that read them
+    /// would allow what makes no sense, or refuse another input for it.
+    [[nodiscard]] bool sound(std::initializer_list<std::string_view> paths) const {
+        return std::none_of(m_issues.begin(), m_issues.end(), [&](const Issue& issue) {
+            return issue.severity == Severity::error
+                   && std::any_of(paths.begin(), paths.end(), [&](std::string_view path) {
+                          return issue.path.starts_with(path)
+                                 && (issue.path.size() == path.size()
+                                     || issue.path[path.size()] == '/');
+                      });
+        });
+    }
+    [[nodiscard]] bool fieldIsSound() const {
+        return sound({"/part/diameter_mm", "/part/upper_deviation_um", "/part/lower_deviation_um"});
+    }
+    [[nodiscard]] bool runoutIsSound() const {
+        return sound({project().part.profile == ProfileForm::measured ? "/part/radii_um"
+                                                                      : "/part/initial_runout_mm"});
+    }
     static std::string mm(double value) { return numberText(value) + " mm"; }
     static std::string um(double value) { return numberText(value) + " µm"; }
 
     void checkPart() {
         const Part& part = project().part;
-        if (part.lower_deviation_um >= part.upper_deviation_um) {
+        if (part.lower_deviation_um >= part.upper_deviation_um
+            && sound({"/part/upper_deviation_um"})) {
             add(IssueCode::deviationsReversed, "/part/lower_deviation_um",
                 um(part.lower_deviation_um), um(part.upper_deviation_um));
         }
-        if (part.target_diameter_mm) {
+        if (part.target_diameter_mm && sound({"/part/diameter_mm"})) {
             const double low = part.diameter_mm + part.lower_deviation_um / units::umPerMm;
             const double high = part.diameter_mm + part.upper_deviation_um / units::umPerMm;
             const double away = part.diameter_mm / 4;
             if (std::abs(*part.target_diameter_mm - part.diameter_mm) > away) {
                 add(IssueCode::outOfRange, "/part/target_diameter_mm", mm(*part.target_diameter_mm),
                     numberText(part.diameter_mm - away) + "…" + mm(part.diameter_mm + away));
-            } else if (*part.target_diameter_mm < low || *part.target_diameter_mm > high) {
+            } else if (fieldIsSound()
+                       && (*part.target_diameter_mm < low || *part.target_diameter_mm > high)) {
                 warn(IssueCode::targetOutsideField, "/part/target_diameter_mm",
                      mm(*part.target_diameter_mm), numberText(low) + "…" + mm(high));
             }
@@ -78,7 +101,9 @@ private:
             if (project().operation == Operation::traverse) {
                 add(IssueCode::internalTraverse, "/part/surface", "internal", "external");
             }
-            if (project().wheel.diameter_mm >= smallestBore()) {
+            const bool known = fieldIsSound() && runoutIsSound()
+                               && sound({"/part/target_diameter_mm", "/part/stock_mm"});
+            if (known && project().wheel.diameter_mm >= smallestBore()) {
                 add(IssueCode::wheelTooLarge, "/wheel/diameter_mm", mm(project().wheel.diameter_mm),
                     "< " + mm(smallestBore()) + " (2R_t − 2·Π − 2·ΔR)");
             }
@@ -116,7 +141,8 @@ private:
         }
         if (part.profile == ProfileForm::measured) {
             const std::size_t given = part.radii_um ? part.radii_um->size() : 0;
-            if (given != static_cast<std::size_t>(part.radii_per_section)) {
+            if (given != static_cast<std::size_t>(part.radii_per_section)
+                && sound({"/part/radii_per_section"})) {
                 add(IssueCode::wrongCount, "/part/radii_um", std::to_string(given),
                     std::to_string(part.radii_per_section) + " (/part/radii_per_section)");
             }
@@ -126,6 +152,9 @@ private:
     /// The smallest radius of blank and part must stay a radius.
     void checkBlank() {
         const Part& part = project().part;
+        if (!sound({"/part/diameter_mm"})) {
+            return;
+        }
         const double greatest = part.diameter_mm / 4;
         const bool measured = part.profile == ProfileForm::measured;
         if (blankRunout() > greatest) {
@@ -148,15 +177,17 @@ private:
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
         const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
         const std::string below = "< " + mm(wheel.width_mm) + " (/wheel/width_mm)";
-        if (rz1 <= 0) {
+        const bool wide = sound({"/wheel/width_mm"});
+        if (wide && rz1 <= 0) {
             add(IssueCode::outOfRange, "/machine/overrun_entry_mm", mm(machine.overrun_entry_mm),
                 below);
         }
-        if (rz2 <= 0) {
+        if (wide && rz2 <= 0) {
             add(IssueCode::outOfRange, "/machine/overrun_exit_mm", mm(machine.overrun_exit_mm),
                 below);
         }
-        if (rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
+        const bool known = wide && sound({"/machine/overrun_entry_mm", "/machine/overrun_exit_mm"});
+        if (known && rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
             add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
                 "> " + mm(rz1 + rz2) + " (2·B − o_1 − o_2)");
         }
@@ -173,15 +204,16 @@ private:
     void checkPlunge() {
         const Part& part = project().part;
         const Gauge& gauge = project().gauge;
-        if (project().wheel.width_mm < part.length_mm) {
+        const bool lengthIsSound = sound({"/part/length_mm"});
+        if (lengthIsSound && project().wheel.width_mm < part.length_mm) {
             add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
                 "≥ " + mm(part.length_mm) + " (/part/length_mm)");
         }
-        if (gauge.section && *gauge.section >= project().sections) {
+        if (gauge.section && *gauge.section >= project().sections && sound({"/sections"})) {
             add(IssueCode::outOfRange, "/gauge/section", std::to_string(*gauge.section),
                 "0…" + std::to_string(project().sections - 1));
         }
-        if (gauge.position_mm && *gauge.position_mm > part.length_mm) {
+        if (lengthIsSound && gauge.position_mm && *gauge.position_mm > part.length_mm) {
             add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
                 "0…" + mm(part.length_mm) + " (/part/length_mm)");
         }
@@ -192,7 +224,8 @@ private:
         const MachineLimits& limits = project().machine.limits;
         for (const Field& field : tableOf<MachineLimits>().fields) {
             const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
-            if (range && range->size() == 3 && (*range)[1] < (*range)[0]) {
+            const std::string lowest = std::string("/machine/limits/") + field.key + "/0";
+            if (range && range->size() == 3 && (*range)[1] < (*range)[0] && sound({lowest})) {
                 const std::string unit = std::string(" ") + field.unit;
                 add(IssueCode::outOfRange, std::string("/machine/limits/") + field.key + "/1",
                     numberText((*range)[1]) + unit, "≥ " + numberText((*range)[0]) + unit);
@@ -219,8 +252,10 @@ private:
             }
         } else if (!sections) {
             add(IssueCode::wrongType, path, "{…}",
-                "[γ × " + std::to_string(project().sections) + "]");
-        } else if (sections->size() != static_cast<std::size_t>(project().sections)) {
+                sound({"/sections"}) ? "[γ × " + std::to_string(project().sections) + "]"
+                                     : "[γ × J]");
+        } else if (sections->size() != static_cast<std::size_t>(project().sections)
+                   && sound({"/sections"})) {
             add(IssueCode::wrongCount, path, std::to_string(sections->size()),
                 std::to_string(project().sections) + " (/sections)");
         }
@@ -249,11 +284,13 @@ private:
         if (shaft.segments.empty()) {
             add(IssueCode::complianceMissing, "/part/shaft/segments", {},
                 SPARKOUT_NOOP("Limit", "length and diameter of each step of the shaft"));
-        } else if (length < needed - 1e-9) {
+        } else if (length < needed - 1e-9
+                   && sound(
+                       {"/part/shaft/segments", "/part/shaft/ground_from_mm", "/part/length_mm"})) {
             add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length), "≥ " + mm(needed));
         }
         for (std::size_t i = 0; i < shaft.steady_rests.size(); ++i) {
-            if (shaft.steady_rests[i].position_mm > length) {
+            if (shaft.steady_rests[i].position_mm > length && sound({"/part/shaft/segments"})) {
                 const std::string path =
                     "/part/shaft/steady_rests/" + std::to_string(i) + "/position_mm";
                 add(IssueCode::outOfRange, path, mm(shaft.steady_rests[i].position_mm),
@@ -283,7 +320,9 @@ private:
                 add(IssueCode::outOfRange, row + "/1", numberText(rows[i][1]) + " N/µm",
                     "≥ 0.001 N/µm");
             }
-            if (i > 0 && !rows[i - 1].empty() && !(rows[i][0] > rows[i - 1][0])) {
+            const std::string before = path + "/" + std::to_string(i - 1) + "/0";
+            if (i > 0 && !rows[i - 1].empty() && !(rows[i][0] > rows[i - 1][0])
+                && sound({before})) {
                 add(IssueCode::outOfRange, row + "/0", numberText(rows[i][0]) + " N",
                     "> " + numberText(rows[i - 1][0]) + " N");
             }
@@ -293,17 +332,20 @@ private:
     void checkStages() {
         const auto& stages = project().cycle.stages;
         double sum = 0;
+        bool known = sound({"/part/stock_mm"});
         for (std::size_t i = 0; i < stages.size(); ++i) {
             checkStage(stages[i], i);
             sum += stages[i].stock_mm;
+            known = known && sound({"/cycle/stages/" + std::to_string(i) + "/stock_mm"});
         }
-        if (std::abs(sum - project().part.stock_mm) > 1e-9) {
+        if (known && std::abs(sum - project().part.stock_mm) > 1e-9) {
             sum = std::round(sum * 1e9) / 1e9; // as one would add it up
             warn(IssueCode::stocksDoNotSumUp, "/cycle/stages", mm(sum),
                  mm(project().part.stock_mm));
         }
         const auto commands = static_cast<std::size_t>(project().gauge.commands);
-        if (project().gauge.control == Control::gauge && stages.size() > commands) {
+        if (project().gauge.control == Control::gauge && stages.size() > commands
+            && sound({"/gauge/commands"})) {
             warn(IssueCode::tooManyStages, "/cycle/stages", std::to_string(stages.size()),
                  std::to_string(commands));
         }

@@ -3,6 +3,7 @@
 
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/drawing_constraints.h"
+#include "core/quality/ranges.h"
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,7 @@ constexpr std::array<KindInfo, constraintKinds> kinds{{
     {"range_plunge_feed", "mm/min", ConstraintScope::setting},
     {"range_work_speed", "rev/min", ConstraintScope::setting},
     {"gauge_commands", "", ConstraintScope::setting},
+    {"overlap", "", ConstraintScope::setting},
 }};
 
 const KindInfo& infoOf(ConstraintKind kind) {
@@ -61,6 +63,11 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                   const PartAccuracy& accuracy) {
     std::vector<ConstraintResult> found = drawingConstraints(result, accuracy);
+    if (leavesStrips(result.project)) {
+        for (ConstraintResult& constraint : found) {
+            constraint.isWhole = constraint.holds = false;
+        }
+    }
     const std::vector<ConstraintResult> cycle = cycleConstraints(result);
     found.insert(found.end(), cycle.begin(), cycle.end());
     return found;

@@ -26,15 +26,16 @@ enum class ConstraintKind {
     rangePlungeFeed,
     rangeWorkSpeed,
     gaugeCommands,
+    overlap,
 };
-inline constexpr int constraintKinds = 16;
+inline constexpr int constraintKinds = 17;
 
 /// What a requirement is held against.
 enum class ConstraintScope {
     section, ///< each zone or section at the end of the cycle
     part,    ///< the whole part at the end of the cycle
     pass,    ///< every pass; kept is the worst
-    setting, ///< the settings of the machine, for a stage or for all
+    setting, ///< the settings of the machine and its cycle, for a stage or for all
 };
 [[nodiscard]] ConstraintScope scopeOf(ConstraintKind kind);
 
@@ -47,7 +48,10 @@ inline constexpr double diameterSlack_mm = 1e-9;
 ///   left, and that depth;
 /// * self-sharpening: the pressure P_y/(b·L) at the largest depth of cut, and 0.25·f_cr·n_g;
 /// * roundness and cylindricity: of the minimum zone;
-/// * a range of the machine: the setting and the nearer end.
+/// * a range of the machine: the setting and the nearer end;
+/// * overlap: B·n/S_ax of a stage of a traverse cycle, and 1. Where it fails strips stay uncut, and
+///   what is held against sections and the part fails with it, since it is not known of the whole
+///   surface.
 struct ConstraintResult {
     ConstraintKind kind;
     Zone zone = Zone::section;
@@ -56,11 +60,12 @@ struct ConstraintResult {
     double value = 0;
     double margin = 0;         ///< positive when it holds
     double relativeMargin = 0; ///< margin over the width of the field or range, or over the limit
-    bool holds = false;
+    bool holds = false;        ///< never where the value is not of the whole surface
     bool isLeast = false;      ///< the limit is the least that holds, else the greatest
     std::optional<Place> at{}; ///< where in the cycle the value was reached, when in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
     std::optional<double> otherEnd{}; ///< of a range of the machine; `limit` is the nearer one
+    bool isWhole = true; ///< else strips stay uncut, and value and margin are of the rest alone
 };
 
 /// Name of a constraint in files and on the command line.

@@ -91,6 +91,18 @@ void addSettings(const Project& project, std::vector<ConstraintResult>& found) {
     if (const auto gauge = checkGaugeCommands(project)) {
         found.push_back(atMost(ConstraintKind::gaugeCommands, gauge->commands, gauge->stages));
     }
+    for (const OverlapCheck& check : checkOverlaps(project)) {
+        ConstraintResult result{ConstraintKind::overlap};
+        result.section = -1;
+        result.stage = check.stage;
+        result.value = check.overlap;
+        result.limit = leastOverlap;
+        result.isLeast = true;
+        result.margin = check.overlap - leastOverlap;
+        result.relativeMargin = result.margin / leastOverlap;
+        result.holds = check.holds();
+        found.push_back(result);
+    }
 }
 
 } // namespace

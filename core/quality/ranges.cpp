@@ -99,4 +99,26 @@ std::optional<GaugeCommands> checkGaugeCommands(const Project& project) {
     return GaugeCommands{static_cast<int>(project.cycle.stages.size()), project.gauge.commands};
 }
 
+double overlapOf(const Project& project, double axialFeed_mm_min) {
+    return project.wheel.width_mm * project.machine.work_speed_rpm / axialFeed_mm_min;
+}
+
+std::vector<OverlapCheck> checkOverlaps(const Project& project) {
+    std::vector<OverlapCheck> found;
+    int number = 0;
+    for (const Stage& stage : project.cycle.stages) {
+        ++number;
+        const std::optional<double>& axialFeed = stage.axial_feed_mm_min;
+        if (project.operation == Operation::traverse && axialFeed && *axialFeed > 0) {
+            found.push_back({number, overlapOf(project, *axialFeed)});
+        }
+    }
+    return found;
+}
+
+bool leavesStrips(const Project& project) {
+    const std::vector<OverlapCheck> all = checkOverlaps(project);
+    return std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds(); });
+}
+
 } // namespace sparkout

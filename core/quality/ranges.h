@@ -40,4 +40,29 @@ struct GaugeCommands {
 /// Nothing where the wheel head's position ends the stages.
 [[nodiscard]] std::optional<GaugeCommands> checkGaugeCommands(const Project& project);
 
+/// Below this overlap B·n/S_ax the table advances more than the wheel's width in a revolution, and
+/// strips between the turns stay uncut [MODEL-7].
+inline constexpr double leastOverlap = 1;
+
+/// Of a stroke with an axial feed.
+[[nodiscard]] double overlapOf(const Project& project, double axialFeed_mm_min);
+/// Whether it leaves strips; a last bit leaves none.
+[[nodiscard]] constexpr bool leavesStrips(double overlap) {
+    return overlap < leastOverlap * (1 - 1e-9);
+}
+
+/// The overlap of one stage of a traverse cycle.
+struct OverlapCheck {
+    int stage = 0; ///< from 1
+    double overlap = 0;
+    [[nodiscard]] bool holds() const { return !leavesStrips(overlap); }
+};
+
+/// Of each stage that has an axial feed; none in plunge grinding.
+[[nodiscard]] std::vector<OverlapCheck> checkOverlaps(const Project& project);
+
+/// Whether a stage of the cycle leaves strips: then the size, form and roughness that are computed
+/// are those of the cut surface alone.
+[[nodiscard]] bool leavesStrips(const Project& project);
+
 } // namespace sparkout

@@ -3,6 +3,7 @@
 
 #include "core/project/strict_json.h"
 #include "core/quality/cycle_constraints.h"
+#include "core/quality/ranges.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
@@ -26,13 +27,17 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
         radii.push_back((radius - nominal) * units::umPerMm);
     }
     ordered_json roughness; // null where none is required
-    if (section.lastCut) {
+    const bool strips = leavesStrips(result.project);
+    if (section.lastCut && !strips) {
         roughness =
             RoughnessModel(result.project).roughness(section.lastCut->depth_mm) * units::umPerMm;
     }
-    return {{"diameter_deviation_um",
-             {section.diameterDeviationMin_mm * units::umPerMm,
-              section.diameterDeviationMax_mm * units::umPerMm}},
+    ordered_json deviation; // null where strips stay uncut
+    if (!strips) {
+        deviation = {section.diameterDeviationMin_mm * units::umPerMm,
+                     section.diameterDeviationMax_mm * units::umPerMm};
+    }
+    return {{"diameter_deviation_um", std::move(deviation)},
             {"radial_runout_um", section.radialRunout_mm * units::umPerMm},
             {"roundness_um", accuracy.minimumZone.deviation() * units::umPerMm},
             {"roundness_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
@@ -44,20 +49,26 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
 }
 
 ordered_json constraintJson(const ConstraintResult& constraint) {
+    const auto whole = [&constraint](double value) {
+        return constraint.isWhole ? ordered_json(value) : ordered_json(nullptr);
+    };
     return {{"name", constraintName(constraint.kind)},
             {"unit", constraintUnit(constraint.kind)},
             {"limit", constraint.limit},
-            {"value", constraint.value},
-            {"margin", constraint.margin},
-            {"relative_margin", constraint.relativeMargin},
+            {"value", whole(constraint.value)},
+            {"margin", whole(constraint.margin)},
+            {"relative_margin", whole(constraint.relativeMargin)},
             {"where", whereText(constraint)},
             {"ok", constraint.holds}};
 }
 
-ordered_json partJson(const PartAccuracy& accuracy) {
-    return {{"cylindricity_um", accuracy.minimumZone.deviation() * units::umPerMm},
-            {"cylindricity_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
-            {"total_runout_um", accuracy.totalRunout_mm * units::umPerMm},
+ordered_json partJson(const PartAccuracy& accuracy, bool strips) {
+    const auto whole = [strips](double value_mm) {
+        return strips ? ordered_json(nullptr) : ordered_json(value_mm * units::umPerMm);
+    };
+    return {{"cylindricity_um", whole(accuracy.minimumZone.deviation())},
+            {"cylindricity_least_squares_um", whole(accuracy.leastSquares.deviation())},
+            {"total_runout_um", whole(accuracy.totalRunout_mm)},
             {"taper_um", accuracy.profile.taper_mm * units::umPerMm},
             {"crown_um", accuracy.profile.crown_mm * units::umPerMm},
             {"form", formKey(accuracy.profile.form)}};
@@ -156,9 +167,12 @@ std::string resultJson(const SimulationResult& result,
     root["cycle_time_min_by_stage"] = std::move(stageTimes);
     root["gauge"] = {{"reading_mm", result.gaugeReading_mm},
                      {"remaining_stock_mm", result.remainingStock_mm}};
+    if (leavesStrips(result.project)) {
+        root["strips_uncut"] = true;
+    }
     const PartAccuracy accuracy = accuracyOf(result);
     root[isTraverse(result) ? "zones" : "sections"] = sectionsJson(result, accuracy);
-    root["part"] = partJson(accuracy);
+    root["part"] = partJson(accuracy, leavesStrips(result.project));
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},

@@ -2,6 +2,7 @@
 #include "core/quality/shop_numbers.h"
 
 #include "core/process/force.h"
+#include "core/quality/ranges.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ std::optional<double> overlap(const Project& project, std::size_t stage) {
     if (project.operation != Operation::traverse || !axialFeed || *axialFeed <= 0) {
         return std::nullopt;
     }
-    return project.wheel.width_mm * project.machine.work_speed_rpm / *axialFeed;
+    return overlapOf(project, *axialFeed);
 }
 
 } // namespace
@@ -98,7 +99,7 @@ BandSide ShopColumn::specificEnergyBand() const {
 }
 
 BandSide ShopColumn::overlapBand() const {
-    return !overlap ? BandSide::none : *overlap < leastOverlap ? BandSide::below : BandSide::inside;
+    return !overlap ? BandSide::none : leavesStrips(*overlap) ? BandSide::below : BandSide::inside;
 }
 
 bool ShopNumbers::ratioNearInteger() const {

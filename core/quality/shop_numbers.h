@@ -34,9 +34,6 @@ namespace sparkout {
 inline constexpr double leastSpecificEnergy_j_mm3 = 20;
 inline constexpr double mostSpecificEnergy_j_mm3 = 120;
 
-/// Below this the table advances more than the wheel's width in a revolution.
-inline constexpr double leastOverlap = 1;
-
 /// A rotation ratio this near to a whole number prints the wheel's waves onto one another: over ten
 /// revolutions, a usual spark-out, they shift by less than half of their length [BADGER2010].
 inline constexpr double nearInteger = 0.05;

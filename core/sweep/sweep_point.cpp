@@ -3,6 +3,7 @@
 
 #include "core/batch/characteristics.h"
 #include "core/quality/constraints.h"
+#include "core/quality/ranges.h"
 #include "core/quality/roundness.h"
 #include "core/units.h"
 
@@ -48,6 +49,9 @@ private:
     }
 
     static SweepValue valueOf(const ConstraintResult& constraint) {
+        if (!constraint.isWhole) {
+            return {}; // strips stay uncut
+        }
         SweepValue value{constraint.value};
         (constraint.isLeast ? value.low : value.high) = constraint.limit;
         value.margin = constraint.margin;
@@ -61,7 +65,7 @@ private:
         std::optional<double> least;
         for (const ConstraintResult& constraint : m_constraints) {
             point.good = point.good && constraint.holds;
-            if (scopeOf(constraint.kind) != ConstraintScope::setting) {
+            if (scopeOf(constraint.kind) != ConstraintScope::setting && constraint.isWhole) {
                 least =
                     std::min(least.value_or(constraint.relativeMargin), constraint.relativeMargin);
             }
@@ -79,6 +83,9 @@ private:
         const auto addHere = [&](const char* name, const SweepValue& value) {
             add(name, "µm", value, section.zone, index);
         };
+        if (leavesStrips(m_result.project)) {
+            return;
+        }
         SweepValue diameter{meanDeviation_um(section, part.diameter_mm)};
         diameter.low = part.lower_deviation_um;
         diameter.high = part.upper_deviation_um;

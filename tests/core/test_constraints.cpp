@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -180,11 +181,53 @@ private slots:
             "diameter_min",     "diameter_max",      "radial_runout",    "roundness",
             "cylindricity",     "total_runout",      "roughness",        "burn",
             "self_sharpening",  "wheel_power",       "work_power",       "range_radial_feed",
-            "range_axial_feed", "range_plunge_feed", "range_work_speed", "gauge_commands"};
+            "range_axial_feed", "range_plunge_feed", "range_work_speed", "gauge_commands",
+            "overlap"};
         QCOMPARE(std::size(names), static_cast<std::size_t>(constraintKinds));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QCOMPARE(std::string(constraintName(static_cast<ConstraintKind>(kind))),
                      std::string(names[kind]));
+        }
+    }
+
+    // B·n/S_ax ≥ 1 in every stage; below it strips stay uncut, and nothing that is held against
+    // the surface is known of the whole of it.
+    void stripsThatStayUncutFailAndLeaveTheSizeUnknown() {
+        Project p = fixtures::traverse();
+        p.part.tolerance.roughness_ra_um = 50;
+        p.part.tolerance.cylindricity_um = 500;
+        p.part.lower_deviation_um = -900;
+        p.part.upper_deviation_um = 900;
+        const double most = p.wheel.width_mm * p.machine.work_speed_rpm;
+        const double others = *p.cycle.stages.back().axial_feed_mm_min;
+        QVERIFY(others < most && p.cycle.stages.size() > 1);
+        for (std::size_t stage = 0; stage < p.cycle.stages.size(); ++stage) {
+            Project q = p;
+            for (const double share : {0.5, 1.0, 1.0001, 3.0}) {
+                q.cycle.stages[stage].axial_feed_mm_min = share * most;
+                const bool strips = share > 1;
+                const auto all = evaluateConstraints(simulate(q));
+                QCOMPARE(std::ranges::count(all, ConstraintKind::overlap, &ConstraintResult::kind),
+                         static_cast<std::ptrdiff_t>(q.cycle.stages.size()));
+                for (const ConstraintResult& each : all) {
+                    const bool ofTheSurface = scopeOf(each.kind) == ConstraintScope::section
+                                              || scopeOf(each.kind) == ConstraintScope::part;
+                    QCOMPARE(each.isWhole, !(strips && ofTheSurface));
+                    QVERIFY(each.isWhole || !each.holds);
+                    if (each.kind == ConstraintKind::overlap
+                        && each.stage == static_cast<int>(stage) + 1) {
+                        QCOMPARE(each.holds, !strips);
+                        QVERIFY(fixtures::close(each.value, 1 / share, 1e-12));
+                        QCOMPARE(each.limit, 1.0);
+                    } else if (each.kind == ConstraintKind::overlap) {
+                        QVERIFY(each.holds);
+                    }
+                }
+            }
+        }
+        Project plunge = fixtures::plunge();
+        for (const ConstraintResult& each : evaluateConstraints(simulate(plunge))) {
+            QVERIFY(each.kind != ConstraintKind::overlap && each.isWhole);
         }
     }
 

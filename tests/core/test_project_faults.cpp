@@ -344,6 +344,42 @@ private slots:
         }
     }
 
+    /// A value out of its range is one fault, and no rule goes on from it to refuse others or to
+    /// allow what makes no sense (a diameter of −1: "allowed: 0…−0.25 mm").
+    void aRefusedValueAccusesNoOther() {
+        int refused = 0;
+        for (const char* name : {"smallest-traverse", "smallest-plunge", "complete",
+                                 "internal-plunge", "everything"}) {
+            Project project = samples::project(name);
+            for (const samples::Spot& spot : samples::spots(project)) {
+                const bool number = spot.field->kind == Kind::number
+                                    || spot.field->kind == Kind::optionalNumber
+                                    || spot.field->kind == Kind::integer
+                                    || spot.field->kind == Kind::optionalInteger;
+                const json::json_pointer pointer(spot.path);
+                if (!number || spot.path.starts_with("/runs")
+                    || !samples::sample(name).contains(pointer)) {
+                    continue;
+                }
+                for (const double wrong : {-1e9, 1e9}) {
+                    json file = samples::sample(name);
+                    file[pointer] = wrong;
+                    const Issues issues = samples::faults(file);
+                    if (!samples::find(issues, spot.path)
+                        || samples::find(issues, spot.path)->severity != Severity::error) {
+                        continue;
+                    }
+                    ++refused;
+                    for (const Issue& issue : issues) {
+                        QVERIFY2(issue.path == spot.path || issue.severity != Severity::error,
+                                 (spot.path + '\n' + samples::listed(issues)).c_str());
+                    }
+                }
+            }
+        }
+        QVERIFY2(refused > 200, QByteArray::number(refused));
+    }
+
     void oneFaultIsNamedOnce() {
         json file = samples::sample("smallest-traverse");
         file["cycle"]["stages"][0]["radial_feed_mm"] = -1;

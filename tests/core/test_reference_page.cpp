@@ -4,6 +4,7 @@
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 namespace test_reference_page {
@@ -245,6 +246,46 @@ private slots:
             }
         }
         QVERIFY(refused > 1000 / step);
+    }
+
+    /// What the reader refuses and the schema passes is named in its description.
+    void theSchemaNamesItsGaps() {
+        const json schema = json::parse(projectSchema());
+        const std::string text = schema.at("description");
+        int conditional = 0;
+        for (const char* name : {"smallest-traverse", "everything"}) {
+            Project project = samples::project(name);
+            for (const samples::Spot& spot : samples::spots(project)) {
+                const json::json_pointer pointer(spot.path);
+                json file = samples::sample(name);
+                if (spot.path.starts_with("/runs") || !file.contains(pointer)) {
+                    continue;
+                }
+                file[pointer.parent_pointer()].erase(pointer.back());
+                const Issues issues = samples::faults(file);
+                if (samples::holds(issues, IssueCode::missingKey, spot.path)
+                    && SchemaCheck::fault(schema, file).empty()) {
+                    const QString path = QString::fromStdString(spot.path).replace(
+                        QRegularExpression(QStringLiteral("/\\d+/")), QStringLiteral("/N/"));
+                    QVERIFY2(QString::fromStdString(text).contains(path), qPrintable(path));
+                    ++conditional;
+                }
+            }
+        }
+        QVERIFY(conditional > 5);
+        json file = samples::sample("smallest-traverse");
+        const auto passes = [&] { return SchemaCheck::fault(schema, file).empty(); };
+        file["part"]["lower_deviation_um"] = 900;
+        QVERIFY(passes() && hasErrors(samples::faults(file)));
+        QVERIFY(text.find("rules between values") != std::string::npos);
+        file = samples::sample("everything");
+        file["runs"][0]["inputs"] = json::object();
+        QVERIFY(passes() && hasErrors(samples::faults(file)));
+        QVERIFY(text.find("kept run") != std::string::npos);
+        file = samples::sample("everything");
+        file["optimisation"]["spark_out"] = {1.5};
+        QVERIFY(passes() && hasErrors(samples::faults(file)));
+        QVERIFY(text.find("not a whole number") != std::string::npos);
     }
 
     void schemaRefusesAMissingRequiredKeyAndAnUnknownOne() {

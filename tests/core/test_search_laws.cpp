@@ -125,6 +125,32 @@ private slots:
         }
     }
 
+    // Axial feeds on both sides of B·n: no search takes one that leaves strips, and the pruned one
+    // finds what the full one does.
+    void noSearchLeavesStripsUncut() {
+        int found = 0, quicker = 0;
+        for (unsigned seed = 0; seed < searches(60); ++seed) {
+            Project p = smallCase(seed);
+            if (p.operation != Operation::traverse) {
+                continue;
+            }
+            const double most = p.wheel.width_mm * p.machine.work_speed_rpm;
+            p.machine.limits.axial_feed_mm_min.reset();
+            p.optimisation->axial_feed_mm_min = std::vector<double>{1.2 * most, most, 0.4 * most};
+            const SearchSummary full = search(p, SearchMethod::full);
+            QVERIFY(same(search(p, SearchMethod::pruned), full));
+            QVERIFY(same(full, PlainSearch(p)));
+            if (full.best) {
+                ++found;
+                for (const Stage& stage : full.cycle.stages) {
+                    QVERIFY(*stage.axial_feed_mm_min <= most);
+                    quicker += *stage.axial_feed_mm_min == most ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY2(found > 5 && quicker > 0, QByteArray::number(found)); // at 1 none stays
+    }
+
     void moreStagesNeverSlow() {
         for (unsigned seed = 0; seed < 60; ++seed) {
             Project few = smallCase(seed), more = few;
@@ -191,8 +217,7 @@ private slots:
                 quicker += refined.isQuicker ? 1 : 0;
             }
         }
-        const QByteArray met =
-            QByteArray::number(roundedBelow) + ' ' + QByteArray::number(quicker);
+        const QByteArray met = QByteArray::number(roundedBelow) + ' ' + QByteArray::number(quicker);
         QVERIFY2(roundedBelow > 0 && quicker > 0, met); // else neither was tried
     }
 
@@ -331,8 +356,7 @@ private slots:
                     },
                     options);
                 QVERIFY(robust.search.status == SearchStatus::stopped && !robust.holdsInSample);
-                QVERIFY(!whole.search.best
-                        || robust.search.bound_s <= whole.search.best->time_s);
+                QVERIFY(!whole.search.best || robust.search.bound_s <= whole.search.best->time_s);
                 ++stopped;
                 late += last > 0 ? 1 : 0;
             }

@@ -4,13 +4,20 @@
 #include "ui/session/operation.h"
 #include "ui/session/run_controller.h"
 
+#include "core/optimisation/levels.h"
+#include "core/optimisation/optimise.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
 
 #include "tests/registry.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QTest>
+
+#include <algorithm>
 
 namespace test_operation_return {
 
@@ -33,6 +40,56 @@ class TestOperationReturn : public QObject {
     Q_OBJECT
 
 private slots:
+    void theSearchRunsAfterTheSwitch_data() { thereAndBackIsTheProjectItWas_data(); }
+    /// Levels of the new operation's feeds within the machine's range, and a search that answers.
+    void theSearchRunsAfterTheSwitch() {
+        QFETCH(QString, file);
+        Document document;
+        QVERIFY(document.open(file).opened());
+        const Project before = document.project();
+        switchTo(document, other(before.operation));
+        Project project = document.project();
+        if (!before.optimisation) {
+            QVERIFY(!project.optimisation); // *Optimise* makes a usual one
+            return;
+        }
+        const bool traverse = project.operation == Operation::traverse;
+        const MachineLimits& limits = project.machine.limits;
+        const auto within = [](const Levels& levels, const auto& range) {
+            const std::vector<double> values = levelValues(levels);
+            return !values.empty()
+                   && (!range || std::ranges::all_of(values, [&range](double value) {
+                          return value >= (*range)[0] * (1 - 1e-9)
+                                 && value <= (*range)[1] * (1 + 1e-9);
+                      }));
+        };
+        const Optimisation& asked = *project.optimisation;
+        if (traverse) {
+            QVERIFY(within(asked.radial_feed_mm, limits.radial_feed_mm));
+            QVERIFY(within(asked.axial_feed_mm_min, limits.axial_feed_mm_min));
+        } else {
+            QVERIFY(within(asked.radial_feed_mm_min, limits.plunge_feed_mm_min));
+        }
+        QVERIFY(Variants(project).fault() == GridFault::none);
+        QCOMPARE(asked.stock_step_mm, before.optimisation->stock_step_mm);
+        if (!file.contains(QStringLiteral("/examples/"))) {
+            return; // parts that nobody grinds
+        }
+        if (project.part.profile != ProfileForm::measured) {
+            project.part.radii_per_section = 4; // in a moment
+        }
+        const SearchSummary found = optimise(project);
+        QVERIFY(found.status == (found.best ? SearchStatus::proved : SearchStatus::infeasible));
+        QVERIFY(found.evaluations > 0);
+        if (found.best) {
+            const Project best = withBest(project, found);
+            const auto all = evaluateConstraints(simulate(best));
+            QVERIFY(std::ranges::all_of(all, &ConstraintResult::holds));
+        }
+        qInfo("%s: %s", qPrintable(QFileInfo(file).baseName()),
+              found.best ? "found" : "nothing feasible");
+    }
+
     void thereAndBackIsTheProjectItWas_data() {
         QTest::addColumn<QString>("file");
         for (const char* folder : {"/resources/examples", "/tests/data/projects"}) {
@@ -109,6 +166,7 @@ private slots:
         take(told.gauge.section, after.gauge.section);
         take(told.gauge.position_mm, after.gauge.position_mm);
         take(told.gauge.compliance_mm_per_n, after.gauge.compliance_mm_per_n);
+        told.optimisation = after.optimisation; // levels for the new feeds, as the stages have them
         QCOMPARE(lines.size(), count);
         QCOMPARE(writeProject(told), writeProject(after));
         for (const QString& line : lines) { // of both values something is said

@@ -94,15 +94,14 @@ private slots:
         const SearchSummary engine = optimise(project);
         const Desk desk(project);
         QVERIFY(desk.searched());
-        QCOMPARE(desk.cell(0, FoundModel::time),
-                 OptimiseText::minutes(double(engine.best->time_us) * 1e-6));
+        QCOMPARE(desk.cell(0, FoundModel::time), OptimiseText::minutes(engine.best->time_s));
         QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
         QVERIFY(desk.told().contains(desk.cell(0, FoundModel::time)));
         const ComparedFeeds& found = desk.view->curves()->runs().back();
-        QVERIFY(std::abs(found.feeds->end_s - double(engine.best->time_us) * 1e-6) < 1e-5);
+        QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
         const QCPGraph& times = *desk.view->times()->curve(StageCountPlot::quickest);
         QCOMPARE(times.data()->size(), 2);
-        QCOMPARE(times.data()->at(1)->value, double(engine.best->time_us) * 1e-6 / 60);
+        QCOMPARE(times.data()->at(1)->value, engine.best->time_s / 60);
     }
 
     void aCycleIsTakenByOneEditAndUndone() {

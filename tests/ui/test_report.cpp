@@ -5,6 +5,7 @@
 #include "ui/dialogs/examples_dialog.h"
 #include "ui/language.h"
 #include "ui/report/cycle_card.h"
+#include "ui/report/cycle_card_parts.h"
 #include "ui/report/pages.h"
 #include "ui/report/pdf_details.h"
 #include "ui/report/report_text.h"
@@ -273,6 +274,45 @@ private slots:
         QVERIFY(markdown.contains(QStringLiteral("\n1\\. no list")));
         const QString text = textOf(made(outcome, Format::pdf));
         QVERIFY(text.contains(QStringLiteral("<script>alert(2)</script>")));
+    }
+
+    /// All stages remove the part's stock, a spark-out its own too.
+    void theStocksOfTheCardAddUpToTheParts() {
+        int sparkOuts = 0;
+        for (const QString& path : ExamplesDialog::paths()) {
+            const OutcomePtr outcome = outcomeOf(path);
+            QVERIFY(outcome && outcome->ran());
+            const Project& project = outcome->result.project;
+            const report::Table table = report::CycleCard::stages(*outcome);
+            const auto column = table.head.indexOf(QStringLiteral("Stock per side, mm"));
+            QVERIFY(column > 0);
+            double sum = 0;
+            for (std::size_t z = 0; z < project.cycle.stages.size(); ++z) {
+                sum += QLocale().toDouble(table.rows.at(z).at(column));
+                sparkOuts += project.cycle.stages[z].spark_out.mode == SparkOut::Mode::none ? 0 : 1;
+            }
+            QVERIFY2(std::abs(sum - project.part.stock_mm) < 1e-9, qPrintable(path));
+            QCOMPARE(QLocale().toDouble(table.rows.back().at(column)), project.part.stock_mm);
+        }
+        QVERIFY(sparkOuts > 1);
+    }
+
+    /// Where strips stay uncut the card has no size and no roughness.
+    void theCardStatesNoSizeWhereStripsStayUncut() {
+        Project project = fixtures::traverseProject();
+        project.part.tolerance.roughness_ra_um = 1.6;
+        project.cycle.stages.back().axial_feed_mm_min =
+            2 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        const OutcomePtr outcome = fixtures::run(project);
+        QVERIFY(outcome->ran());
+        for (const QStringList& row : report::CycleCard::accuracy(*outcome).rows) {
+            QCOMPARE(row.at(2), QStringLiteral("–"));
+            QCOMPARE(row.at(3), QStringLiteral("–"));
+            QCOMPARE(row.back(), QStringLiteral("–"));
+        }
+        const QString text = textOf(made(outcome, Format::pdf)).simplified();
+        QVERIFY(text.contains(QStringLiteral("not good")));
+        QVERIFY2(text.contains(QStringLiteral("strips stay uncut")), qPrintable(text));
     }
 
     void aPartThatFailsIsNotGood() {

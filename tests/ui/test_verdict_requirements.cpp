@@ -6,6 +6,7 @@
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 #include "ui/views/verdict_model.h"
+#include "ui/views/verdict_text.h"
 #include "ui/views/verdict_why.h"
 
 #include <QRegularExpression>
@@ -131,8 +132,9 @@ private slots:
             for (const ConstraintResult& c : outcome->constraints) {
                 const std::string path = verdict::inputPath(c);
                 QCOMPARE(!path.empty(), scopeOf(c.kind) == ConstraintScope::setting);
-                if (path.empty() || c.kind == ConstraintKind::gaugeCommands) {
-                    continue; // its value is what the stages need
+                if (path.empty() || c.kind == ConstraintKind::gaugeCommands
+                    || c.kind == ConstraintKind::overlap) {
+                    continue; // its value is what the stages need, or follows from the feed
                 }
                 const nlohmann::json::json_pointer pointer(path);
                 QVERIFY2(file.contains(pointer), path.c_str());
@@ -141,6 +143,41 @@ private slots:
             }
             QVERIFY(settings >= 3);
         }
+    }
+
+    // Where strips stay uncut, the verdict says so, and no number stands for the surface.
+    void stripsAreSaidAndTheSurfaceHasNoNumbers() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 900;
+        project.part.lower_deviation_um = -900;
+        project.cycle.stages.front().axial_feed_mm_min =
+            1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        const OutcomePtr outcome = run(project);
+        QVERIFY(outcome->ran());
+        QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::overlap);
+        QCOMPARE(verdict::overallLight(*outcome), Light::fails);
+        const QString text = verdict::overall(*outcome);
+        QVERIFY2(text.contains(QStringLiteral("overlap B/s in stage 1 is 0.8, below 1: strips")),
+                 qPrintable(text));
+        VerdictModel model;
+        model.setOutcome(outcome);
+        int surface = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const ConstraintResult* c = model.constraintAt(row);
+            if (!c) {
+                continue;
+            }
+            const auto shown = [&](int column) {
+                return model.index(row, column).data().toString();
+            };
+            const bool dash = shown(VerdictModel::value) == QStringLiteral("–")
+                              && shown(VerdictModel::margin) == QStringLiteral("–");
+            QCOMPARE(dash, !c->isWhole);
+            QCOMPARE(shown(VerdictModel::requirement).contains(QStringLiteral("strips uncut")),
+                     !c->isWhole);
+            surface += c->isWhole ? 0 : 1;
+        }
+        QVERIFY(surface >= 9); // three zones
     }
 
     void aRowThatHoldsIsExplainedWhenChosen() {

@@ -2,6 +2,7 @@
 // What the part comes out as: the verdict, the accuracy and the requirements.
 #include "ui/report/cycle_card_parts.h"
 
+#include "core/quality/ranges.h"
 #include "core/units.h"
 #include "ui/report/report_values.h"
 #include "ui/session/texts.h"
@@ -27,7 +28,7 @@ std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
         lines.prepend(verdict::status(outcome.result));
     }
     for (const ConstraintResult& c : outcome.constraints) {
-        if (!c.holds) {
+        if (!c.holds && c.isWhole) {
             lines << verdict::why(outcome, c);
         }
     }
@@ -61,14 +62,15 @@ Table CycleCard::accuracy(const Outcome& outcome) {
     if (!roughness) {
         table.head.removeLast();
     }
+    const bool whole = !leavesStrips(outcome.result.project);
     const auto& sections = outcome.result.sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const SectionResult& section = sections[i];
         const SectionAccuracy& form = outcome.accuracy.sections.at(i);
         QStringList row{Names::zoneFull(section.zone, static_cast<int>(i)),
                         Names::significant(section.position_mm),
-                        deviation(section.diameterDeviationMin_mm),
-                        deviation(section.diameterDeviationMax_mm),
+                        whole ? deviation(section.diameterDeviationMin_mm) : cell({}),
+                        whole ? deviation(section.diameterDeviationMax_mm) : cell({}),
                         micrometres(section.radialRunout_mm),
                         micrometres(form.minimumZone.deviation())};
         if (roughness) {
@@ -76,8 +78,7 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
                     return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(i);
                 });
-            row << (ra == outcome.constraints.end() ? cell({})
-                                                    : Names::amount(ra->kind, ra->value, false));
+            row << (ra == outcome.constraints.end() ? cell({}) : Names::value(*ra));
         }
         table.rows.push_back(row);
     }
@@ -91,12 +92,9 @@ Table CycleCard::requirements(const Outcome& outcome) {
                   tr("Margin"),          tr("Unit"),        tr("Verdict")};
     table.texts = {true, true, false, false, false, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
-        const bool sign =
-            c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-        table.rows.push_back({Names::where(c), Names::constraint(c.kind),
-                              Names::amount(c.kind, c.value, sign), Names::limit(c),
-                              Names::margin(c), cell(unitText(constraintUnit(c.kind))),
-                              lightName(lightOf(c))});
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
+                              Names::limit(c), Names::margin(c),
+                              cell(unitText(constraintUnit(c.kind))), lightName(c)});
     }
     return table;
 }

@@ -269,18 +269,13 @@ Table Passport::requirements(const Outcome& outcome) {
                   tr("Verdict")};
     table.texts = {true, true, false, false, false, true, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
-        const bool sign =
-            c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-        const auto amount = [&c](double value, bool withSign) {
-            return Names::amount(c.kind, value, withSign);
-        };
-        table.rows.push_back({Names::where(c), Names::constraint(c.kind), amount(c.value, sign),
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
                               Names::limit(c), Names::margin(c),
                               cell(unitText(constraintUnit(c.kind))),
                               c.at ? Names::moment(*c.at, outcome.result.project.operation)
                               : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")
                                                                             : tr("at the end"),
-                              lightName(lightOf(c))});
+                              lightName(c)});
     }
     return table;
 }

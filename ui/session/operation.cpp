@@ -2,6 +2,7 @@
 #include "ui/session/operation.h"
 
 #include "ui/session/member.h"
+#include "ui/session/search_edits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,7 +181,7 @@ Project withOperation(Project project, Operation operation) {
         makeTraverse(project);
     }
     project.operation = operation;
-    return project;
+    return withSearchFor(std::move(project));
 }
 
 Project withSections(Project project, int sections) {

@@ -12,7 +12,8 @@ namespace sparkout {
 [[nodiscard]] Project newProject(Operation operation);
 
 /// The project under the other operation: feeds, compliance, wheel and gauge get values the new
-/// operation can run with; what it does not read is cleared.
+/// operation can run with; what it does not read is cleared. A search gets levels for the feeds of
+/// the new operation.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
 
 /// The same, with the project as it last was under that operation: feeds come back as they were

@@ -63,6 +63,18 @@ void giveBackGauge(Gauge& made, const Gauge& now, const Gauge& thence, const Gau
              last.compliance_mm_per_n);
 }
 
+/// What the way from there added to the search goes with it.
+void giveBackLevels(Project& made, const Project& now, const Project& thence, const Project& last) {
+    if (!made.optimisation || !now.optimisation || !thence.optimisation || !last.optimisation) {
+        return;
+    }
+    for (const auto levels : {&Optimisation::radial_feed_mm, &Optimisation::axial_feed_mm_min,
+                              &Optimisation::radial_feed_mm_min}) {
+        giveBack((*made.optimisation).*levels, (*now.optimisation).*levels,
+                 (*thence.optimisation).*levels, (*last.optimisation).*levels);
+    }
+}
+
 /// Of a compliance what its values are given for.
 QString switchedText(const ConstMember& member) {
     if (member.field->kind != Kind::compliance) {
@@ -92,6 +104,7 @@ Project withOperation(const Project& project, Operation operation, const Project
              last->part.length_mm);
     giveBack(made.wheel.width_mm, project.wheel.width_mm, thence.wheel.width_mm,
              last->wheel.width_mm);
+    giveBackLevels(made, project, thence, *last);
     Machine& machine = made.machine;
     const Machine& now = project.machine;
     giveBack(machine.overrun_entry_mm, now.overrun_entry_mm, thence.machine.overrun_entry_mm,

@@ -46,8 +46,11 @@ Levels usualLevels(const std::vector<double>& feeds,
     }
     const double from = times(step, std::ceil(least / step - 1e-9));
     const double to = times(step, std::floor(most / step + 1e-9));
-    return from < to ? Levels(SteppedLevels{from, to, times(step, 1)})
-                     : Levels(std::vector<double>{fastest});
+    return from < to
+               ? Levels(SteppedLevels{from, to, times(step, 1)})
+               : Levels(std::vector<double>{range && range->size() == 3
+                                                ? std::clamp(fastest, (*range)[0], (*range)[1])
+                                                : fastest});
 }
 
 template <class Member>
@@ -83,6 +86,26 @@ Project withUsualSearch(Project project) {
                                                 limits.plunge_feed_mm_min);
     }
     project.optimisation = std::move(search);
+    return project;
+}
+
+Project withSearchFor(Project project) {
+    if (!project.optimisation) {
+        return project;
+    }
+    const Optimisation usual = *withUsualSearch(project).optimisation;
+    Optimisation& asked = *project.optimisation;
+    const auto give = [](Levels& levels, const Levels& usualLevels) {
+        if (levels == Levels()) {
+            levels = usualLevels;
+        }
+    };
+    if (project.operation == Operation::traverse) {
+        give(asked.radial_feed_mm, usual.radial_feed_mm);
+        give(asked.axial_feed_mm_min, usual.axial_feed_mm_min);
+    } else {
+        give(asked.radial_feed_mm_min, usual.radial_feed_mm_min);
+    }
     return project;
 }
 

@@ -11,6 +11,10 @@ namespace sparkout {
 /// the cycle has, feeds that never rise.
 [[nodiscard]] Project withUsualSearch(Project project);
 
+/// The project with levels in its search for the feeds of its operation where there are none: usual
+/// ones. What else is asked stays, and what is asked under the other operation too.
+[[nodiscard]] Project withSearchFor(Project project);
+
 /// Whether a search of two projects has the same answer: nothing but their cycles, names, notes and
 /// kept runs differ.
 [[nodiscard]] bool sameSearch(const Project& a, const Project& b);

@@ -125,17 +125,16 @@ int MarginModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString MarginModel::text(const ConstraintResult& c, int column) {
-    const bool deviation =
-        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
     switch (column) {
     case requirement:
         return QStringLiteral("%1, %2").arg(Names::constraint(c.kind), Names::where(c));
     case usage:
-        return Names::isRange(c.kind) ? Names::inRange(c, true) : LimitNames::percent(usageOf(c));
+        return Names::isRange(c.kind) ? Names::inRange(c, true)
+               : c.isWhole            ? LimitNames::percent(usageOf(c))
+                                      : QStringLiteral("–");
     case value:
         return QStringLiteral("%1 / %2 %3")
-            .arg(Names::amount(c.kind, c.value, deviation), Names::limit(c),
-                 unitText(constraintUnit(c.kind)))
+            .arg(Names::value(c), Names::limit(c), unitText(constraintUnit(c.kind)))
             .trimmed();
     default: return {};
     }
@@ -160,7 +159,7 @@ QVariant MarginModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
         return (Names::isRange(c.kind) ? tr("%1, %2, %3: %4") : tr("%1, %2 used, %3: %4"))
             .arg(text(c, requirement), Names::isRange(c.kind) ? rangeText(c) : text(c, usage),
-                 text(c, value), lightName(light));
+                 text(c, value), lightName(c));
     case usageRole: return usageOf(c);
     case lightRole: return static_cast<int>(light);
     case placeRole: {
@@ -199,14 +198,14 @@ QString MarginModel::asTsv() const {
         const auto number = [&c](double v) { return Names::amount(c.kind, v, false); };
         const bool range = Names::isRange(c.kind);
         lines << QStringList{text(c, requirement),
-                             range ? QString() : Names::significant(100 * usageOf(c)),
-                             number(c.value),
+                             range || !c.isWhole ? QString() : Names::significant(100 * usageOf(c)),
+                             c.isWhole ? number(c.value) : QString(),
                              Names::limit(c),
-                             number(c.margin),
+                             c.isWhole ? number(c.margin) : QString(),
                              unitText(constraintUnit(c.kind)),
                              range && c.limit > 0 ? Names::significant(c.value / c.limit)
                                                   : QString(),
-                             lightName(lightOf(c))}
+                             lightName(c)}
                      .join(u'\t');
     }
     return lines.join(u'\n') + u'\n';

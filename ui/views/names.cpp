@@ -140,6 +140,7 @@ QString Names::constraint(ConstraintKind kind) {
     case ConstraintKind::rangePlungeFeed: return tr("Plunge feed in range");
     case ConstraintKind::rangeWorkSpeed: return tr("Work speed in range");
     case ConstraintKind::gaugeCommands: return tr("Gauge commands");
+    case ConstraintKind::overlap: return tr("Overlap of the turns");
     }
     return {};
 }
@@ -166,7 +167,7 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
     if (unit == QStringLiteral("µm")) {
         return withSign ? signedMicrometres(value) : micrometres(value);
     }
-    if (unit.isEmpty()) {
+    if (kind == ConstraintKind::gaugeCommands) {
         return fixed(value, 0);
     }
     QString text = significant(value);
@@ -186,10 +187,14 @@ QString Names::limit(const ConstraintResult& c) {
     const bool deviation =
         c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
     const QString text = amount(c.kind, c.limit, deviation);
-    return isRange(c.kind) ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
+    const bool marked = isRange(c.kind) || c.kind == ConstraintKind::overlap;
+    return marked ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
 }
 
 QString Names::margin(const ConstraintResult& c) {
+    if (!c.isWhole) {
+        return QStringLiteral("–");
+    }
     return isRange(c.kind) ? inRange(c, true) : amount(c.kind, c.margin, true);
 }
 
@@ -211,6 +216,12 @@ QString Names::inRange(const ConstraintResult& c, bool brief) {
         return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(text);
     }
     return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(text);
+}
+
+QString Names::value(const ConstraintResult& c) {
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    return c.isWhole ? amount(c.kind, c.value, deviation) : QStringLiteral("–");
 }
 
 QString Names::issue(const Issue& issue) {

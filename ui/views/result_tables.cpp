@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/result_tables.h"
 
+#include "core/quality/ranges.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 #include "ui/session/texts.h"
@@ -42,11 +43,12 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
                  << ResultTables::tr("Setting / nearer end of the range")
                  << ResultTables::tr("Verdict") << ResultTables::tr("Worst place");
     for (const ConstraintResult& c : requirements) {
+        const auto known = [&c](double value) { return c.isWhole ? CsvCell(value) : CsvCell(); };
         const bool range = Names::isRange(c.kind);
         table.rows.push_back(
-            {Names::constraint(c.kind), Names::where(c), c.value, c.limit, c.margin,
-             unitText(constraintUnit(c.kind)), range ? CsvCell() : CsvCell(100 * usageOf(c)),
-             range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(lightOf(c)),
+            {Names::constraint(c.kind), Names::where(c), known(c.value), c.limit, known(c.margin),
+             unitText(constraintUnit(c.kind)), range ? CsvCell() : known(100 * usageOf(c)),
+             range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
     }
     return table;
@@ -94,19 +96,21 @@ CsvTable zoneTable(const Outcome& outcome) {
         table.header << ResultTables::tr("Roughness Ra, µm");
     }
     using units::umPerMm;
+    const bool whole = !leavesStrips(result.project);
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         const SectionAccuracy& form = outcome.accuracy.sections.at(i);
-        std::vector<CsvCell> cells{Names::zone(section.zone, static_cast<int>(i)),
-                                   section.position_mm,
-                                   section.compliance_mm_per_n,
-                                   section.diameterDeviationMin_mm * umPerMm,
-                                   section.diameterDeviationMax_mm * umPerMm,
-                                   section.radialRunout_mm * umPerMm,
-                                   form.minimumZone.deviation() * umPerMm,
-                                   form.leastSquares.deviation() * umPerMm,
-                                   section.peakNormalForce_n};
-        if (rough && section.lastCut) {
+        std::vector<CsvCell> cells{
+            Names::zone(section.zone, static_cast<int>(i)),
+            section.position_mm,
+            section.compliance_mm_per_n,
+            whole ? CsvCell(section.diameterDeviationMin_mm * umPerMm) : CsvCell(),
+            whole ? CsvCell(section.diameterDeviationMax_mm * umPerMm) : CsvCell(),
+            section.radialRunout_mm * umPerMm,
+            form.minimumZone.deviation() * umPerMm,
+            form.leastSquares.deviation() * umPerMm,
+            section.peakNormalForce_n};
+        if (rough && whole && section.lastCut) {
             cells.emplace_back(RoughnessModel(result.project).roughness(section.lastCut->depth_mm)
                                * umPerMm);
         }

@@ -109,7 +109,8 @@ QString numberShown(const Field& field, double value) {
 }
 
 /// As the verdict has it; nothing of a requirement this version does not know.
-std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement) {
+std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
+                                             bool strips = false) {
     for (int i = 0; i < constraintKinds; ++i) {
         const auto kind = static_cast<ConstraintKind>(i);
         if (requirement.name != constraintName(kind)) {
@@ -132,6 +133,8 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
         constraint.margin = requirement.margin;
         constraint.relativeMargin = requirement.relative_margin;
         constraint.holds = requirement.ok;
+        constraint.isWhole = !strips || scopeOf(kind) == ConstraintScope::pass
+                             || scopeOf(kind) == ConstraintScope::setting;
         return constraint;
     }
     return std::nullopt;
@@ -143,11 +146,15 @@ QString percentShown(double share) {
 }
 
 void addRequirements(const RunSummary& summary, RunValues& values) {
+    const bool strips =
+        std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {
+            return requirement.name == constraintName(ConstraintKind::overlap) && !requirement.ok;
+        });
     const RequirementSummary* worst = nullptr;
     for (const RequirementSummary& requirement : summary.requirements) {
-        const std::optional<ConstraintResult> constraint = constraintOf(requirement);
-        if (!constraint) {
-            continue;
+        const std::optional<ConstraintResult> constraint = constraintOf(requirement, strips);
+        if (!constraint || !constraint->isWhole) {
+            continue; // of a part of the surface alone
         }
         values.push_back({"/requirements/" + requirement.name + "/margin",
                           RunTable::tr("Margin › %1").arg(Names::constraint(constraint->kind)),
@@ -159,7 +166,7 @@ void addRequirements(const RunSummary& summary, RunValues& values) {
         }
     }
     if (worst) {
-        const ConstraintResult constraint = *constraintOf(*worst);
+        const ConstraintResult constraint = *constraintOf(*worst, strips);
         const QString text = RunTable::tr("%1, %2: %3")
                                  .arg(Names::constraint(constraint.kind), Names::where(constraint),
                                       percentShown(worst->relative_margin));

@@ -37,6 +37,11 @@ QString lightName(Light light) {
     return {};
 }
 
+QString lightName(const ConstraintResult& constraint) {
+    return constraint.isWhole ? lightName(lightOf(constraint))
+                              : VerdictModel::tr("not known: strips uncut");
+}
+
 namespace {
 
 /// Short enough for one line of the table.
@@ -58,6 +63,7 @@ QString briefName(ConstraintKind kind) {
     case ConstraintKind::rangePlungeFeed: return VerdictModel::tr("Plunge feed");
     case ConstraintKind::rangeWorkSpeed: return VerdictModel::tr("Work speed");
     case ConstraintKind::gaugeCommands: return VerdictModel::tr("Gauge commands");
+    case ConstraintKind::overlap: return VerdictModel::tr("Overlap B/s");
     }
     return {};
 }
@@ -168,12 +174,9 @@ int VerdictModel::columnCount(const QModelIndex& parent) const {
 }
 
 QString VerdictModel::text(const ConstraintResult& c, int column) const {
-    const bool deviation =
-        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-    const auto number = [&](double v) { return Names::amount(c.kind, v, deviation); };
     switch (column) {
     case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
-    case value: return number(c.value);
+    case value: return Names::value(c);
     case limit: return Names::limit(c);
     case margin: return Names::margin(c);
     default: return {};
@@ -222,8 +225,9 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
               : text(*row.constraint, column);
     switch (role) {
     case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
-        return first && light != Light::holds ? shown + QLatin1Char('\n') + lightName(light)
-                                              : shown;
+        return first && light != Light::holds
+                   ? shown + QLatin1Char('\n') + lightName(*row.constraint)
+                   : shown;
     case Qt::DecorationRole:
         return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
     case Qt::ToolTipRole:
@@ -231,7 +235,7 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         const QString told =
             QStringLiteral("%1, %2: %3")
                 .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
-                     first ? lightName(light) : shown);
+                     first ? lightName(*row.constraint) : shown);
         if (role == Qt::AccessibleTextRole) {
             return told;
         }
@@ -287,7 +291,7 @@ QString VerdictModel::asTsv() const {
             cells << text(*row.constraint, c);
         }
         cells << unitText(constraintUnit(row.constraint->kind));
-        lines << (cells << lightName(lightOf(*row.constraint))).join(QLatin1Char('\t'));
+        lines << (cells << lightName(*row.constraint)).join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }

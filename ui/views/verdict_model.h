@@ -20,6 +20,8 @@ inline constexpr double closeMargin = 0.1;
 
 [[nodiscard]] Light lightOf(const ConstraintResult& constraint);
 [[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
+/// As the light has it, or that strips are left and the value is not of the whole surface.
+[[nodiscard]] QString lightName(const ConstraintResult& constraint);
 
 /// The requirements, zone by zone, then those of the part, of the passes and of the settings: a row
 /// a requirement under a row that names the group.

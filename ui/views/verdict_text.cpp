@@ -34,6 +34,12 @@ QString VerdictText::broken(const ConstraintResult& c) {
         return tr("radial runout in %1 is %2 µm above its limit").arg(zone, by);
     default: break;
     }
+    if (c.kind == ConstraintKind::overlap) {
+        return tr("overlap B/s in %1 is %2, below 1: strips stay uncut, so size, form and "
+                  "roughness "
+                  "are not known of the whole surface")
+            .arg(zone, Names::value(c));
+    }
     if (c.kind == ConstraintKind::gaugeCommands) {
         return tr("the stages need %1 more gauge commands than there are").arg(by);
     }
@@ -78,8 +84,8 @@ Light overallLight(const Outcome& outcome) {
 QString overall(const Outcome& outcome) {
     const ConstraintResult* c = worst(outcome);
     if (c && !c->holds) {
-        const auto failing =
-            std::ranges::count(outcome.constraints, false, &ConstraintResult::holds);
+        const auto failing = std::ranges::count_if(
+            outcome.constraints, [](const ConstraintResult& r) { return !r.holds && r.isWhole; });
         QString text = VerdictText::tr("Does not hold: %1").arg(VerdictText::broken(*c));
         if (failing > 1) {
             text += VerdictText::tr("; requirements that fail: %1").arg(failing);

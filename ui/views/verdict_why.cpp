@@ -106,10 +106,24 @@ QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
                                .arg(c.at->stage);
 }
 
+/// The largest axial feed that leaves no strips [mm/min].
+QString mostAxialFeed(const Project& project) {
+    return Names::significant(project.wheel.width_mm * project.machine.work_speed_rpm, 4);
+}
+
 } // namespace
 
 QString why(const Outcome& outcome, const ConstraintResult& requirement) {
+    if (!requirement.isWhole) {
+        return VerdictWhy::tr("%1: not known, since strips stay uncut; an axial feed of at most "
+                              "%2 mm/min leaves none.")
+            .arg(Names::constraint(requirement.kind), mostAxialFeed(outcome.result.project));
+    }
     switch (requirement.kind) {
+    case ConstraintKind::overlap:
+        return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; 1 is "
+                              "reached at %1 mm/min.")
+            .arg(mostAxialFeed(outcome.result.project));
     case ConstraintKind::diameterMin:
     case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);
     case ConstraintKind::radialRunout:
@@ -130,6 +144,7 @@ std::string inputPath(const ConstraintResult& requirement) {
     case ConstraintKind::rangeAxialFeed: return stage + "/axial_feed_mm_min";
     case ConstraintKind::rangeWorkSpeed: return "/machine/work_speed_rpm";
     case ConstraintKind::gaugeCommands: return "/gauge/commands";
+    case ConstraintKind::overlap: return stage + "/axial_feed_mm_min";
     default: return {};
     }
 }
@@ -137,7 +152,8 @@ std::string inputPath(const ConstraintResult& requirement) {
 const ConstraintResult* worst(const Outcome& outcome) {
     const auto it =
         std::ranges::min_element(outcome.constraints, {}, [](const ConstraintResult& c) {
-            return std::tuple(c.holds, lightOf(c) != Light::close, c.relativeMargin);
+            return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,
+                              lightOf(c) != Light::close, c.relativeMargin);
         });
     return it == outcome.constraints.end() ? nullptr : &*it;
 }
