@@ -11594,8 +11594,8 @@ target, µm</source>
             <translation>не известно: остались полосы</translation>
         </message>
         <message>
-            <source>Overlap B/s</source>
-            <translation>Перекрытие B/s</translation>
+            <source>Overlap</source>
+            <translation>Перекрытие</translation>
         </message>
         <message>
             <source>holds</source>

@@ -63,7 +63,7 @@ QString briefName(ConstraintKind kind) {
     case ConstraintKind::rangePlungeFeed: return VerdictModel::tr("Plunge feed");
     case ConstraintKind::rangeWorkSpeed: return VerdictModel::tr("Work speed");
     case ConstraintKind::gaugeCommands: return VerdictModel::tr("Gauge commands");
-    case ConstraintKind::overlap: return VerdictModel::tr("Overlap B/s");
+    case ConstraintKind::overlap: return VerdictModel::tr("Overlap");
     }
     return {};
 }
