@@ -20,6 +20,21 @@ QLocale numbers() {
     return locale;
 }
 
+// c.value over the nearer end, above 0, of its range.
+QString timesOfEnd(const ConstraintResult& c) {
+    const double times = c.value / c.limit;
+    int digits = 2;
+    while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
+        ++digits; // what is beyond the end, or not quite, is not shown as the end
+    }
+    QString text = Names::significant(times, digits);
+    while (text.contains(numbers().decimalPoint())
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1);
+    }
+    return text;
+}
+
 } // namespace
 
 StrokeStep strokeStep(Zone zone, Step step) {
@@ -202,20 +217,18 @@ QString Names::inRange(const ConstraintResult& c, bool brief) {
     if (c.limit <= 0) {
         return c.holds ? tr("in range") : tr("out of range");
     }
-    const double times = c.value / c.limit;
-    int digits = 2;
-    while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
-        ++digits; // what is beyond the end, or not quite, is not shown as the end
-    }
-    QString text = significant(times, digits);
-    while (text.contains(numbers().decimalPoint())
-           && (text.endsWith(u'0') || !text.back().isDigit())) {
-        text.chop(1);
-    }
+    const QString times = timesOfEnd(c);
     if (brief) {
-        return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(text);
+        return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(times);
     }
-    return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(text);
+    return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(times);
+}
+
+QString Names::besideLimit(const ConstraintResult& c) {
+    if (!isRange(c.kind)) {
+        return margin(c);
+    }
+    return c.limit > 0 ? timesOfEnd(c) + u'×' : inRange(c, true);
 }
 
 QString Names::value(const ConstraintResult& c) {

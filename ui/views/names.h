@@ -41,6 +41,8 @@ public:
     /// Of a result; a dash where it is not of the whole surface.
     static QString value(const ConstraintResult& c);
     static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
+    /// The margin in a column next to that of the limit, which says the end of a range: "2×".
+    static QString besideLimit(const ConstraintResult& c);
     static QString issue(const Issue& issue);         ///< the sentence after its place in words
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);

@@ -178,7 +178,7 @@ QString VerdictModel::text(const ConstraintResult& c, int column) const {
     case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
     case value: return Names::value(c);
     case limit: return Names::limit(c);
-    case margin: return Names::margin(c);
+    case margin: return Names::besideLimit(c);
     default: return {};
     }
 }
