@@ -56,7 +56,7 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
 std::string constraintLine(const ConstraintResult& constraint) {
     const std::string unit = constraintUnit(constraint.kind);
     const int decimals = constraint.kind == ConstraintKind::gaugeCommands ? 0
-                         : unit == "mm/dbl stroke"                        ? 5
+                         : unit == "mm"                                   ? 5
                                                                           : 3;
     if (!constraint.isWhole) {
         return padded(std::string("  ") + constraintName(constraint.kind))

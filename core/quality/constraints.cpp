@@ -30,7 +30,7 @@ constexpr std::array<KindInfo, constraintKinds> kinds{{
     {"self_sharpening", "MPa", ConstraintScope::pass},
     {"wheel_power", "kW", ConstraintScope::pass},
     {"work_power", "kW", ConstraintScope::pass},
-    {"range_radial_feed", "mm/dbl stroke", ConstraintScope::setting},
+    {"range_radial_feed", "mm", ConstraintScope::setting},
     {"range_axial_feed", "mm/min", ConstraintScope::setting},
     {"range_plunge_feed", "mm/min", ConstraintScope::setting},
     {"range_work_speed", "rev/min", ConstraintScope::setting},

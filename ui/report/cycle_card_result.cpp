@@ -94,7 +94,7 @@ Table CycleCard::requirements(const Outcome& outcome) {
     for (const ConstraintResult& c : outcome.constraints) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
                               Names::limit(c), Names::margin(c),
-                              cell(unitText(constraintUnit(c.kind))), lightName(c)});
+                              requirementUnit(c.kind), lightName(c)});
     }
     return table;
 }

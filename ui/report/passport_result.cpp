@@ -271,7 +271,7 @@ Table Passport::requirements(const Outcome& outcome) {
     for (const ConstraintResult& c : outcome.constraints) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
                               Names::limit(c), Names::margin(c),
-                              cell(unitText(constraintUnit(c.kind))),
+                              requirementUnit(c.kind),
                               c.at ? Names::moment(*c.at, outcome.result.project.operation)
                               : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")
                                                                             : tr("at the end"),

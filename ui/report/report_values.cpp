@@ -53,6 +53,11 @@ QString withUnit(const QString& value, const char* unit) {
     return value + u'\u00a0' + unitText(unit);
 }
 
+QString requirementUnit(ConstraintKind kind) {
+    return cell(
+        unitText(kind == ConstraintKind::rangeRadialFeed ? "mm/dbl stroke" : constraintUnit(kind)));
+}
+
 QString drawnSize(const Part& part) {
     QString field = fieldOf(part);
     for (const QString& word : oneLine(part.name).split(u' ', Qt::SkipEmptyParts)) {

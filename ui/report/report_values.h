@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
+#include "core/quality/constraints.h"
 #include "ui/report/report.h"
 
 #include <QString>
@@ -23,6 +24,8 @@ namespace sparkout::report {
 [[nodiscard]] QString plainNumber(double value);
 /// A value and the unit of a table, not to be parted.
 [[nodiscard]] QString withUnit(const QString& value, const char* unit);
+/// The unit of a requirement in a table: a radial feed's is that of the stages' table beside it.
+[[nodiscard]] QString requirementUnit(ConstraintKind kind);
 /// The ground size as a drawing writes it, in millimetres: "⌀30h6(−0.016)". The field is the one
 /// whose limits these are, else the one in the part's name; a deviation of 0 is not written.
 [[nodiscard]] QString drawnSize(const Part& part);
