@@ -292,7 +292,8 @@ private slots:
         }
         for (const ConstraintResult& c : evaluateConstraints(plain)) {
             QVERIFY(c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax
-                    || c.kind == ConstraintKind::gaugeCommands);
+                    || c.kind == ConstraintKind::gaugeCommands
+                    || c.kind == ConstraintKind::overlap);
         }
     }
 

@@ -71,9 +71,9 @@ private slots:
         environment.remove(QStringLiteral("XDG_RUNTIME_DIR"));
         environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
         process.setProcessEnvironment(environment);
-        process.start(QStringLiteral(SPARKOUT_PROGRAM),
-                      {QStringLiteral("--picture"), folder.filePath(QStringLiteral("window.png")),
-                       example});
+        process.start(
+            QStringLiteral(SPARKOUT_PROGRAM),
+            {QStringLiteral("--picture"), folder.filePath(QStringLiteral("window.png")), example});
         QVERIFY(process.waitForFinished(60'000));
         QCOMPARE(process.exitCode(), 0);
         QCOMPARE(QString::fromUtf8(process.readAll()), QString());
@@ -205,7 +205,7 @@ private slots:
         const QString large = folder.filePath(QStringLiteral("large.sparkout"));
         QVERIFY(putBytes(path, "old"));
         QByteArray project = bytesOf(batch);
-        QCOMPARE(project.count("\"parts\": 50"), 1);
+        QVERIFY(project.contains("\"parts\": 50")); // kept runs have it, too
         QVERIFY(putBytes(large, project.replace("\"parts\": 50", "\"parts\": 1000000")));
         QProcess process;
         process.start(QStringLiteral(SPARKOUT_PROGRAM),

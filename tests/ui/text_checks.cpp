@@ -103,7 +103,8 @@ QString englishIn(QString text) {
         QStringLiteral(
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
             "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
-            "Excel Slurm HRC Cp Cpk Pp Ppk Eigen Boost NLopt qpdf zlib Snowball DataVisualization "
+            "Excel Slurm CNC HRC Cp Cpk Pp Ppk Eigen Boost NLopt qpdf zlib Snowball "
+            "DataVisualization "
             "GPL "
             "OpenGL "
             "GCC Clang AVX SSE MODEL ISO DIN cos sin tan exp "

@@ -273,7 +273,7 @@ void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
 
 QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const QString text = index.data().toString();
-    return {std::max(barWidth, option.fontMetrics.horizontalAdvance(text) + 7),
+    return {std::max(barWidth, option.fontMetrics.horizontalAdvance(text) + 2 * air + 1),
             option.fontMetrics.height() + 2 * air};
 }
 
