@@ -1068,6 +1068,14 @@
             <source>Freshly dressed wheel</source>
             <translation>Только что правленый круг</translation>
         </message>
+        <message>
+            <source>Factory</source>
+            <translation>Заводской</translation>
+        </message>
+        <message>
+            <source>Optimal</source>
+            <translation>Оптимальный</translation>
+        </message>
     </context>
     <context>
         <name>Exercises</name>

@@ -21,6 +21,9 @@ namespace {
     QT_TRANSLATE_NOOP("Example", "Spark-out until size"),
     QT_TRANSLATE_NOOP("Example", "Dull wheel"),
     QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel"),
+    // and the names of their kept runs
+    QT_TRANSLATE_NOOP("Example", "Factory"),
+    QT_TRANSLATE_NOOP("Example", "Optimal"),
 };
 
 /// Written in Cyrillic letters for the most part.

@@ -2,6 +2,7 @@
 #include "ui/views/compare_view.h"
 
 #include "ui/font_size.h"
+#include "ui/session/example_texts.h"
 #include "ui/session/number_text.h"
 #include "ui/session/texts.h"
 #include "ui/views/compare_plot.h"
@@ -34,7 +35,7 @@ constexpr int widestValue = 120, leastName = 200; ///< columns, at the usual siz
 constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
 
 QString runName(const KeptRun& run) {
-    return QString::fromStdString(run.name).simplified();
+    return exampleTitle(run.name).simplified();
 }
 
 /// Along the ground length, from 0 to 1.
