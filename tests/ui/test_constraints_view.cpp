@@ -16,6 +16,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QSignalSpy>
@@ -76,7 +77,7 @@ private slots:
         QVERIFY(std::abs(place - std::log(2) / std::log(100)) < 1e-9);
         const QStringList cells = model.asTsv().split(u'\n').at(row + 1).split(u'\t');
         QVERIFY(cells.at(1).isEmpty()); // no share is used up
-        QCOMPARE(cells.at(6).toDouble(), 2.0);
+        QCOMPARE(QLocale().toDouble(cells.at(6)), 2.0);
         QCOMPARE(Names::limit(c).left(1), QStringLiteral("≥"));
 
         ConstraintResult end = c; // at the upper end exactly
@@ -88,7 +89,8 @@ private slots:
         QCOMPARE(Names::inRange(end, true), QStringLiteral("1× max"));
         end.value *= 1.004;
         end.holds = false;
-        QCOMPARE(Names::inRange(end, true), QStringLiteral("1.004× max"));
+        QCOMPARE(Names::inRange(end, true),
+                 QStringLiteral("%1× max").arg(QLocale().toString(1.004)));
         QCOMPARE(placeInRange(end).value(), 1.0);
     }
 
