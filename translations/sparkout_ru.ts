@@ -4638,8 +4638,8 @@ target, µm</source>
             <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
         </message>
         <message>
-            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when only the capability falls short or is not known. %2</source>
-            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если недостаточна или неизвестна только пригодность процесса. %2</translation>
+            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when the capability or the expected share outside falls short or is not known. %2</source>
+            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если пригодность процесса или ожидаемая доля вне допуска недостаточна или неизвестна. %2</translation>
         </message>
         <message>
             <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>

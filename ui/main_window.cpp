@@ -119,7 +119,9 @@ void MainWindow::buildViews() {
     };
     connect(m_batch, &BatchView::editWanted, this, edit);
     connect(m_batch, &BatchView::runWanted, this, [this](const auto& change, const QString& name) {
-        m_keeper->keepAside(change(m_document.project()), name);
+        if (auto inputs = change(m_document.project())) {
+            m_keeper->keepAside(*std::move(inputs), name);
+        }
     });
     connect(optimise, &OptimiseView::editWanted, this, edit);
     auto* sweep = new SweepView(this, &m_settings);

@@ -86,7 +86,7 @@ std::string hexOf(std::uint64_t number) {
     return text;
 }
 
-/// CRC-64 of a text (ECMA-182, reflected): tells every accidental change, not a forger's.
+/// CRC-64 of a text (ECMA-182, reflected): against accidents (it misses one in 2^64), not against a forger.
 std::string checksumOf(std::string_view text) {
     constexpr std::uint64_t all = ~std::uint64_t{0};
     boost::crc_optimal<64, 0x42F0E1EBA9EA3693, all, all, true, true> crc;

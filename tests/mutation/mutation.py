@@ -179,8 +179,6 @@ class Build:
         """The program of the build that a test's command runs, relative to the build."""
         for word in command:
             path = pathlib.Path(word)
-            if path.is_absolute() and self.folder in path.parents and os.access(path, os.X_OK):
-                return str(path.relative_to(self.folder))
             if path.is_absolute() and self.folder in path.parents:
                 return str(path.relative_to(self.folder))
         return ""
@@ -357,6 +355,8 @@ def main():
     chosen = [m for m in mutants if not given.patterns
               or any(p == str(m.number) or not p.isdigit() and p in f"{m.file} {m.note}"
                      for p in given.patterns)]
+    if not chosen:
+        fail(f"no mutant matches {' '.join(given.patterns)}")
     build = Build(given.build.resolve())
     if given.fresh:
         shutil.rmtree(build.scratch, ignore_errors=True)

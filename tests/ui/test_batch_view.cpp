@@ -200,9 +200,16 @@ private slots:
         QVERIFY(bench.settled());
         Project taken = project;
         QSignalSpy edits(&bench.view, &BatchView::editWanted);
+        bool refused = false;
         connect(&bench.view, &BatchView::runWanted, this,
-                [&taken](const auto& inputs, const QString&) { taken = inputs(taken); });
+                [&taken, &refused](const auto& inputs, const QString&) {
+                    Project other = taken;
+                    other.part.stock_mm *= 1.5;
+                    refused = !inputs(other);
+                    taken = inputs(taken).value_or(Project{});
+                });
         bench.click("batchWorst");
+        QVERIFY(refused); // of a project edited meanwhile no part is a part of this batch
         QCOMPARE(edits.count(), 0); // the project stays as it is
         QCOMPARE(QString::fromStdString(taken.title), QStringLiteral("Mine"));
         QVERIFY(taken.batch.has_value());

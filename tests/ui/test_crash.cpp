@@ -11,6 +11,8 @@
 #include "core/project/project_file.h"
 
 #include <QDateTime>
+#include <QDebug>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QProcess>
@@ -136,6 +138,11 @@ private slots:
                 for (int look = 0; look < 2; ++look) { // declined once: it must still be there
                     const auto content = offerOf(store, victim.file);
                     (look == 0 ? offered : stillThere) += content.has_value();
+                    if (!content) {
+                        qWarning() << "not offered:" << victim.file << victim.edits.size()
+                                   << "edits; in the folder:"
+                                   << QDir(store.folder()).entryList(QDir::Files | QDir::Hidden);
+                    }
                     if (!content || look > 0) {
                         continue;
                     }

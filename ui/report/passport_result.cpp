@@ -148,7 +148,8 @@ std::vector<Block> Passport::verdict(const Subject& subject) {
         subject.batch
             ? tr("The cycle conforms when the nominal part and every part that was run reach size "
                  "and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it "
-                 "conforms conditionally when only the capability falls short or is not known. %2")
+                 "conforms conditionally when no more parts fail than the share allowed, or when "
+                 "the capability or the expected share outside falls short or is not known. %2")
                   .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
             : tr("Without a batch the cycle conforms conditionally when the nominal part reaches "
                  "size and holds every requirement. %1")
@@ -270,8 +271,7 @@ Table Passport::requirements(const Outcome& outcome) {
     table.texts = {true, true, false, false, false, true, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
-                              Names::limit(c), Names::margin(c),
-                              requirementUnit(c.kind),
+                              Names::limit(c), Names::margin(c), requirementUnit(c.kind),
                               c.at ? Names::moment(*c.at, outcome.result.project.operation)
                               : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")
                                                                             : tr("at the end"),

@@ -6,6 +6,7 @@
 #include "ui/views/view.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ signals:
     void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
                     const sparkout::EditText& text);
     /// A run of such inputs is to be kept beside the project, under a name.
-    void runWanted(const std::function<sparkout::Project(sparkout::Project)>& inputs,
+    void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
                    const QString& name);
     void batchShown(); ///< the outcome of a batch has been drawn
 

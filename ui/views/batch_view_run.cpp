@@ -125,10 +125,11 @@ void BatchView::takeIndices(const SobolIndicesPtr& indices) {
 
 void BatchView::takeWorst() {
     if (m_batch && !stale()) {
-        const auto take = [batch = m_batch](Project project) {
-            return sameBatch(batch->result.project, project)
-                       ? withPart(std::move(project), batch->result, batch->summary.worstPart)
-                       : project; // edited meanwhile
+        const auto take = [batch = m_batch](Project project) -> std::optional<Project> {
+            if (!sameBatch(batch->result.project, project)) {
+                return std::nullopt; // edited meanwhile
+            }
+            return withPart(std::move(project), batch->result, batch->summary.worstPart);
         };
         emit runWanted(take, tr("Worst part, no. %1").arg(m_batch->summary.worstPart));
     }
