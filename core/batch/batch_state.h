@@ -20,7 +20,8 @@ inline constexpr int batchStateVersion = 2;
 /// The JSON text of a state with the checksum that belongs to it, in place of any it had.
 [[nodiscard]] std::string sealBatchState(std::string_view text);
 
-/// Digest of a project as it is written, without its kept runs: names what a shard is of.
+/// Digest of a project as it is written: names what a shard is of. The kept runs of the file are no
+/// part of it, for runBatch() leaves them out.
 [[nodiscard]] std::string projectDigest(const Project& project);
 
 /// Why a text is no state of a batch.
