@@ -15,7 +15,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
 #include <ctime>
+#include <thread>
 
 #include <unistd.h>
 
@@ -213,6 +215,27 @@ private slots:
         const auto left = bench.store.left();
         QCOMPARE(left.size(), std::size_t{1});
         QVERIFY(bench.store.left().empty());
+    }
+
+    /// Two windows that start together both keep their work: none fails because the other has made
+    /// the folder between its look and its attempt.
+    void instancesThatMakeTheFolderTogetherBothHaveIt() {
+        const QTemporaryDir folder;
+        constexpr int rounds = 300;
+        std::atomic<int> waiting = 0;
+        std::atomic<int> made = 0;
+        const auto instance = [&] {
+            for (int round = 0; round < rounds; ++round) {
+                ++waiting;
+                while (waiting < 2 * (round + 1)) { // both at once
+                }
+                made += makePrivateFolder(folder.filePath(QStringLiteral("%1/a/b").arg(round)));
+            }
+        };
+        std::thread other(instance);
+        instance();
+        other.join();
+        QCOMPARE(made.load(), 2 * rounds);
     }
 
     void whatIsLeftIsOfferedTheNewestFirst() {

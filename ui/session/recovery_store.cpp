@@ -238,7 +238,8 @@ bool makePrivateFolder(const QString& path) {
     const QString parent = QFileInfo(path).absolutePath();
     constexpr auto own = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
     return (QFileInfo(parent).isDir() || makePrivateFolder(parent))
-           && QDir(parent).mkdir(QFileInfo(path).fileName(), own);
+           && (QDir(parent).mkdir(QFileInfo(path).fileName(), own)
+               || QFileInfo(path).isDir()); // another instance was quicker
 }
 
 } // namespace sparkout
