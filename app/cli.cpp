@@ -70,6 +70,10 @@ batch      runs the batch of a project file: its parts differ by the factors giv
   --until-width W      ends as soon as every 95 % interval of a mean is W µm wide at most
   --sensitivity N      Sobol indices, from N·(factors + 2) parts more
   --threads N          threads, instead of one a processor; the answer is the same
+  --rows OUT.csv       writes a row for every part: its factors, every quantity, every
+                       requirement held or not; the same for any number of threads, and
+                       no file at all when it is ended by Ctrl+C
+  --force              --rows may take the place of a file
   --shard I/N          runs the I-th of N shards and prints it for batch-merge
   --json, --csv        prints one JSON object, or a row for every characteristic
   --check              exit status 4 when a part fails a requirement
@@ -92,11 +96,6 @@ ended by Ctrl+C or SIGTERM.
 
 A batch on a cluster, here with Slurm: batch.sbatch in resources/help.
 )";
-
-/// Whether writing to the file would lose a project, by a slip on the command line.
-bool replacesProject(const std::string& file, const std::string& project) {
-    return std::filesystem::path(file).extension() == ".sparkout" || isSameFile(file, project);
-}
 
 int runSimulate(const Options& options) {
     if (!options.trace.empty() && replacesProject(options.trace, options.operand)) {

@@ -2,6 +2,7 @@
 #include "app/cli_batch.h"
 
 #include "app/cli_report.h"
+#include "core/batch/part_table.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
@@ -21,20 +22,6 @@ constexpr std::array statusNames{"completed", "narrow_enough", "stopped"};
 
 const char* statusName(BatchStatus status) {
     return statusNames[static_cast<std::size_t>(status)];
-}
-
-/// "rz1", "section 3" (from 0), or "part".
-std::string placeName(const Characteristic& characteristic) {
-    if (characteristic.section < 0) {
-        return "part";
-    }
-    switch (characteristic.zone) {
-    case Zone::rz1: return "rz1";
-    case Zone::nz: return "nz";
-    case Zone::rz2: return "rz2";
-    case Zone::section: break;
-    }
-    return "section " + std::to_string(characteristic.section);
 }
 
 ordered_json intervalJson(const std::optional<Interval>& interval) {
@@ -65,7 +52,7 @@ const char* testKey(NormalityTest test) {
 ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSample, bool drifts) {
     const Characteristic& of = summary.characteristic;
     ordered_json json = {
-        {"name", of.name},           {"where", placeName(of)},      {"unit", of.unit},
+        {"name", of.name},           {"where", placeKey(of)},       {"unit", of.unit},
         {"low", orNullJson(of.low)}, {"high", orNullJson(of.high)}, {"count", summary.count}};
     if (summary.count == 0) {
         return json;
@@ -188,7 +175,7 @@ ordered_json verdictJson(const BatchVerdict& verdict, const BatchSummary& summar
                          {"limit", verdict.limit}};
     if (verdict.characteristic) {
         const Characteristic& of = summary.characteristics[*verdict.characteristic].characteristic;
-        json["where"] = placeName(of);
+        json["where"] = placeKey(of);
         json["name"] = of.name;
     }
     return json;
@@ -198,7 +185,7 @@ ordered_json verdictJson(const BatchVerdict& verdict, const BatchSummary& summar
 std::string verdictText(const BatchVerdict& verdict, const BatchSummary& summary) {
     const std::string of =
         verdict.characteristic
-            ? placeName(summary.characteristics[*verdict.characteristic].characteristic) + " "
+            ? placeKey(summary.characteristics[*verdict.characteristic].characteristic) + " "
                   + summary.characteristics[*verdict.characteristic].characteristic.name
             : std::string();
     const std::string limit = numberText(verdict.limit);
@@ -268,7 +255,7 @@ const char* testName(NormalityTest test) {
 std::string characteristicText(const CharacteristicSummary& summary, bool isSample) {
     const Characteristic& of = summary.characteristic;
     const int decimals = 3;
-    std::string text = placeName(of) + " " + of.name + ", " + of.unit + ": ";
+    std::string text = placeKey(of) + " " + of.name + ", " + of.unit + ": ";
     if (summary.count == 0) {
         return text + "none\n";
     }
@@ -372,7 +359,7 @@ std::string batchCsv(const BatchResult& result) {
     const std::optional<Capability> none;
     for (const CharacteristicSummary& row : summary.characteristics) {
         const Characteristic& of = row.characteristic;
-        text += placeName(of) + "," + of.name + "," + of.unit + "," + cell(of.low) + ","
+        text += placeKey(of) + "," + of.name + "," + of.unit + "," + cell(of.low) + ","
                 + cell(of.high) + "," + std::to_string(row.count) + ",";
         if (row.count == 0) {
             text += ",,,,,,,,,,,,,,,,,,,,,,,\n";

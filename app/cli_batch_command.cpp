@@ -6,12 +6,16 @@
 #include "app/cli_io.h"
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
+#include "core/batch/part_table.h"
 #include "core/printable.h"
 #include "core/project/blanks_csv.h"
 #include "core/project/project_file.h"
+#include "core/project/safe_file_writer.h"
 #include "core/project/strict_json.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -89,9 +93,46 @@ std::int64_t partsToRun(const ScenarioSource& source, const Options& options, Pa
     return range.end - range.first + options.sensitivity.value_or(0) * (factors + 2);
 }
 
+/// The file of --rows while the batch runs.
+class RowsFile {
+public:
+    explicit RowsFile(const Options& options)
+        : m_file(options.rows, options.force ? SafeFileWriter::Existing::replaced
+                                             : SafeFileWriter::Existing::refused) {}
+
+    /// What runBatch() tells the parts to; nothing when the file cannot be written.
+    PartSink begin(const ScenarioSource& source, const std::stop_token& stop) {
+        PartColumns columns = PartColumns::of(source, stop);
+        const auto keys = PartTable::keys(columns);
+        m_table = std::make_unique<PartTable>(std::move(columns), PartTable::Dialect{});
+        m_file.write(m_table->head(keys));
+        return [this](const PartRecord& record) { return m_file.write(m_table->line(record)); };
+    }
+    bool finish() { return m_file.finish(); }
+
+    /// Says why it failed, if it did.
+    bool failed() const {
+        if (const auto& error = m_file.error()) {
+            print(stderr, error->systemError == EEXIST
+                              ? printable(error->path) + ": there already; --force replaces it\n"
+                              : describe(*error));
+        }
+        return m_file.error().has_value();
+    }
+
+private:
+    SafeFileWriter m_file;
+    std::unique_ptr<PartTable> m_table;
+};
+
 } // namespace
 
 int runBatchCommand(const Options& options) {
+    if (!options.rows.empty()
+        && (replacesProject(options.rows, options.operand)
+            || (!options.measured.empty() && isSameFile(options.rows, options.measured)))) {
+        return usageError("--rows would replace what is read: " + options.rows);
+    }
     const auto project = loadBatch(options);
     if (!project) {
         return refused;
@@ -100,6 +141,13 @@ int runBatchCommand(const Options& options) {
     const auto [shard, shards] = options.shard.value_or(std::pair(1, 1));
     BatchResult result;
     std::optional<SobolIndices> indices;
+    std::unique_ptr<RowsFile> rows;
+    if (!options.rows.empty()) {
+        rows = std::make_unique<RowsFile>(options);
+        if (rows->failed()) {
+            return refused;
+        }
+    }
     {
         BatchOptions run;
         run.threads = options.threads.value_or(0);
@@ -108,10 +156,16 @@ int runBatchCommand(const Options& options) {
         BatchWatch watch(partsToRun(source, options, *run.range), options.progress);
         run.stop = watch.stop();
         run.done = watch.done();
+        if (rows) {
+            run.sink = rows->begin(source, run.stop);
+        }
         result = runBatch(*project, run);
         if (options.sensitivity && !run.stop.stop_requested()) {
             indices = sobolIndices(*project, *options.sensitivity, run);
         }
+    }
+    if (rows && (rows->failed() || (caughtSignal() == 0 && !rows->finish() && rows->failed()))) {
+        return refused;
     }
     int status = done;
     if (options.shard) {

@@ -83,4 +83,8 @@ bool isSameFile(const std::string& a, const std::string& b) {
     return std::filesystem::equivalent(a, b, ignored);
 }
 
+bool replacesProject(const std::string& file, const std::string& project) {
+    return std::filesystem::path(file).extension() == ".sparkout" || isSameFile(file, project);
+}
+
 } // namespace sparkout::cli

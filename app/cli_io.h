@@ -46,4 +46,7 @@ void printIssues(const std::string& file, const Issues& issues);
 
 [[nodiscard]] bool isSameFile(const std::string& a, const std::string& b);
 
+/// Whether writing to the file would lose a project, by a slip on the command line.
+[[nodiscard]] bool replacesProject(const std::string& file, const std::string& project);
+
 } // namespace sparkout::cli

@@ -104,6 +104,8 @@ const ValueOption valueOptions[] = {
      [](const std::string& text, Options& options) {
          return put(options.measured, fileName(text));
      }},
+    {"batch", "--rows", "a file name",
+     [](const std::string& text, Options& options) { return put(options.rows, fileName(text)); }},
 };
 
 const ValueOption* valueOption(const std::string& command, const std::string& name) {
@@ -120,12 +122,12 @@ bool* switchOf(const std::string& name, Options& options) {
     const bool simulates = options.command == "simulate", runs = options.command == "batch";
     const bool batch = runs || options.command == "batch-merge";
     const bool sweeps = options.command == "sweep";
-    return (simulates || batch || sweeps) && name == "--json"   ? &options.json
-           : (simulates || batch) && name == "--check"          ? &options.check
-           : (batch || sweeps) && name == "--csv"               ? &options.csv
-           : (runs || sweeps) && name == "--progress"           ? &options.progress
-           : options.command == "examples" && name == "--force" ? &options.force
-                                                                : nullptr;
+    return (simulates || batch || sweeps) && name == "--json"             ? &options.json
+           : (simulates || batch) && name == "--check"                    ? &options.check
+           : (batch || sweeps) && name == "--csv"                         ? &options.csv
+           : (runs || sweeps) && name == "--progress"                     ? &options.progress
+           : (runs || options.command == "examples") && name == "--force" ? &options.force
+                                                                          : nullptr;
 }
 
 /// Options that contradict each other.
@@ -137,6 +139,9 @@ int checkTogether(const Options& options) {
     }
     if (options.shard && (options.untilWidth_um || options.sensitivity || options.check)) {
         return usageError("a shard knows too little for --until-width, --sensitivity or --check");
+    }
+    if (options.command == "batch" && options.force && options.rows.empty()) {
+        return usageError("--force is of --rows");
     }
     return done;
 }

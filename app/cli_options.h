@@ -14,7 +14,7 @@ namespace sparkout::cli {
 struct Options {
     std::string command, operand;
     std::vector<std::string> operands; ///< after the first, of batch-merge
-    std::string trace, measured;
+    std::string trace, measured, rows;
     bool json = false, csv = false, check = false, progress = false, force = false;
     std::optional<int> parts, seed, threads, sensitivity;
     std::optional<std::pair<int, int>> shard; ///< I of N

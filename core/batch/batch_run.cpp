@@ -3,9 +3,11 @@
 
 #include "core/batch/intervals.h"
 #include "core/batch/moments.h"
+#include "core/batch/part_queue.h"
 #include "core/batch/permutation.h"
 #include "core/batch/worker_pool.h"
 #include "core/build_id.h"
+#include "core/quality/ranges.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -27,10 +29,10 @@ public:
     BatchStatistics run(PartRange range) {
         const std::size_t workers = workerCount(m_options.threads);
         std::vector<BatchStatistics> found(workers);
-        forEachIndex(workers, range.first, range.end, m_options.stop,
-                     [&](std::size_t worker, std::int64_t at) {
-                         return runPart(partAt(at), found[worker]);
-                     });
+        PartQueue queue(m_options.sink, range.first, m_options.stop);
+        forEachIndex(
+            workers, range.first, range.end, m_options.stop,
+            [&](std::size_t worker, std::int64_t at) { return runPart(at, found[worker], queue); });
         for (std::size_t i = 1; i < found.size(); ++i) {
             found.front().add(found[i]);
         }
@@ -40,6 +42,7 @@ public:
     [[nodiscard]] const std::vector<Characteristic>& characteristics() const {
         return m_characteristics;
     }
+    [[nodiscard]] bool over() const { return m_over; } ///< the sink wanted no more
 
 private:
     [[nodiscard]] std::int64_t partAt(std::int64_t place) const {
@@ -50,8 +53,12 @@ private:
                                       : place;
     }
 
-    bool runPart(std::int64_t part, BatchStatistics& mine) {
-        const std::vector<double> values = m_source.values(part);
+    bool runPart(std::int64_t place, BatchStatistics& mine, PartQueue& queue) {
+        if (m_over) {
+            return false;
+        }
+        const std::int64_t part = partAt(place);
+        std::vector<double> values = m_source.values(part);
         const SimulationResult result =
             simulate(m_source.projectWith(values), nullptr, m_options.stop);
         if (result.status == RunStatus::stopped) {
@@ -63,12 +70,19 @@ private:
         if (m_options.done) {
             m_options.done->fetch_add(1, std::memory_order_relaxed);
         }
+        if (m_options.sink
+            && !queue.put(place, {part, std::move(values), std::move(outcome),
+                                  leavesStrips(result.project)})) {
+            m_over = true;
+            return false;
+        }
         return true;
     }
 
     const ScenarioSource& m_source;
     const BatchOptions& m_options;
     std::vector<Characteristic> m_characteristics;
+    std::atomic<bool> m_over = false;
 };
 
 bool narrowEnough(const BatchStatistics& statistics,
@@ -110,7 +124,7 @@ BatchResult runBatch(const Project& project, const BatchOptions& options) {
     const std::int64_t round = options.meanWidth_um ? options.round : source.parts();
     for (std::int64_t first = result.range.first; first < result.range.end; first += round) {
         result.statistics.add(pool.run({first, std::min(first + round, result.range.end)}));
-        if (options.stop.stop_requested()
+        if ((options.stop.stop_requested() || pool.over())
             && result.statistics.parts < result.range.end - result.range.first) {
             result.status = BatchStatus::stopped;
             break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_statistics.h"
+#include "core/batch/part_record.h"
 #include "core/batch/scenario_source.h"
 
 #include <atomic>
@@ -30,6 +31,9 @@ struct BatchOptions {
     std::int64_t round = 1024;
     std::stop_token stop;
     std::atomic<std::int64_t>* done = nullptr; ///< parts done, while it runs
+    /// Told of every part, one at a time and in the order they are taken, whatever the number of
+    /// threads; when it wants no more the batch ends as by a stop request.
+    PartSink sink = nullptr;
 };
 
 enum class BatchStatus { completed, narrowEnough, stopped };

@@ -156,6 +156,7 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
     outcome.margin = std::numeric_limits<double>::max();
     for (const ConstraintResult& constraint : constraints) {
         outcome.good = outcome.good && constraint.holds;
+        outcome.asked[static_cast<std::size_t>(constraint.kind)] = true;
         if (!constraint.holds) {
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
         }

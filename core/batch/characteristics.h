@@ -39,6 +39,7 @@ struct PartOutcome {
     bool good = false;      ///< and every requirement holds
     double margin = 0;      ///< least relative margin of its requirements
     std::array<bool, constraintKinds> fails{}; ///< by kind: somewhere on the part
+    std::array<bool, constraintKinds> asked{}; ///< by kind: held against anything at all
     std::vector<double> values; ///< of the characteristics; NaN: none, as the roughness of no cut
 };
 

@@ -27,9 +27,10 @@ namespace {
 /// A batch that is still running, with its progress on stderr.
 class RunningBatch {
 public:
-    explicit RunningBatch(const QString& file) {
-        m_process.start(SPARKOUT_CLI, {"batch", file, "--parts", "1000000", "--threads", "2",
-                                       "--json", "--progress"});
+    explicit RunningBatch(const QString& file, const QStringList& more = {}) {
+        m_process.start(SPARKOUT_CLI, QStringList{"batch", file, "--parts", "1000000", "--threads",
+                                                  "2", "--json", "--progress"}
+                                          + more);
     }
     /// Waits until some parts are done; false: it takes too long.
     bool hasDoneSome() {
@@ -91,6 +92,9 @@ private slots:
         row("width 0", {"--until-width", "0"});
         row("width nan", {"--until-width", "nan"});
         row("empty table", {"--measured", ""});
+        row("rows without a file", {"--rows"});
+        row("rows into a project", {"--rows", "b.sparkout"});
+        row("force of nothing", {"--force"});
         row("two outputs", {"--json", "--csv"});
         row("a shard as CSV", {"--shard", "1/2", "--csv"});
         row("a shard that is checked", {"--shard", "1/2", "--check"});
@@ -104,9 +108,9 @@ private slots:
 
     void helpTellsEveryOption() {
         const std::string help = run({"--help"}).out;
-        for (const char* word :
-             {"batch-merge", "--parts", "--seed", "--scenarios", "--measured", "--until-width",
-              "--sensitivity", "--threads", "--shard", "--csv", "--progress", "Ctrl+C", "130"}) {
+        for (const char* word : {"batch-merge", "--parts", "--seed", "--scenarios", "--measured",
+                                 "--until-width", "--sensitivity", "--threads", "--rows", "--shard",
+                                 "--csv", "--progress", "Ctrl+C", "130"}) {
             QVERIFY2(help.find(word) != std::string::npos, word);
         }
         const std::string script =
@@ -159,6 +163,70 @@ private slots:
                          std::count(rows[0].begin(), rows[0].end(), ','));
             }
         }
+    }
+
+    void allPartsAreWrittenAsRows() {
+        const QString one = m_folder.filePath("one.csv"), four = m_folder.filePath("four.csv");
+        QCOMPARE(run({"batch", m_file, "--rows", one, "--threads", "1"}).status, 0);
+        const Outcome outcome = run({"batch", m_file, "--rows", four, "--threads", "4", "--json"});
+        QCOMPARE(outcome.status, 0);
+        const std::string text = samples::readText(one.toStdString());
+        QCOMPARE(samples::readText(four.toStdString()), text);
+        const auto rows = split(text, '\n');
+        QCOMPARE(rows.size(), std::size_t{51});
+        QVERIFY(rows[0].starts_with("part,status,good,least_relative_margin,stock_mm,"));
+        QVERIFY(rows[1].starts_with("0,completed,true,"));
+        // What the summary says of the worst part is in its row.
+        const json worst = json::parse(outcome.out).at("worst");
+        const auto cells = split(rows[1 + worst.at("part").get<std::size_t>()], ',');
+        QCOMPARE(std::stod(cells[4]), worst.at("factors").at("stock_mm").get<double>());
+        QCOMPARE(QDir(m_folder.path()).entryList({".sparkout-*"}, QDir::Hidden | QDir::Files),
+                 QStringList());
+    }
+
+    void rowsOfShardsAreThoseOfTheWhole() {
+        const auto rowsOf = [this](const QStringList& which, const char* name) {
+            const QString file = m_folder.filePath(name);
+            run(QStringList{"batch", m_file, "--rows", file} + which);
+            return samples::readText(file.toStdString());
+        };
+        const std::string whole = rowsOf({}, "whole.csv"),
+                          first = rowsOf({"--shard", "1/2"}, "first.csv"),
+                          second = rowsOf({"--shard", "2/2"}, "second.csv");
+        QCOMPARE(first + second.substr(second.find('\n') + 1), whole);
+    }
+
+    void aFileThatIsThereIsNotReplacedUnasked() {
+        const QString file = save("kept.csv", "mine");
+        const Outcome outcome = run({"batch", m_file, "--rows", file});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.out.empty());
+        QVERIFY2(outcome.err.find("kept.csv: there already; --force replaces it\n")
+                     != std::string::npos,
+                 outcome.err.c_str());
+        QCOMPARE(samples::readText(file.toStdString()), std::string("mine"));
+        QCOMPARE(run({"batch", m_file, "--rows", file, "--force"}).status, 0);
+        QVERIFY(samples::readText(file.toStdString()).starts_with("part,"));
+        const Outcome project = run({"batch", m_file, "--rows", m_file, "--force"});
+        QVERIFY2(isUsageError(project), project.text().c_str());
+        const QString blanks = save("blanks2.csv", "stock_mm\n0.141\n");
+        QVERIFY(isUsageError(
+            run({"batch", m_file, "--measured", blanks, "--rows", blanks, "--force"})));
+        const Outcome nowhere =
+            run({"batch", m_file, "--rows", m_folder.filePath("no folder/a.csv")});
+        QCOMPARE(nowhere.status, 1);
+        QVERIFY(nowhere.out.empty());
+    }
+
+    void rowsThatAreStoppedLeaveNoFile() {
+        const QString file = m_folder.filePath("stopped.csv");
+        RunningBatch batch(m_file, {"--rows", file});
+        batch.readProgress();
+        QVERIFY(batch.hasDoneSome());
+        QCOMPARE(batch.endBy(SIGINT).status, 130);
+        QVERIFY(!QFile::exists(file));
+        QCOMPARE(QDir(m_folder.path()).entryList({".sparkout-*"}, QDir::Hidden | QDir::Files),
+                 QStringList());
     }
 
     void textNamesTheFigures() {

@@ -2,6 +2,7 @@
 // The safe writer in ordinary life and on odd targets. Injected faults, kills and full disks are
 // in safe_file_faults.py. Root may do everything, so as root the tests run as the user nobody.
 #include "core/project/safe_file.h"
+#include "core/project/safe_file_writer.h"
 #include "tests/check_line.h"
 
 #include <QTest>
@@ -107,6 +108,62 @@ private slots:
         QVERIFY(!writeFileSafely(file(), bytes));
         QVERIFY(get(file()) == bytes);
         QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    // Bytes that come bit by bit
+
+    void bytesComeBitByBit() {
+        std::string whole;
+        SafeFileWriter writer(file(), SafeFileWriter::Existing::refused);
+        for (int i = 0; i < 20'000; ++i) {
+            const std::string line = std::to_string(i) + "\n";
+            whole += line;
+            QVERIFY(writer.write(line));
+        }
+        QVERIFY(!fs::exists(file()));
+        QVERIFY(writer.finish());
+        QVERIFY(!writer.error());
+        QVERIFY(get(file()) == whole);
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void whatIsNotFinishedLeavesNothing() {
+        put(file(), "old");
+        {
+            SafeFileWriter writer(file(), SafeFileWriter::Existing::replaced);
+            QVERIFY(writer.write(std::string(300'000, 'x')));
+        }
+        QCOMPARE(get(file()), std::string("old"));
+        QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
+    }
+
+    void aFileInTheWayIsKeptOrReplaced() {
+        put(file(), "old");
+        ::chmod(file().c_str(), 0640);
+        SafeFileWriter refused(file(), SafeFileWriter::Existing::refused);
+        QVERIFY(refused.error() && refused.error()->systemError == EEXIST);
+        QVERIFY(!refused.write("x") && !refused.finish());
+        QCOMPARE(get(file()), std::string("old"));
+        SafeFileWriter replaced(file(), SafeFileWriter::Existing::replaced);
+        QVERIFY(replaced.write("new") && replaced.finish());
+        QCOMPARE(get(file()), std::string("new"));
+        QCOMPARE(modeOf(file()), mode_t{0640});
+    }
+
+    void aFileThatCameMeanwhileIsKept() {
+        SafeFileWriter writer(file(), SafeFileWriter::Existing::refused);
+        QVERIFY(writer.write("mine"));
+        put(file(), "theirs");
+        QVERIFY(!writer.finish());
+        QVERIFY(writer.error()->step == FileStep::rename);
+        QCOMPARE(writer.error()->systemError, EEXIST);
+        QCOMPARE(get(file()), std::string("theirs"));
+    }
+
+    void aFolderThatIsNotThereIsAnError() {
+        SafeFileWriter writer(m_folder / "none" / "a.csv", SafeFileWriter::Existing::refused);
+        QVERIFY(writer.error() && writer.error()->step == FileStep::open);
+        QVERIFY(!writer.write("x"));
     }
 
     void aNewFileGetsItsModeFromTheUmask() {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/part_table.h"
+
+#include "core/project/validate.h"
+#include "core/simulation/simulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace sparkout {
+
+namespace {
+
+bool names(const Characteristic& characteristic, ConstraintKind kind) {
+    return std::string_view(characteristic.name) == constraintName(kind);
+}
+
+/// Whether it is told of the finished surface, and so not where strips of it stay uncut.
+bool isOfSurface(const Characteristic& characteristic) {
+    return characteristic.section >= 0 || names(characteristic, ConstraintKind::cylindricity)
+           || names(characteristic, ConstraintKind::totalRunout);
+}
+
+std::string quoted(const std::string& text, char separator) {
+    if (text.find_first_of(std::string("\"\r\n") + separator) == std::string::npos) {
+        return text;
+    }
+    std::string inside;
+    for (const char c : text) {
+        inside += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return '"' + inside + '"';
+}
+
+} // namespace
+
+PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token& stop) {
+    PartColumns columns{source.factors(), characteristicsOf(source.nominal()), {}};
+    std::array<bool, constraintKinds> asked{};
+    for (const ConstraintResult& constraint :
+         evaluateConstraints(simulate(source.nominal(), nullptr, stop))) {
+        asked[static_cast<std::size_t>(constraint.kind)] = true;
+    }
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (asked[static_cast<std::size_t>(i)]
+            || std::ranges::any_of(columns.characteristics,
+                                   [kind](const auto& of) { return names(of, kind); })) {
+            columns.requirements.push_back(kind);
+        }
+    }
+    return columns;
+}
+
+std::string placeKey(const Characteristic& characteristic) {
+    if (characteristic.section < 0) {
+        return "part";
+    }
+    switch (characteristic.zone) {
+    case Zone::rz1: return "rz1";
+    case Zone::nz: return "nz";
+    case Zone::rz2: return "rz2";
+    case Zone::section: break;
+    }
+    return "section " + std::to_string(characteristic.section);
+}
+
+std::vector<std::string> PartTable::keys(const PartColumns& columns) {
+    std::vector<std::string> keys{"part", "status", "good", "least_relative_margin"};
+    for (const GivenFactor& factor : columns.factors) {
+        keys.emplace_back(factorKey(factor.kind));
+    }
+    for (const Characteristic& of : columns.characteristics) {
+        keys.push_back(std::string(of.name) + ' ' + placeKey(of) + " [" + of.unit + ']');
+    }
+    for (const ConstraintKind kind : columns.requirements) {
+        keys.push_back(std::string(constraintName(kind)) + " holds");
+    }
+    return keys;
+}
+
+std::string PartTable::head(const std::vector<std::string>& names) const {
+    std::string line = m_dialect.begin;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        line += (i > 0 ? std::string(1, m_dialect.separator) : std::string())
+                + quoted(names[i], m_dialect.separator);
+    }
+    return line + m_dialect.lineEnd;
+}
+
+void PartTable::put(std::string& line, double value) const {
+    line += m_dialect.separator;
+    if (!std::isfinite(value)) {
+        return;
+    }
+    const std::size_t from = line.size();
+    line += numberText(value);
+    std::replace(line.begin() + static_cast<std::ptrdiff_t>(from), line.end(), '.',
+                 m_dialect.decimal);
+}
+
+std::string PartTable::line(const PartRecord& record) const {
+    const PartOutcome& outcome = record.outcome;
+    const bool done = outcome.completed, whole = done && !record.leavesStrips;
+    const auto word = [this](bool yes) { return yes ? m_dialect.yes : m_dialect.no; };
+    std::string line = std::to_string(record.part) + m_dialect.separator
+                       + m_dialect.states[!done   ? 1
+                                          : whole ? 0
+                                                  : 2]
+                       + m_dialect.separator + word(outcome.good);
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    put(line, whole ? outcome.margin : none);
+    for (const double value : record.factors) {
+        put(line, value);
+    }
+    for (std::size_t i = 0; i < m_columns.characteristics.size(); ++i) {
+        const bool known = whole || (done && !isOfSurface(m_columns.characteristics[i]));
+        put(line, known ? outcome.values[i] : none);
+    }
+    for (const ConstraintKind kind : m_columns.requirements) {
+        const auto at = static_cast<std::size_t>(kind);
+        line += m_dialect.separator;
+        line += done && outcome.asked[at] ? word(!outcome.fails[at]) : std::string();
+    }
+    return line + m_dialect.lineEnd;
+}
+
+} // namespace sparkout
