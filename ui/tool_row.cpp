@@ -38,6 +38,12 @@ ToolRow::ToolRow(QWidget* parent) : QLayout(parent) {}
 
 ToolRow::~ToolRow() = default;
 
+int ToolRow::Tool::least() const {
+    const int own = leastOf(*item);
+    const QWidget* widget = letters > 0 ? const_cast<QLayoutItem&>(*item).widget() : nullptr;
+    return widget ? std::max(own, letters * widget->fontMetrics().averageCharWidth()) : own;
+}
+
 void ToolRow::addWidget(QWidget* widget, int stretch) {
     addChildWidget(widget);
     if (auto* box = qobject_cast<QComboBox*>(widget)) {
@@ -45,6 +51,11 @@ void ToolRow::addWidget(QWidget* widget, int stretch) {
     }
     m_items.push_back({std::make_unique<QWidgetItem>(widget), stretch});
     invalidate();
+}
+
+void ToolRow::addText(QWidget* widget, int letters, int stretch) {
+    addWidget(widget, stretch);
+    m_items.back().letters = letters;
 }
 
 void ToolRow::addStretch(int stretch) {
@@ -74,7 +85,7 @@ QLayoutItem* ToolRow::takeAt(int index) {
 int ToolRow::leastWidth(const Line& line) const {
     const int gaps = std::max(0, static_cast<int>(line.size()) - 1) * spacing();
     return std::accumulate(line.begin(), line.end(), gaps,
-                           [](int sum, const Tool* tool) { return sum + leastOf(*tool->item); });
+                           [](int sum, const Tool* tool) { return sum + tool->least(); });
 }
 
 /// What is left goes to those that stretch; what is wanting is taken from those that can shrink.
@@ -82,12 +93,12 @@ std::vector<int> ToolRow::widthsOf(const Line& line, int room) const {
     const int least = leastWidth(line);
     int wished = least, stretches = 0;
     for (const Tool* tool : line) {
-        wished += tool->item->sizeHint().width() - leastOf(*tool->item);
+        wished += std::max(0, tool->item->sizeHint().width() - tool->least());
         stretches += tool->stretch;
     }
     std::vector<int> widths;
     for (const Tool* tool : line) {
-        const int own = tool->item->sizeHint().width(), mine = leastOf(*tool->item);
+        const int mine = tool->least(), own = std::max(mine, tool->item->sizeHint().width());
         widths.push_back(
             wished <= room
                 ? own + roundedShare(room - wished, tool->stretch, stretches)
@@ -166,7 +177,7 @@ QSize ToolRow::minimumSize() const {
     QSize size(0, 0);
     for (const Tool& tool : m_items) {
         if (!tool.item->isEmpty()) {
-            size = size.expandedTo({leastOf(*tool.item), tool.item->minimumSize().height()});
+            size = size.expandedTo({tool.least(), tool.item->minimumSize().height()});
         }
     }
     return size.grownBy(contentsMargins());

@@ -18,6 +18,8 @@ public:
     ~ToolRow() override;
 
     void addWidget(QWidget* widget, int stretch = 0); ///< shares what a line has to spare
+    /// A text that wraps: at least so many letters wide, that it be no column of words.
+    void addText(QWidget* widget, int letters, int stretch);
     void addStretch(int stretch = 1);
 
     void addItem(QLayoutItem* item) override;
@@ -35,6 +37,8 @@ private:
     struct Tool {
         std::unique_ptr<QLayoutItem> item;
         int stretch;
+        int letters = 0; ///< wide at least
+        [[nodiscard]] int least() const;
     };
     using Line = std::vector<const Tool*>;
     [[nodiscard]] std::vector<Line> lines(int width) const;

@@ -209,7 +209,7 @@ private slots:
                     taken = inputs(taken).value_or(Project{});
                 });
         bench.click("batchWorst");
-        QVERIFY(refused); // of a project edited meanwhile no part is a part of this batch
+        QVERIFY(refused);           // of a project edited meanwhile no part is a part of this batch
         QCOMPARE(edits.count(), 0); // the project stays as it is
         QCOMPARE(QString::fromStdString(taken.title), QStringLiteral("Mine"));
         QVERIFY(taken.batch.has_value());
@@ -272,6 +272,24 @@ private slots:
         QVERIFY(std::abs(plot.sum()->data()->at(0)->value
                          - 100 * static_cast<double>(causes[0].count) / sum)
                 < 1e-9);
+    }
+
+    void theTextOnTheRunIsReadInANarrowViewAndInLargeType() {
+        Bench bench(fixtures::shaftBatch(50));
+        QVERIFY(bench.settled());
+        QFont font = bench.view.font();
+        font.setPointSizeF(font.pointSizeF() * 1.3);
+        bench.view.setFont(font);
+        bench.view.resize(450, 640);
+        const auto& state = bench.part<QLabel>("batchState");
+        const auto& worst = bench.part<QPushButton>("batchWorst");
+        QTRY_VERIFY(state.width() >= 30 * state.fontMetrics().averageCharWidth());
+        QTRY_VERIFY(state.height() >= state.heightForWidth(state.width()));
+        QVERIFY(!state.geometry().intersects(worst.geometry()));
+        QVERIFY(state.parentWidget()->rect().contains(state.geometry()));
+        bench.view.resize(900, 640); // beside the buttons again
+        QTRY_VERIFY(state.geometry().left() > worst.geometry().right());
+        QVERIFY(state.geometry().top() <= worst.geometry().bottom());
     }
 
     void withoutABatchAUsualOneIsOffered() {

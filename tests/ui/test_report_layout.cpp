@@ -232,6 +232,27 @@ private slots:
         }
     }
 
+    void theCapabilityOfFourSectionsTakesALineEach_data() { passport_bench::addLanguages(); }
+    void theCapabilityOfFourSectionsTakesALineEach() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const report::Report made = report::passport(
+            passport_bench::subjectOf(passport_bench::example("plunge-shaft-two-stage")));
+        const Pages pages(made, area);
+        int rows = 0;
+        for (const Box& box : pages.boxes()) {
+            const auto* table =
+                box.kind == Box::Kind::row ? std::get_if<Table>(&made.blocks[box.block]) : nullptr;
+            if (table && table->head.contains(QStringLiteral("Ppk"))) {
+                ++rows;
+                for (const TextBox& cell : box.cells) {
+                    QVERIFY2(cell.lines() == 1, qPrintable(cell.texts().join(u'|')));
+                }
+            }
+        }
+        QVERIFY(rows > 4 * 6);
+    }
+
     void aSizeIsWrittenAsOnADrawing_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<double>("upper");

@@ -28,7 +28,7 @@ constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
     printFaint(90, 90, 90);
 constexpr double formulaSize = 9.5, formulaIndent = 120, labelRoom = 260;
 constexpr double smallerBy = 0.5, leastSize = 6.5, leastHead = 5.5; ///< of a table's type
-constexpr double leastOneLine = 8;   ///< so small to keep every row in one line
+constexpr double leastOneLine = 7.5; ///< so small to keep every row in one line
 constexpr int leastLines = 3;        ///< of a text or a row that follow a heading on its page
 constexpr std::size_t leastRows = 3; ///< of a table that is parted, on each of its pages
 constexpr double wholeShare = 0.5;   ///< of a page: what is smaller is never parted

@@ -15,7 +15,6 @@
 #include "ui/views/sensitivity_plot.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
@@ -31,6 +30,7 @@ namespace sparkout {
 namespace {
 constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
 constexpr int progressSteps = 1000;
+constexpr int stateLetters = 36; ///< wide, the text on the run at least
 } // namespace
 
 BatchView::BatchView(QWidget* parent, Settings* settings)
@@ -121,7 +121,7 @@ void BatchView::build(Settings* settings) {
 
 QWidget* BatchView::buildRunBar() {
     auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
+    auto* row = new ToolRow(bar);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(metrics::tight);
     setUpNotice(*m_state);
@@ -129,9 +129,9 @@ QWidget* BatchView::buildRunBar() {
     m_progress->setTextVisible(true);
     row->addWidget(m_run);
     row->addWidget(m_stop);
-    row->addWidget(m_state, 1);
-    row->addWidget(m_progress, 1);
     row->addWidget(m_worst);
+    row->addText(m_state, stateLetters, 1);
+    row->addWidget(m_progress, 1);
     return bar;
 }
 
