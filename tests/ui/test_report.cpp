@@ -255,6 +255,7 @@ private slots:
         Project project = fixtures::traverseProject();
         project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\" $x^2$ \u202Etxt";
         project.title.push_back('\0');
+        project.title += "thereafter";
         project.part.name = "</title><svg onload=x>";
         project.machine.name = "a | b <img src=x>";
         project.notes = "<script>alert(2)</script>\n| x | y |\n# no heading\n1. no list\n*no*";
@@ -267,6 +268,7 @@ private slots:
                 || markdown.count(u'<') == markdown.count(QStringLiteral("<br>")));
         for (const QString& text : {markdown, QString::fromUtf8(html)}) {
             QVERIFY(!text.contains(QChar(0)) && !text.contains(QChar(0x202e)));
+            QVERIFY(text.contains(QStringLiteral("thereafter"))); // nor does a title end there
         }
         QVERIFY(markdown.contains(QStringLiteral("\\$x^2\\$")));
         QVERIFY(markdown.contains(QStringLiteral("a \\| b")));

@@ -37,7 +37,9 @@ bool isRussian(const QString& text) {
 } // namespace
 
 QString exampleTitle(const std::string& title) {
-    return QCoreApplication::translate("Example", title.c_str());
+    const bool cut = title.find('\0') != std::string::npos; // translations end there, titles do not
+    return cut ? QString::fromStdString(title)
+               : QCoreApplication::translate("Example", title.c_str());
 }
 
 QString exampleNotes(const std::string& notes) {
