@@ -7,6 +7,7 @@
 #include "app/search_watch.h"
 #include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
+#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/limit.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"
@@ -165,9 +166,25 @@ RefineSummary refined(const OptimiseReport& report, const std::stop_token& stop)
     if (report.robust) {
         options.everyStageSteps = true;
         options.scenarios = report.robust->added;
-        options.source = scenariosAskedFor(report.project);
+        options.source = scenariosAskedFor(report.project, stop);
+        options.candidates = report.robust->candidates;
     }
     return refine(withBest(report.project, report.search), report.search.cycle, options);
+}
+
+/// The limit, and what binds the best of the grid.
+void aboutTheBest(OptimiseReport& report, const std::stop_token& stop) {
+    const GraceStop grace(stop);
+    report.limit_s = steplessLimit_s(report.project, grace.token());
+    if (report.search.status == SearchStatus::stopped
+        || isHeuristic(report.method)) { // no cycle at all is quicker than that
+        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
+    }
+    if (report.search.best) {
+        report.binding = bindingRequirements(
+            report.project, *report.search.best,
+            report.robust ? report.robust->added : std::vector<Project>{}, grace.token());
+    }
 }
 
 OptimiseReport search(const Project& project, const OptimiseOptions& options) {
@@ -181,28 +198,22 @@ OptimiseReport search(const Project& project, const OptimiseOptions& options) {
     report.project = project;
     report.method = options.method;
     if (options.robust || asksForABatch(project)) {
-        report.robust = optimiseRobustly(project, scenariosAskedFor(project), {.search = search});
+        report.robust =
+            optimiseRobustly(project, scenariosAskedFor(project, search.stop), {.search = search});
         report.search = report.robust->search;
     } else {
         report.search = optimise(project, search);
     }
-    report.limit_s = steplessLimit_s(project, watch.token());
-    if (report.search.status == SearchStatus::stopped
-        || isHeuristic(options.method)) { // no cycle at all is quicker than that
-        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
-    }
-    if (report.search.best) {
-        report.binding = bindingRequirements(
-            project, *report.search.best,
-            report.robust ? report.robust->added : std::vector<Project>{}, watch.token());
-    }
+    aboutTheBest(report, watch.token());
     if (options.refine && hasAnswer(report)) {
         report.refined = refined(report, watch.token());
-        if (report.refined->isQuicker) {
-            report.binding = bindingRequirements(
-                withBest(project, report.search), report.refined->cycle, report.refined->time_us,
-                report.robust ? report.robust->added : std::vector<Project>{}, watch.token());
-        }
+    }
+    const GraceStop grace(watch.token());
+    report.given = givenCycle(project, grace.token());
+    if (report.refined && report.refined->isQuicker) {
+        report.binding = bindingRequirements(
+            withBest(project, report.search), report.refined->cycle, report.refined->time_us,
+            report.robust ? report.robust->added : std::vector<Project>{}, grace.token());
     }
     return report;
 }

@@ -34,25 +34,6 @@ double minutes(double time_s) {
     return time_s / units::secondsPerMinute;
 }
 
-/// The given cycle beside the one found.
-struct Given {
-    std::optional<double> time_s; ///< when it ends by itself
-    std::vector<const char*> fails;
-
-    explicit Given(const Project& project) {
-        const SimulationResult result = simulate(project);
-        if (result.status != RunStatus::completed) {
-            return;
-        }
-        time_s = result.time_s;
-        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
-            if (!each.holds) {
-                fails.push_back(constraintName(each.kind));
-            }
-        }
-    }
-};
-
 /// What cut, the most frequent first.
 std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& search) {
     std::vector<std::pair<long long, const char*>> cuts;
@@ -81,12 +62,32 @@ std::string joined(const std::vector<const char*>& names) {
     return text;
 }
 
-std::vector<const char*> bindingNames(const OptimiseReport& report) {
+std::vector<const char*> namesOf(const std::vector<ConstraintKind>& kinds) {
     std::vector<const char*> names;
-    for (const ConstraintKind kind : report.binding) {
+    for (const ConstraintKind kind : kinds) {
         names.push_back(constraintName(kind));
     }
     return names;
+}
+
+/// Null: not known.
+ordered_json bindingJson(const OptimiseReport& report) {
+    return report.binding ? ordered_json(namesOf(*report.binding)) : ordered_json(nullptr);
+}
+
+std::string bindingText(const OptimiseReport& report) {
+    if (!report.binding) {
+        return "not known: stopped before the quicker cycles about it were run";
+    }
+    if (!report.binding->empty()) {
+        return joined(namesOf(*report.binding)) + " in quicker cycles that differ in one setting";
+    }
+    if (report.refined && report.refined->isQuicker) {
+        return "nothing: no cycle some steps off it is quicker";
+    }
+    return report.search.status == SearchStatus::proved
+               ? "nothing: no cycle that differs in one setting is quicker"
+               : "nothing known: a cycle that differs in one setting may be quicker and hold";
 }
 
 std::string stageLine(const Stage& stage, std::size_t number) {
@@ -150,13 +151,17 @@ std::string machineText(const OptimiseReport& report) {
     return text.empty() ? text : text + '\n';
 }
 
+bool isRefined(const OptimiseReport& report) {
+    return report.refined && report.refined->isQuicker;
+}
+
 double timeFound_s(const OptimiseReport& report) {
-    return report.refined ? report.refined->time_s : report.search.best->time_s;
+    return isRefined(report) ? report.refined->time_s : report.search.best->time_s;
 }
 
 double leastMargin(const OptimiseReport& report) {
-    return report.refined ? report.refined->leastRelativeMargin
-                          : report.search.best->leastRelativeMargin;
+    return isRefined(report) ? report.refined->leastRelativeMargin
+                             : report.search.best->leastRelativeMargin;
 }
 
 std::string refinedText(const OptimiseReport& report) {
@@ -199,24 +204,36 @@ std::string gridText(std::int64_t size) {
 }
 
 std::string givenText(const OptimiseReport& report, double best_s) {
-    const Given given(report.project);
+    const GivenCycle& given = report.given;
+    if (given.isStopped) {
+        return "the file's cycle     not known: stopped before it was run\n";
+    }
     if (!given.time_s) {
         return "the file's cycle     does not end by itself\n";
     }
     const double saved = 1 - best_s / *given.time_s;
     return "the file's cycle     " + fixed(minutes(*given.time_s), 4) + " min, "
-           + (given.fails.empty() ? "holds" : "fails: " + joined(given.fails))
+           + (given.fails.empty() ? "holds" : "fails: " + joined(namesOf(given.fails)))
            + "; the one found takes " + fixed(std::abs(saved) * 100, 1)
            + (saved < 0 ? " % longer\n" : " % less\n");
 }
 
-std::string robustText(const RobustSummary& robust, double best_s) {
+/// The how manieth cycle that was tried on fresh phases the answer is.
+int candidateOf(const OptimiseReport& report) {
+    return isRefined(report) ? report.refined->candidate : report.robust->candidate;
+}
+
+std::string robustText(const OptimiseReport& report, double best_s) {
+    const RobustSummary& robust = *report.robust;
+    const int candidate = candidateOf(report);
     return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
            + std::to_string(robust.rounds) + " rounds; costs "
            + fixed((best_s / robust.nominalTime_s - 1) * 100, 1) + " % of time\n"
            + "confidence           held in all of " + std::to_string(robust.freshPhases)
-           + " phases of the stock drawn afresh: with 95 % confidence at most "
-           + fixed(mostFailing(robust.freshPhases) * 100, 1) + " % of the phases fail\n";
+           + " phases of the stock drawn afresh, as cycle no. " + std::to_string(candidate)
+           + " that was tried so: with 95 % confidence at most "
+           + fixed(std::ceil(mostFailing(robust.freshPhases, candidate) * 1e4) / 1e2, 2)
+           + " % of the phases fail\n";
 }
 
 } // namespace
@@ -232,18 +249,33 @@ std::optional<SearchMethod> methodNamed(const std::string& name) {
                : std::optional(static_cast<SearchMethod>(found - methodNames.begin()));
 }
 
+GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
+    GivenCycle given;
+    const SimulationResult result = simulate(project, nullptr, stop);
+    given.isStopped = result.status == RunStatus::stopped;
+    if (result.status == RunStatus::completed) {
+        given.time_s = result.time_s;
+        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
+            if (!each.holds) {
+                given.fails.push_back(each.kind);
+            }
+        }
+    }
+    return given;
+}
+
 bool hasAnswer(const OptimiseReport& report) {
     return report.search.best && (!report.robust || report.robust->holdsInSample);
 }
 
 const Cycle& cycleFound(const OptimiseReport& report) {
-    return report.refined ? report.refined->cycle : report.search.cycle;
+    return isRefined(report) ? report.refined->cycle : report.search.cycle;
 }
 
 std::string optimiseText(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     const double best_s = timeFound_s(report);
-    const bool offTheGrid = report.refined && report.refined->isQuicker;
+    const bool offTheGrid = isRefined(report);
     std::string text = "status               " + statusText(report)
                        + (offTheGrid ? "; refined off the grid, not proved\n" : "\n");
     text += "machining time       " + fixed(minutes(best_s), 4) + " min; stepless limit "
@@ -259,17 +291,10 @@ std::string optimiseText(const OptimiseReport& report) {
     }
     text += givenText(report, best_s);
     if (report.robust) {
-        text += robustText(*report.robust, search.best->time_s);
+        text += robustText(report, search.best->time_s);
     }
-    const std::string binding = joined(bindingNames(report));
     text += "least margin         " + fixed(leastMargin(report) * 100, 1) + " %\n";
-    text += "binding              "
-            + (!binding.empty() ? binding + " in quicker cycles that differ in one setting"
-               : offTheGrid     ? "nothing: no cycle some steps off it is quicker"
-               : search.status == SearchStatus::proved
-                   ? "nothing: no cycle that differs in one setting is quicker"
-                   : "nothing known: a cycle that differs in one setting may be quicker and hold")
-            + '\n';
+    text += "binding              " + bindingText(report) + '\n';
     const long long judged = report.robust ? report.robust->evaluations : search.evaluations;
     const long long visits = report.robust ? report.robust->visits : search.visits;
     return text + "search               " + gridText(search.gridSize) + " cycles in the grid, "
@@ -280,7 +305,7 @@ std::string optimiseText(const OptimiseReport& report) {
 std::string optimiseJson(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
-    const bool offTheGrid = report.refined && report.refined->isQuicker;
+    const bool offTheGrid = isRefined(report);
     root["status"] = statusName(offTheGrid ? SearchStatus::found : search.status);
     root["method"] = methodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
@@ -290,7 +315,7 @@ std::string optimiseJson(const OptimiseReport& report) {
     root["evaluations"] = report.robust ? report.robust->evaluations : search.evaluations;
     root["limit_time_min"] = minutes(report.limit_s);
     root["gap"] = nullptr;
-    root["binding"] = bindingNames(report);
+    root["binding"] = bindingJson(report);
     root["scenarios_added"] = report.robust ? report.robust->added.size() : 0;
     if (search.best) {
         const double best_s = timeFound_s(report);
@@ -319,23 +344,25 @@ std::string optimiseJson(const OptimiseReport& report) {
         cuts[name] = count;
     }
     root["cut_by"] = std::move(cuts);
-    const Given given(report.project);
+    const GivenCycle& given = report.given;
     root["given"] = {
         {"cycle_time_min",
          given.time_s ? ordered_json(minutes(*given.time_s)) : ordered_json(nullptr)},
         {"cost_per_part", given.time_s ? costJson(report, *given.time_s) : ordered_json(nullptr)},
-        {"fails", given.fails}};
+        {"fails", given.isStopped ? ordered_json(nullptr) : ordered_json(namesOf(given.fails))}};
     if (report.robust) {
         root["rounds"] = report.robust->rounds;
         root["holds_in_sample"] = report.robust->holdsInSample;
         const int phases = report.robust->freshPhases; // 0: there is no answer that was tried
-        root["fresh_phases"] = {{"tried", phases},
-                                {"failed", 0},
-                                {"failing_share_at_most", phases > 0
-                                                              ? ordered_json(mostFailing(phases))
-                                                              : ordered_json(nullptr)},
-                                {"confidence", 0.95},
-                                {"cycles_that_failed", report.robust->freshFailures}};
+        const int candidate = candidateOf(report);
+        root["fresh_phases"] = {
+            {"tried", phases},
+            {"failed", 0},
+            {"candidate", phases > 0 ? ordered_json(candidate) : ordered_json(nullptr)},
+            {"failing_share_at_most",
+             phases > 0 ? ordered_json(mostFailing(phases, candidate)) : ordered_json(nullptr)},
+            {"confidence", 0.95},
+            {"cycles_that_failed", report.robust->freshFailures}};
         root["nominal_time_min"] = minutes(report.robust->nominalTime_s);
     }
     return root.dump(2) + '\n';

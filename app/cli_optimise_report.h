@@ -4,10 +4,20 @@
 #include "core/optimisation/refine.h"
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 namespace sparkout::cli {
+
+/// The file's own cycle, beside the one found.
+struct GivenCycle {
+    bool isStopped = false;       ///< before its end: nothing is known of it
+    std::optional<double> time_s; ///< when it ends by itself
+    std::vector<ConstraintKind> fails;
+};
+/// Runs it.
+[[nodiscard]] GivenCycle givenCycle(const Project& project, const std::stop_token& stop);
 
 /// A search and what its answer is to be read with.
 struct OptimiseReport {
@@ -16,8 +26,9 @@ struct OptimiseReport {
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     std::optional<RefineSummary> refined;
-    double limit_s = 0; ///< stepless
-    std::vector<ConstraintKind> binding;
+    double limit_s = 0;                                 ///< stepless
+    std::optional<std::vector<ConstraintKind>> binding; ///< nothing: not known, or no cycle
+    GivenCycle given;
 };
 
 /// A method as `--method` names it.

@@ -4145,6 +4145,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Быстрее не даёт: %1.</translation>
         </message>
         <message>
+            <source>What keeps it from being quicker is not known: the search was stopped before.</source>
+            <translation>Что не даёт быстрее, не известно: поиск был остановлен раньше.</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid that differs in one setting is quicker.</source>
+            <translation>Ни один цикл сетки, отличающийся одной настройкой, не быстрее.</translation>
+        </message>
+        <message>
             <source>The nominal part alone would take %1 min: robustness costs %2 % of time.</source>
             <translation>Для одной номинальной детали хватило бы %1 мин: надёжность стоит %2 % времени.</translation>
         </message>
@@ -4157,8 +4165,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             </translation>
         </message>
         <message>
-            <source>It held in all of %1 phases of the stock drawn afresh: with 95 % confidence at most %2 % of the phases fail.</source>
-            <translation>Цикл годен при всех %1 заново выбранных фазах припуска: с доверительной вероятностью 95 % он не годен не более чем при %2 % фаз.</translation>
+            <source>It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that was tried so: with 95 % confidence at most %3 % of the phases fail.</source>
+            <translation>Цикл годен при всех %1 заново выбранных фазах припуска, это %2-й из циклов, проверенных так: с доверительной вероятностью 95 % он не годен не более чем при %3 % фаз.</translation>
         </message>
         <message>
             <source>No cycle was found that holds in every scenario, and none is quicker than %1 min; each one tried failed in a further scenario.</source>

@@ -2,7 +2,6 @@
 #include "core/optimisation/binding.h"
 
 #include "core/optimisation/cycle_runner.h"
-#include "core/optimisation/grace.h"
 #include "core/optimisation/refine_space.h"
 #include "core/simulation/simulate.h"
 
@@ -55,13 +54,17 @@ void addShares(const Grid& grid, const GridCycle& best, std::vector<GridCycle>& 
 /// A cycle and what it is run with.
 using Neighbour = std::pair<Cycle, MachineSettings>;
 
-std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle& best) {
+std::vector<Neighbour> neighbours(const Variants& variants, const FeasibleCycle& best,
+                                  const std::stop_token& stop) {
     const Grid& grid = variants.grid(best.variant);
     std::vector<GridCycle> others;
     addFeeds(grid, best.cycle, others);
     addShares(grid, best.cycle, others);
     std::vector<Neighbour> found;
     for (const GridCycle& other : others) {
+        if (stop.stop_requested()) {
+            break;
+        }
         found.emplace_back(grid.cycle(other), machineSettings(variants.project(best.variant)));
     }
     for (std::size_t v = 0; v < variants.count(); ++v) {
@@ -124,22 +127,38 @@ private:
     std::vector<Neighbour> m_found;
 };
 
-/// What breaks in those that are quicker than so long.
-std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::int64_t time_us,
-                                     const Project& project, const std::vector<Project>& scenarios,
-                                     const std::stop_token& stop) {
-    const Grace grace(stop);
-    std::vector<Project> parts = scenarios;
-    parts.insert(parts.begin(), project);
+/// Without what no single part needs and may be long: variants and neighbours are many copies.
+Project withoutLists(Project project) {
+    project.runs.clear();
+    project.notes.clear();
+    project.batch.reset();
+    return project;
+}
+
+/// What breaks in those that are quicker than so long; nothing: stopped before all were run.
+std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>& others,
+                                                    std::int64_t time_us, const Project& project,
+                                                    const std::vector<Project>& scenarios,
+                                                    const std::stop_token& stop) {
+    if (stop.stop_requested()) {
+        return std::nullopt; // perhaps not all of them are there
+    }
+    std::vector<Project> parts{project};
+    for (const Project& scenario : scenarios) {
+        if (stop.stop_requested()) {
+            return std::nullopt;
+        }
+        parts.push_back(scenario);
+    }
     std::array<bool, constraintKinds> binds{};
     for (const auto& [cycle, machine] : others) {
         for (Project& part : parts) {
-            if (grace.isOver()) {
-                return {};
-            }
             setMachine(part, machine);
             part.cycle = cycle;
-            const SimulationResult result = simulate(part);
+            const SimulationResult result = simulate(part, nullptr, stop);
+            if (result.status == RunStatus::stopped || stop.stop_requested()) {
+                return std::nullopt;
+            }
             if (&part == &parts.front() && comparedTime_us(result.time_s) >= time_us) {
                 break;
             }
@@ -159,17 +178,22 @@ std::vector<ConstraintKind> brokenIn(const std::vector<Neighbour>& others, std::
 
 } // namespace
 
-std::vector<ConstraintKind> bindingRequirements(const Project& project, const FeasibleCycle& best,
-                                                const std::vector<Project>& scenarios,
-                                                const std::stop_token& stop) {
-    return brokenIn(neighbours(Variants(project), best), best.time_us, project, scenarios, stop);
+std::optional<std::vector<ConstraintKind>>
+bindingRequirements(const Project& project, const FeasibleCycle& best,
+                    const std::vector<Project>& scenarios, const std::stop_token& stop) {
+    const Project plain = withoutLists(project);
+    const Variants variants(plain, stop);
+    if (variants.isCutShort()) {
+        return std::nullopt;
+    }
+    return brokenIn(neighbours(variants, best, stop), best.time_us, plain, scenarios, stop);
 }
 
-std::vector<ConstraintKind> bindingRequirements(const Project& project, const Cycle& cycle,
-                                                std::int64_t time_us,
-                                                const std::vector<Project>& scenarios,
-                                                const std::stop_token& stop) {
-    return brokenIn(OffGrid(project, cycle).neighbours(), time_us, project, scenarios, stop);
+std::optional<std::vector<ConstraintKind>>
+bindingRequirements(const Project& project, const Cycle& cycle, std::int64_t time_us,
+                    const std::vector<Project>& scenarios, const std::stop_token& stop) {
+    const Project plain = withoutLists(project);
+    return brokenIn(OffGrid(plain, cycle).neighbours(), time_us, plain, scenarios, stop);
 }
 
 } // namespace sparkout

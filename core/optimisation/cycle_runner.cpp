@@ -20,7 +20,7 @@ void SearchCounts::add(const SearchCounts& other) {
     }
 }
 
-CycleRunner::CycleRunner(const Project& project, const Grid& grid)
+CycleRunner::CycleRunner(const Project& project, const Grid& grid, const std::stop_token& stop)
     : m_grid(&grid), m_cuts(project), m_gauged(project.gauge.control == Control::gauge) {
     for (const std::size_t stages : grid.stageCounts()) {
         m_starts.resize(std::max(m_starts.size(), stages + 1));
@@ -29,8 +29,8 @@ CycleRunner::CycleRunner(const Project& project, const Grid& grid)
         start.project->runs.clear();
         start.project->cycle.stages.assign(stages, {});
         start.steps = project.operation == Operation::traverse
-                          ? traverseSteps(*start.project, Zone::nz, nullptr, {})
-                          : plungeSteps(*start.project, nullptr, {});
+                          ? traverseSteps(*start.project, Zone::nz, nullptr, stop)
+                          : plungeSteps(*start.project, nullptr, stop);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -38,8 +39,9 @@ struct SearchCounts {
 /// What does not depend on the cycle (blank, limits) is made once.
 class CycleRunner {
 public:
-    /// The project of the grid, or another state of its part.
-    CycleRunner(const Project& project, const Grid& grid);
+    /// The project of the grid, or another state of its part. A stop ends its runs, within one
+    /// radius where sections deflect each other; what comes of them then is no decision.
+    CycleRunner(const Project& project, const Grid& grid, const std::stop_token& stop);
 
     /// A cycle at the end of which all is as simulate() has it; nothing when it was stopped: slower
     /// than `slowest_us`, or its passes or diameters break a requirement, which then counts as cut.

@@ -35,7 +35,7 @@ public:
         , m_rule(rule)
         , m_keepsSetting(rule == LabelRule::quickest || project.optimisation->non_increasing)
         , m_judge(grid, options)
-        , m_runner(project, grid)
+        , m_runner(project, grid, options.stop)
         , m_runs(project, grid, m_runner, StageRuns::Bounds::yes) {}
 
     SearchSummary run() {

@@ -4,8 +4,11 @@
 #include "core/optimisation/judge.h"
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -17,7 +20,7 @@ public:
     FullSearch(const Project& project, const Grid& grid, const SearchOptions& options)
         : m_project(project), m_grid(grid), m_options(options), m_best(grid, options) {
         if (options.resume) {
-            m_last = options.resume->last;
+            m_handed = m_last = options.resume->last;
         }
     }
 
@@ -38,7 +41,7 @@ public:
         summary.visits = m_best.counts.visits;
         summary.cuts = m_best.counts.cuts;
         summary.checkpoint = {m_last, summary.best, m_options.variant};
-        if (!m_exhausted) {
+        if (!m_exhausted || m_cutShort) {
             summary.status = SearchStatus::stopped;
         } else if (summary.best) {
             summary.status = SearchStatus::proved;
@@ -48,48 +51,77 @@ public:
     }
 
 private:
-    static constexpr int portion = 64;
+    static constexpr int portionSize = 64;
+
+    /// Cycles that follow each other in the grid.
+    struct Portion {
+        long long number = 0; ///< in the order they were handed out
+        std::vector<GridCycle> cycles;
+        std::size_t done = 0; ///< of the cycles: fewer when it was stopped
+        SearchCounts counts;  ///< of these
+        [[nodiscard]] bool isWhole() const { return done == cycles.size(); }
+    };
 
     void work() {
-        CycleRunner runner(m_project, m_grid);
+        CycleRunner runner(m_project, m_grid, m_options.stop);
         Judge judge(m_grid, m_options);
-        while (true) {
-            const std::vector<GridCycle> cycles = take(judge);
-            if (cycles.empty()) {
-                return;
-            }
-            for (const GridCycle& cycle : cycles) {
+        for (Portion portion = take(judge); !portion.cycles.empty(); portion = take(judge)) {
+            for (const GridCycle& cycle : portion.cycles) {
+                const long long before = judge.counts.evaluations;
                 judge.decide(cycle, runner);
+                if (judge.counts.evaluations == before) {
+                    break; // stopped within it
+                }
+                ++portion.done;
             }
+            portion.counts = std::exchange(judge.counts, {});
+            giveBack(std::move(portion), judge);
         }
     }
 
-    /// Gives back what came of the last portion and takes the next. What was taken is always
-    /// finished, so a stopped search can go on behind the last one taken.
-    std::vector<GridCycle> take(Judge& judge) {
+    /// What was decided is counted in the order of the grid and up to the first cycle that was not:
+    /// a stopped search goes on behind the last one counted, and decides again on what other
+    /// threads decided on beyond it.
+    void giveBack(Portion portion, const Judge& judge) {
         const std::scoped_lock lock(m_mutex);
-        m_best.counts.add(judge.counts);
-        judge.counts = {};
         if (judge.best()) {
             m_best.offer(*judge.best());
         }
-        if (m_best.best()) {
-            judge.offer(*m_best.best());
+        m_done.emplace(portion.number, std::move(portion));
+        for (auto first = m_done.find(m_counted); !m_cutShort && first != m_done.end();
+             first = m_done.find(m_counted)) {
+            const Portion& next = first->second;
+            m_best.counts.add(next.counts);
+            m_last = next.done > 0 ? next.cycles[next.done - 1] : m_last;
+            m_cutShort = !next.isWhole();
+            m_done.erase(first);
+            ++m_counted;
         }
         if (m_options.onProgress) {
             m_options.onProgress({m_best.best(), 0, m_best.counts.evaluations, 0});
         }
-        std::vector<GridCycle> cycles;
-        GridCycle next = m_last;
-        while (!m_exhausted && cycles.size() < portion && !m_options.stop.stop_requested()) {
+    }
+
+    /// Hands out the next cycles; none: all were, or it is stopped.
+    Portion take(Judge& judge) {
+        const std::scoped_lock lock(m_mutex);
+        if (m_best.best()) {
+            judge.offer(*m_best.best());
+        }
+        Portion portion;
+        portion.number = m_portions;
+        GridCycle next = m_handed;
+        while (!m_exhausted && portion.cycles.size() < portionSize
+               && !m_options.stop.stop_requested()) {
             if (!m_grid.next(next)) {
                 m_exhausted = true;
                 break;
             }
-            m_last = next;
-            cycles.push_back(next);
+            m_handed = next;
+            portion.cycles.push_back(next);
         }
-        return cycles;
+        m_portions += portion.cycles.empty() ? 0 : 1;
+        return portion;
     }
 
     const Project& m_project;
@@ -97,8 +129,11 @@ private:
     const SearchOptions& m_options;
     std::mutex m_mutex; ///< of what follows
     Judge m_best;
-    GridCycle m_last; ///< handed out
-    bool m_exhausted = false;
+    GridCycle m_handed;                  ///< the last handed out
+    GridCycle m_last;                    ///< the last counted
+    std::map<long long, Portion> m_done; ///< given back, but not counted yet
+    long long m_portions = 0, m_counted = 0;
+    bool m_exhausted = false, m_cutShort = false;
 };
 
 } // namespace

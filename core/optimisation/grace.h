@@ -13,8 +13,9 @@ class Grace {
 public:
     explicit Grace(std::stop_token stop) : m_stop(std::move(stop)) {}
 
+    static constexpr std::chrono::milliseconds moment{30};
+
     [[nodiscard]] bool isOver() const {
-        constexpr std::chrono::milliseconds moment(30);
         return m_stop.stop_requested() && std::chrono::steady_clock::now() - m_begin > moment;
     }
 

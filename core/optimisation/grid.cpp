@@ -247,8 +247,12 @@ long double Grid::splits(const Shape& shape) const {
 
 // From the last stage to the first: ways to go on from a setting of this one.
 std::int64_t Grid::size() const {
+    constexpr long double beyond = 9.3e18L; // a whole number of 63 bits: the rest does not matter
     long double total = 0;
     for (const std::size_t stages : m_stageCounts) {
+        if (total > beyond) {
+            break;
+        }
         const Shape& shape = m_shapes[stages];
         std::vector<long double> ways(m_settings.size(), 1);
         for (std::size_t z = stages; z-- > 0;) {

@@ -21,6 +21,9 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
     const std::vector<Project>& scenarios = options.scenarios;
     m_scenarios.reserve(scenarios.size());
     for (const Project& scenario : scenarios) {
+        if (options.stop.stop_requested()) {
+            break; // nor will a cycle be run to its end
+        }
         m_scenarios.push_back(runner(scenario, scenarios.size()));
     }
 }
@@ -28,8 +31,8 @@ Judge::Judge(const Grid& grid, const SearchOptions& options)
 /// Together they take a quarter of the memory. The full search shares nothing: it is the reference.
 std::unique_ptr<ScenarioRunner> Judge::runner(const Project& scenario, std::size_t among) const {
     const bool shares = m_options.method != SearchMethod::full;
-    return std::make_unique<ScenarioRunner>(scenario, m_grid,
-                                            shares ? m_options.memory_bytes / 4 / among : 0);
+    return std::make_unique<ScenarioRunner>(
+        scenario, m_grid, shares ? m_options.memory_bytes / 4 / among : 0, m_options.stop);
 }
 
 std::optional<double> Judge::leastMargin(const SimulationResult& result) {
@@ -63,8 +66,7 @@ std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) 
 
 bool Judge::judge(const GridCycle& cycle, const SimulationResult& result, int merged) {
     ++counts.evaluations;
-    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant,
-                        result.time_s};
+    FeasibleCycle found{cycle, comparedTime_us(result.time_s), 0, m_options.variant, result.time_s};
     if (found.time_us > bestTime_us() || (m_options.everyStageSteps && hasIdleStage(result))) {
         return false;
     }
@@ -105,7 +107,11 @@ void Judge::settle(double time_s) {
             return;
         }
         FeasibleCycle found = *first;
-        if (!holdsOnScenarios(found)) {
+        const bool holds = holdsOnScenarios(found);
+        if (m_options.stop.stop_requested()) {
+            return; // it waits on, and its time is a bound
+        }
+        if (!holds) {
             m_waiting.erase(first);
         } else if (found.leastRelativeMargin < first->leastRelativeMargin) {
             *first = found; // another may be better now
@@ -154,11 +160,16 @@ bool Judge::isHopeless(GridCycle cycle, int merged) {
 }
 
 bool Judge::decide(const GridCycle& cycle, CycleRunner& runner) {
-    if (const auto result = runner.run(cycle, bestTime_us(), counts)) {
-        return judge(cycle, *result);
+    const SearchCounts before = counts;
+    const auto result = runner.run(cycle, bestTime_us(), counts);
+    const bool best = result && judge(cycle, *result);
+    if (!result) {
+        ++counts.evaluations;
     }
-    ++counts.evaluations;
-    return false;
+    if (m_options.stop.stop_requested() && !best) { // perhaps within a run: nothing is decided
+        counts = before;
+    }
+    return best;
 }
 
 void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
@@ -187,10 +198,17 @@ bool Judge::isChallenged(const FeasibleCycle& found) {
     if (!scenario) {
         return false;
     }
-    m_scenarios.insert(m_scenarios.begin(), runner(*scenario, m_scenarios.size() + 1));
+    auto further = runner(*scenario, m_scenarios.size() + 1);
+    std::optional<SimulationResult> result;
+    if (m_best && m_best->variant == m_options.variant) {
+        result = further->run(m_best->cycle, counts);
+        if (m_options.stop.stop_requested()) {
+            return true; // whether the best holds there, too, is not known: it is left out
+        }
+    }
+    m_scenarios.insert(m_scenarios.begin(), std::move(further));
     m_added.push_back(std::move(*scenario));
     if (m_best && m_best->variant == m_options.variant) {
-        const auto result = m_scenarios.front()->run(m_best->cycle, counts);
         const auto margin = result ? leastMargin(*result) : std::nullopt;
         m_stale = m_stale || !margin || (m_beatOther && *margin < m_best->leastRelativeMargin);
         m_best->leastRelativeMargin = std::min(m_best->leastRelativeMargin, margin.value_or(0));

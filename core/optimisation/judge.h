@@ -18,7 +18,8 @@ public:
     /// or waits for its challenge. On the part itself so many further cycles, with one step of
     /// stock more in the stage before the last each, came out the same.
     bool judge(const GridCycle& cycle, const SimulationResult& result, int merged = 0);
-    /// Runs and judges a cycle.
+    /// Runs and judges a cycle. Where a stop came before it was decided it does not count as an
+    /// evaluation.
     bool decide(const GridCycle& cycle, CycleRunner& runner);
     /// The same of one whose steps are done; under position control it is run again as the project
     /// states it.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/limit.h"
 
-#include "core/optimisation/grace.h"
 #include "core/optimisation/variants.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
@@ -123,7 +122,7 @@ double leftByField_mm(const Part& part) {
 }
 
 /// Of one variant.
-double limitOf(const Project& project, bool sparksOut, const Grace& grace) {
+double limitOf(const Project& project, bool sparksOut, const std::stop_token& stop) {
     const Blank blank = makeBlank(project.part);
     const StepTimes times(project);
     if (times.infeed_mm <= 0) {
@@ -138,7 +137,7 @@ double limitOf(const Project& project, bool sparksOut, const Grace& grace) {
         const double deepest = *std::max_element(blank.depth_mm.begin(), blank.depth_mm.end());
         const double cell = (all - deepest) / stockCells;
         double sum_s = 0;
-        for (int i = 1; i <= stockCells && cell > 0 && !grace.isOver(); ++i) {
+        for (int i = 1; i <= stockCells && cell > 0 && !stop.stop_requested(); ++i) {
             sum_s += cell / times.rate(left + 2 * stageSlack_mm + i * cell); // each cell adds to it
         }
         limit_s = std::max(limit_s, sum_s);
@@ -149,10 +148,15 @@ double limitOf(const Project& project, bool sparksOut, const Grace& grace) {
 } // namespace
 
 double steplessLimit_s(const Project& project, const std::stop_token& stop) {
-    const Grace grace(stop);
-    const Variants variants(project);
+    Project plain = project;
+    plain.runs.clear();
+    plain.batch.reset();
+    const Variants variants(plain, stop);
+    if (variants.isCutShort()) {
+        return 0;
+    }
     if (variants.count() == 0) {
-        return limitOf(project, false, grace);
+        return limitOf(plain, false, stop);
     }
     std::vector<std::pair<MachineSettings, bool>> met; // the counts of spark-outs do not matter
     double least_s = std::numeric_limits<double>::infinity();
@@ -162,7 +166,7 @@ double steplessLimit_s(const Project& project, const std::stop_token& stop) {
         if (variants.grid(v).fault() == GridFault::none
             && std::find(met.begin(), met.end(), each) == met.end()) {
             met.push_back(each);
-            least_s = std::min(least_s, limitOf(variant, each.second, grace));
+            least_s = std::min(least_s, limitOf(variant, each.second, stop));
         }
     }
     return least_s;

@@ -48,7 +48,8 @@ namespace sparkout {
 /// [s]; infinite where a requirement is not met at any depth. The gauge must stand on a section
 /// that the requirements are held against: for a free position the second bound alone is taken.
 ///
-/// A stop leaves out the integrals, soon after it was requested: what is returned is a bound still.
+/// A stop leaves out the integrals, soon after it was requested, or all: what is returned is a
+/// bound still, 0 at the least.
 [[nodiscard]] double steplessLimit_s(const Project& project, const std::stop_token& stop = {});
 
 /// The share of a cycle's time that a stepless one might at most save: 1 − T_lim/T.

@@ -40,7 +40,7 @@ public:
         : m_grid(grid)
         , m_options(options)
         , m_judge(grid, options)
-        , m_runner(project, grid)
+        , m_runner(project, grid, options.stop)
         , m_runs(project, grid, m_runner, StageRuns::Bounds::yes)
         , m_freeLast(!project.optimisation || !project.optimisation->last_stock_mm)
         , m_mayMerge(options.scenarios.empty() && !options.challenge

@@ -2,6 +2,7 @@
 #include "core/optimisation/refine.h"
 
 #include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/refine_space.h"
 #include "core/simulation/simulate.h"
 
@@ -25,6 +26,7 @@ struct Tried {
     std::int64_t time_us = 0;
     double time_s = 0;
     double margin = 0; ///< least relative
+    bool isStopped = false;
 };
 
 class Refinement {
@@ -41,17 +43,22 @@ public:
             setMachine(part, machineSettings(project));
         }
         m_best.runs = runs;
-        const Tried given = tryCycle(cycle, {}); // what the answer is compared with
+        const GraceStop grace(options.stop);                // enough for most
+        const Tried given = tryCycle(cycle, grace.token()); // what the answer is compared with
         m_best.cycle = cycle;
+        if (given.isStopped) {
+            return; // nothing is known of it
+        }
         m_best.time_us = given.time_us;
         m_best.time_s = given.time_s;
         m_best.leastRelativeMargin = given.margin;
     }
 
+    /// The given cycle, before the refinement is run.
     [[nodiscard]] const RefineSummary& given() const { return m_best; }
 
     RefineSummary run() {
-        if (m_space.settings().empty()) {
+        if (m_space.settings().empty() || mustStop()) {
             return m_best;
         }
         const std::vector<double> given = m_space.valuesOf(m_best.cycle);
@@ -96,6 +103,7 @@ private:
     static double brokenBy(const SimulationResult& result, Tried& tried) {
         constexpr double mostEach = 5;
         if (result.status != RunStatus::completed) {
+            tried.isStopped = tried.isStopped || result.status == RunStatus::stopped;
             tried.holds = false;
             return 2 * mostEach;
         }
@@ -244,20 +252,25 @@ private:
     nlopt_opt m_nlopt = nullptr;
 };
 
-/// Of what is drawn the first in which the cycle does not hold, then of the fresh phases one.
+/// Of what is drawn the first in which the cycle does not hold, then of the fresh phases one;
+/// nothing: none, or it was stopped before. Counts those that come to fresh phases.
 std::optional<Project> failing(const Project& project, const Cycle& cycle,
-                               const RefineOptions& options, int round) {
+                               const RefineOptions& options, int round, int& candidates) {
     Project best = project;
     best.cycle = cycle;
     for (Project& scenario : options.source(best, round)) {
         scenario.cycle = cycle;
         const SimulationResult result = simulate(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
+        if (result.status == RunStatus::stopped) {
+            return std::nullopt;
+        }
         if (result.status != RunStatus::completed
             || std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.holds; })) {
             return std::move(scenario);
         }
     }
+    ++candidates;
     constexpr std::uint32_t otherThanTheSearch = 1U << 31U;
     return failingPhase(best, otherThanTheSearch + static_cast<std::uint32_t>(round), options.stop);
 }
@@ -266,25 +279,35 @@ std::optional<Project> failing(const Project& project, const Cycle& cycle,
 
 RefineSummary refine(const Project& project, const Cycle& cycle, const RefineOptions& options) {
     constexpr int mostRounds = 10;
-    RefineSummary summary;
+    RefineSummary given;
+    long long runs = 0;
+    int candidates = options.candidates;
     std::vector<Project> scenarios = options.scenarios;
     for (int round = 0; round < mostRounds; ++round) {
-        summary = Refinement(project, cycle, options, scenarios, summary.runs).run();
-        if (!summary.isQuicker || !options.source) {
+        Refinement refinement(project, cycle, options, scenarios, runs);
+        if (round == 0) {
+            given = refinement.given();
+        }
+        RefineSummary summary = refinement.run();
+        runs = summary.runs;
+        if (!summary.isQuicker) {
+            break;
+        }
+        if (!options.source) {
             return summary;
         }
-        std::optional<Project> fails = failing(project, summary.cycle, options, round);
+        std::optional<Project> fails = failing(project, summary.cycle, options, round, candidates);
         if (options.stop.stop_requested()) {
             break; // a test that is stopped shows nothing
         }
         if (!fails) {
+            summary.candidate = candidates;
             return summary;
         }
         scenarios.push_back(std::move(*fails));
     }
-    const long long runs = summary.runs; // nothing quicker passed the test
-    summary = Refinement(project, cycle, options, options.scenarios, runs).given();
-    return summary;
+    given.runs = runs; // nothing quicker passed the test
+    return given;
 }
 
 } // namespace sparkout

@@ -28,17 +28,20 @@ struct RefineOptions {
                                     ///< in fresh phases (failingPhase)
     int mostRuns = 4000;            ///< of cycles, in each of at most ten rounds with a source
     bool everyStageSteps = false;   ///< as SearchOptions has it
+    int candidates = 0;             ///< cycles that a search tried on fresh phases before
     std::stop_token stop;           ///< what was found so far is the answer; with a source the
                                     ///< given cycle, unless all its scenarios were tried
 };
 
 struct RefineSummary {
     Cycle cycle;
-    std::int64_t time_us = 0; ///< what it is compared by
-    double time_s = 0;        ///< as simulate() has it
+    std::int64_t time_us = 0; ///< what it is compared by; 0: stopped before the given one was run
+    double time_s = 0;        ///< as simulate() has it; 0 likewise
     double leastRelativeMargin = 0;
     long long runs = 0;     ///< cycles that were run
     bool isQuicker = false; ///< than the one given
+    int candidate = 0;      ///< the how manieth that was tried on fresh phases, with those of the
+                            ///< search; 0: it is the given one, or there is no source
 };
 
 /// From a cycle that holds, of a project with a grid. The machine stays as the project has it set,

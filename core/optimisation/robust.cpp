@@ -23,10 +23,14 @@ struct Trial {
     double leastMargin = -std::numeric_limits<double>::infinity(); ///< relative
 };
 
-Trial tried(const Project& scenario, const std::stop_token& stop) {
+/// Nothing: it was stopped, so nothing is known.
+std::optional<Trial> tried(const Project& scenario, const std::stop_token& stop) {
     const SimulationResult result = simulate(scenario, nullptr, stop);
+    if (result.status == RunStatus::stopped) {
+        return std::nullopt;
+    }
     if (result.status != RunStatus::completed) {
-        return {};
+        return Trial{};
     }
     Trial trial{true, std::numeric_limits<double>::infinity()};
     for (const ConstraintResult& constraint : evaluateConstraints(result)) {
@@ -40,7 +44,7 @@ Trial tried(const Project& scenario, const std::stop_token& stop) {
 /// the last cycle that was tried on all. So one that fails does so soon, where it fails by most.
 class Trials {
 public:
-    /// A scenario in which the project's cycle fails, or is stopped.
+    /// A scenario in which the project's cycle fails; nothing: none, or it was stopped before.
     std::optional<Project> failing(const Project& best, std::vector<Project> scenarios,
                                    const std::stop_token& stop) {
         const bool known = m_order.size() == scenarios.size();
@@ -51,7 +55,11 @@ public:
         std::vector<Trial> trials(scenarios.size());
         for (const std::size_t i : m_order) {
             scenarios[i].cycle = best.cycle;
-            trials[i] = tried(scenarios[i], stop);
+            const std::optional<Trial> trial = tried(scenarios[i], stop);
+            if (!trial) {
+                return std::nullopt;
+            }
+            trials[i] = *trial;
             if (known && !trials[i].holds) {
                 return std::move(scenarios[i]);
             }
@@ -68,6 +76,18 @@ private:
     std::vector<std::size_t> m_order;
 };
 
+/// From 1, of the last of the candidates that is this cycle; the last of all if none were.
+int placeOf(const FeasibleCycle& cycle, const std::vector<FeasibleCycle>& candidates) {
+    const auto last =
+        std::find_if(candidates.rbegin(), candidates.rend(), [&cycle](const FeasibleCycle& each) {
+            return each.variant == cycle.variant && each.cycle == cycle.cycle;
+        });
+    const auto place = last == candidates.rend()
+                           ? candidates.size()
+                           : static_cast<std::size_t>(candidates.rend() - last);
+    return std::max(static_cast<int>(place), 1);
+}
+
 } // namespace
 
 RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
@@ -81,12 +101,15 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
     const Variants variants(project, search.stop);
     int draws = 0; // from the source
     Trials trials;
+    std::vector<FeasibleCycle> candidates; // in the order of their tests on fresh phases
     const auto challenge = [&](const FeasibleCycle& found) {
         Project best = variants.project(found.variant);
         best.optimisation = project.optimisation;
         best.cycle = variants.grid(found.variant).cycle(found.cycle);
         auto failing = trials.failing(best, source(best, draws++), options.search.stop);
         if (!failing && !options.search.stop.stop_requested()) {
+            candidates.push_back(found);
+            ++summary.candidates;
             failing = failingPhase(best, static_cast<std::uint32_t>(draws), options.search.stop);
             summary.freshFailures += failing ? 1 : 0;
         }
@@ -118,6 +141,7 @@ RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& sourc
             return summary;
         }
         if (!failing) { // a challenge was drawn for this cycle
+            summary.candidate = placeOf(*summary.search.best, candidates);
             summary.holdsInSample = true;
             summary.freshPhases = freshPhaseCount;
             return summary;
@@ -159,21 +183,21 @@ std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
         const auto stage =
             static_cast<std::size_t>(unit(0) * static_cast<double>(infeeds_mm.size()));
         drawn.part.stock_mm = best.part.stock_mm + infeeds_mm[stage] * unit(1);
-        const Trial trial = tried(drawn, stop);
-        if (!trial.holds && (!worst || trial.leastMargin < least)) {
+        const std::optional<Trial> trial = tried(drawn, stop);
+        if (trial && !trial->holds && (!worst || trial->leastMargin < least)) {
             worst = drawn;
-            least = trial.leastMargin;
+            least = trial->leastMargin;
         }
     }
     return worst;
 }
 
-FreshScenarios scenariosAskedFor(const Project& project) {
+FreshScenarios scenariosAskedFor(const Project& project, const std::stop_token& stop) {
     const OptimisationScenarios asked = project.optimisation->scenarios;
     if (asked == OptimisationScenarios::nominal || !project.batch) {
         return freshStockPhases;
     }
-    return [asked](const Project& best, int round) {
+    return [asked, stop](const Project& best, int round) {
         std::vector<Project> scenarios = freshStockPhases(best, round);
         Project sampled = best;
         if (asked == OptimisationScenarios::corners) {
@@ -185,7 +209,7 @@ FreshScenarios scenariosAskedFor(const Project& project) {
             sampled.batch->seed = static_cast<int>(seed & mostSeed);
         }
         const ScenarioSource source(std::move(sampled));
-        for (std::int64_t part = 0; part < source.parts(); ++part) {
+        for (std::int64_t part = 0; part < source.parts() && !stop.stop_requested(); ++part) {
             scenarios.push_back(source.project(part));
         }
         return scenarios;

@@ -3,6 +3,8 @@
 
 #include "core/optimisation/optimise.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -20,16 +22,18 @@ struct RobustOptions {
 };
 
 struct RobustSummary {
-    SearchSummary search;            ///< of the last round
-    std::vector<Project> added;      ///< the scenarios that had to be added
-    int rounds = 0;                  ///< searches made
-    long long evaluations = 0;       ///< of all rounds
-    long long visits = 0;            ///< of all rounds, without the tests
-    bool holdsInSample = false;      ///< none of the last round's scenarios failed, nor of
-                                     ///< the fresh phases
-    int freshPhases = 0;             ///< that the answer was tried on at last, and held in all
-    int freshFailures = 0;           ///< cycles that failed in one of theirs; it was added
-    double nominalTime_s = 0;        ///< of the first round's best; 0: none
+    SearchSummary search;       ///< of the last round
+    std::vector<Project> added; ///< the scenarios that had to be added
+    int rounds = 0;             ///< searches made
+    long long evaluations = 0;  ///< of all rounds
+    long long visits = 0;       ///< of all rounds, without the tests
+    bool holdsInSample = false; ///< none of the last round's scenarios failed, nor of
+                                ///< the fresh phases
+    int freshPhases = 0;        ///< that the answer was tried on at last, and held in all
+    int freshFailures = 0;      ///< cycles that failed in one of theirs; it was added
+    int candidates = 0;         ///< cycles that were tried on fresh phases, each on its own
+    int candidate = 0;          ///< the how manieth of them the answer is, from 1; 0: none
+    double nominalTime_s = 0;   ///< of the first round's best; 0: none
 };
 
 /// Optimises, tests the best cycle on the source's scenarios, adds one in which it fails to those
@@ -39,7 +43,8 @@ struct RobustSummary {
 /// scenarios in the set. That it holds in others is not proved: it is tried on phases of the stock
 /// drawn at random, fresh for each cycle that may be the answer. One in which it fails is added and
 /// the search goes on; the answer is a cycle that failed in none of its own, so that with 95 %
-/// confidence no more than mostFailing() of the phases fail.
+/// confidence no more than mostFailing() of the phases fail. A stop leaves a trial unchecked: it
+/// counts neither as one that failed nor as one that held.
 ///
 /// Every stage of the answer makes a step on the part itself (SearchOptions::everyStageSteps). A
 /// stage that the stage before overruns there would be in use for other stocks only; a cycle with
@@ -64,15 +69,21 @@ struct RobustSummary {
 /// Phases drawn for the last test of an answer.
 inline constexpr int freshPhaseCount = 500;
 
-/// The largest share of failing phases that leaves a chance of 5 % to meet none in so many drawn
-/// independently: (1 − p)ⁿ = 0.05, p ≤ 3/n.
-[[nodiscard]] constexpr double mostFailing(int phases) {
-    return 3.0 / phases;
+/// The largest share of failing phases, with 95 % confidence, of the k-th cycle that was tried on
+/// so many drawn independently for it, and failed in none. One with a share p of them meets none
+/// with a chance of (1 − p)ⁿ ≤ e^(−p·n), but who tries cycle after cycle until one meets none gives
+/// the bad ones a chance each. With p_k = ln(k·(k + 1)/0.05)/n the k-th has 0.05/(k·(k + 1)), and
+/// Σ 1/(k·(k + 1)) = 1: all of them together, however many, have no more than 5 %, and each may be
+/// chosen by what became of those before it.
+[[nodiscard]] inline double mostFailing(int phases, int candidate) {
+    constexpr double risk = 0.05;
+    const double k = candidate;
+    return std::min(std::log(k * (k + 1) / risk) / phases, 1.0);
 }
 
 /// One of `count` phases in which the project's cycle fails, the one by most; nothing: none. The
 /// phases are independent and even over one infeed of each stage; other ones for every draw. A stop
-/// ends it with what it has.
+/// ends it with what it has: nothing then does not mean that it holds in all.
 [[nodiscard]] std::optional<Project> failingPhase(const Project& best, std::uint32_t draw,
                                                   const std::stop_token& stop = {},
                                                   int count = freshPhaseCount);
@@ -83,7 +94,8 @@ inline constexpr int freshPhaseCount = 500;
 /// The scenarios that the project's optimisation asks for, each round with fresh stock phases of
 /// the part: with `corners` all corners of its batch's factors, with `batch` its batch with another
 /// seed each round. Of a project whose batch checkBatch() passes; with `nominal` the stock phases
-/// alone.
-[[nodiscard]] FreshScenarios scenariosAskedFor(const Project& project);
+/// alone. A stop leaves out parts of the batch.
+[[nodiscard]] FreshScenarios scenariosAskedFor(const Project& project,
+                                               const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -13,8 +13,9 @@ bool ScenarioRunner::Before::operator()(const GridCycle& a, const GridCycle& b) 
         });
 }
 
-ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes)
-    : m_runner(scenario, grid), m_mostKept(memory_bytes / prefixBytes(scenario)) {
+ScenarioRunner::ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes,
+                               const std::stop_token& stop)
+    : m_runner(scenario, grid, stop), m_mostKept(memory_bytes / prefixBytes(scenario)) {
     if (memory_bytes > 0 && m_runner.isGauged()) {
         m_runs.emplace(scenario, grid, m_runner, StageRuns::Bounds::no);
     }

@@ -16,7 +16,8 @@ namespace sparkout {
 class ScenarioRunner {
 public:
     /// @param memory_bytes  for first stages, about; 0: each cycle is run from the blank
-    ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes);
+    ScenarioRunner(const Project& scenario, const Grid& grid, std::size_t memory_bytes,
+                   const std::stop_token& stop);
     ScenarioRunner(const ScenarioRunner&) = delete; // the runs refer to the runner's cuts
     ScenarioRunner& operator=(const ScenarioRunner&) = delete;
 

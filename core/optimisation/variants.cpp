@@ -155,6 +155,9 @@ std::int64_t gridSize(const Project& project) {
     std::array<std::optional<Grid>, 2> grids;
     long double sum = 0;
     for (const double sparkOut : sparkOuts) {
+        if (sum > 9.3e18L) {
+            break; // more than can be stated
+        }
         std::optional<Grid>& grid = grids[static_cast<int>(sparkOut) > 0 ? 1 : 0];
         if (!grid) {
             grid = gridWith(plain, sparkOut);

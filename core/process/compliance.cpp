@@ -153,12 +153,15 @@ double Compliance::between(double x, double s) const {
     return with(restTermsAt(x), restTermsAt(s), bare(x, s));
 }
 
-std::vector<double> Compliance::rows(const std::vector<double>& at,
-                                     const std::vector<double>& from) const {
-    const auto terms = [this](const std::vector<double>& places) {
+std::vector<double> Compliance::rows(const std::vector<double>& at, const std::vector<double>& from,
+                                     const std::stop_token& stop) const {
+    const auto terms = [this, &stop](const std::vector<double>& places) {
         std::vector<std::vector<double>> all;
-        for (const double place : places)
+        for (const double place : places) {
+            if (stop.stop_requested())
+                break;
             all.push_back(restTermsAt(onShaft(place)));
+        }
         return all;
     };
     std::map<double, BentLine> lines; // by the place of the load
@@ -172,10 +175,11 @@ std::vector<double> Compliance::rows(const std::vector<double>& at,
     const std::vector<std::vector<double>> atEach = terms(at);
     const std::vector<std::vector<double>> fromEach = terms(from);
     std::vector<double> G;
-    for (std::size_t i = 0; i < at.size(); ++i) {
+    for (std::size_t i = 0; i < at.size() && !stop.stop_requested(); ++i) {
         for (std::size_t j = 0; j < from.size(); ++j)
             G.push_back(with(atEach[i], fromEach[j], bareAt(onShaft(at[i]), onShaft(from[j]))));
     }
+    G.resize(at.size() * from.size()); // what was stopped
     return G;
 }
 

@@ -77,8 +77,9 @@ public:
     /// G(x,s) [mm/N]; G(x,s) = G(s,x) to the last bit.
     double between(double x, double s) const;
 
-    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row.
-    std::vector<double> rows(const std::vector<double>& at, const std::vector<double>& from) const;
+    /// G(x,s) for each x of `at` (rows) and s of `from` (columns), row by row. A stop leaves zeros.
+    std::vector<double> rows(const std::vector<double>& at, const std::vector<double>& from,
+                             const std::stop_token& stop = {}) const;
 
     /// gamma(x) = G(x,x) [mm/N].
     double at(double x) const { return between(x, x); }

@@ -46,7 +46,7 @@ public:
         , m_direction(m_count)
         , m_free(static_cast<std::size_t>(m_count)) {}
 
-    Outcome solve(const double* lag_mm, double* root);
+    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop);
     VectorXd force; ///< of the last solution
 
 private:
@@ -66,9 +66,9 @@ private:
     [[nodiscard]] double slope(Index j, double u, double f) const;
     [[nodiscard]] double ownDepth(const Point& point, Index j) const;
     void newtonStep();
-    int interiorSteps(const MapConst& h);
+    int interiorSteps(const MapConst& h, const std::stop_token& stop);
     double interiorStep(double mu);
-    int descend(const MapConst& h, double enough, int mostSteps);
+    int descend(const MapConst& h, double enough, int mostSteps, const std::stop_token& stop);
     void sweep(const MapConst& h);
     void descentDirection();
     bool searchAlong(const MapConst& h);
@@ -90,7 +90,8 @@ private:
     std::vector<Index> m_free;
 };
 
-CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, double* root) {
+CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, double* root,
+                                                        const std::stop_token& stop) {
     const MapConst h(lag_mm, m_count);
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const double enough =
@@ -102,12 +103,13 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
     }
     start(h, root);
     evaluate(m_now, h);
-    while (!(m_now.residual <= enough) && outcome.iterations < maxIterations) {
+    while (!(m_now.residual <= enough) && outcome.iterations < maxIterations
+           && !stop.stop_requested()) {
         ++outcome.iterations;
         newtonStep();
         evaluate(m_next, h);
         if (!(m_next.residual <= m_now.residual / 2)) {
-            outcome.iterations += interiorSteps(h);
+            outcome.iterations += interiorSteps(h, stop);
             if (!(m_next.residual < m_now.residual)) {
                 break;
             }
@@ -115,7 +117,7 @@ CoupledSections::Outcome CoupledSections::Solver::solve(const double* lag_mm, do
         std::swap(m_now, m_next);
     }
     if (!(m_now.residual <= enough)) {
-        outcome.iterations += descend(h, enough, maxDescents);
+        outcome.iterations += descend(h, enough, maxDescents, stop);
     }
     Eigen::Map<ArrayXd>(root, m_count) = m_now.u;
     force = m_now.f;
@@ -219,7 +221,7 @@ void CoupledSections::Solver::newtonStep() {
 // Where f·z = μ for all sections, z → r ≥ 0: a path into the solution as μ → 0. Steps are damped
 // so that f and z stay positive; D is taken at the depth a section is yet to reach, for at u = 0 it
 // is none. Ends in m_next, which the next Newton steps make exact. Returns the steps taken.
-int CoupledSections::Solver::interiorSteps(const MapConst& h) {
+int CoupledSections::Solver::interiorSteps(const MapConst& h, const std::stop_token& stop) {
     constexpr int mostSteps = 60;
     constexpr double nearEnough_mm = 1e-11;
     m_next.f = m_now.f.cwiseMax(std::max(1e-2 * m_now.f.mean(), 1e-12));
@@ -227,7 +229,7 @@ int CoupledSections::Solver::interiorSteps(const MapConst& h) {
     m_gap = m_next.r.max(m_now.residual / 10);
     double centring = 0.2;
     int steps = 0;
-    for (; steps < mostSteps; ++steps) {
+    for (; steps < mostSteps && !stop.stop_requested(); ++steps) {
         const double mu = (m_next.f.array() * m_gap).mean();
         double worst = (m_next.r - m_gap).abs().maxCoeff();
         for (Index j = 0; j < m_count; ++j) {
@@ -273,15 +275,16 @@ double CoupledSections::Solver::interiorStep(double mu) {
 
 // From m_now to the minimum of Ψ: sweeps, each followed by Newton's steps over the sections that
 // cut after it until their minimum is found. None of both ever raises Ψ. Returns the steps taken.
-int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostSteps) {
+int CoupledSections::Solver::descend(const MapConst& h, double enough, int mostSteps,
+                                     const std::stop_token& stop) {
     m_now.f = m_now.f.array().isFinite().select(m_now.f.array(), 0).max(0).matrix();
     int steps = 0;
-    while (steps < mostSteps) {
+    while (steps < mostSteps && !stop.stop_requested()) {
         sweep(h);
         evaluate(m_now, h);
         constexpr int mostInRow = 50;
         for (int step = 0; step < mostInRow && steps < mostSteps; ++step) {
-            if (m_now.residual <= enough) {
+            if (m_now.residual <= enough || stop.stop_requested()) {
                 return steps;
             }
             ++steps;
@@ -421,8 +424,9 @@ CoupledSections::CoupledSections(const CoupledSections& other)
 CoupledSections::CoupledSections(CoupledSections&&) noexcept = default;
 CoupledSections& CoupledSections::operator=(CoupledSections&&) noexcept = default;
 
-CoupledSections::Outcome CoupledSections::solve(const double* lag_mm, double* root) {
-    return m_solver->solve(lag_mm, root);
+CoupledSections::Outcome CoupledSections::solve(const double* lag_mm, double* root,
+                                                const std::stop_token& stop) {
+    return m_solver->solve(lag_mm, root, stop);
 }
 
 std::size_t CoupledSections::size() const {

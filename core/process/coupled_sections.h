@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace sparkout {
@@ -78,7 +79,8 @@ public:
 
     /// `root` holds u = √a of each section [√mm], from the last revolution as the start, and takes
     /// the solution; all zero is a cold start. Allocates nothing.
-    Outcome solve(const double* lag_mm, double* root);
+    /// A stop ends it within a factor, not converged.
+    Outcome solve(const double* lag_mm, double* root, const std::stop_token& stop = {});
 
     [[nodiscard]] std::size_t size() const;
     /// f of the last solution [N], J values; their sum is the normal force on the wheel.

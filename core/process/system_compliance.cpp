@@ -73,10 +73,14 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
     const Compliance system = shaftCompliance(project, stop);
     const double from = project.part.shaft.ground_from_mm;
     for (const double position : at) {
+        if (stop.stop_requested()) {
+            break;
+        }
         gammas.push_back(project.operation == Operation::traverse
                              ? system.at(from + position)
                              : system.mean(from + position, from, from + project.part.length_mm));
     }
+    gammas.resize(at.size()); // what was stopped
     return gammas;
 }
 
@@ -119,7 +123,8 @@ std::vector<CompliantPoint> compliantPoints(const Project& project, const std::s
     return points;
 }
 
-std::vector<CompliantPlace> complianceAlong(const Project& project, int places) {
+std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
+                                            const std::stop_token& stop) {
     std::vector<CompliantPlace> along;
     if (!isComputed(project)) {
         return along;
@@ -136,8 +141,8 @@ std::vector<CompliantPlace> complianceAlong(const Project& project, int places) 
         }
         return along;
     }
-    const Compliance system = shaftCompliance(project, {});
-    for (int i = 0; i <= gaps; ++i) {
+    const Compliance system = shaftCompliance(project, stop);
+    for (int i = 0; i <= gaps && !stop.stop_requested(); ++i) {
         const double x = i < gaps ? system.length() * i / gaps : system.length();
         along.push_back({x - part.shaft.ground_from_mm, system.partsAt(x)});
     }
@@ -194,7 +199,7 @@ std::vector<double> influenceRows(const Project& project, const std::vector<doub
         }
         return places;
     };
-    return shaftCompliance(project, stop).rows(alongTheShaft(at), alongTheShaft(from));
+    return shaftCompliance(project, stop).rows(alongTheShaft(at), alongTheShaft(from), stop);
 }
 
 } // namespace sparkout

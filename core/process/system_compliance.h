@@ -37,8 +37,9 @@ struct CompliantPlace {
 };
 
 /// Evenly spaced places (at least 2) from end to end of the shaft, or of the bore, whose quill
-/// bends alike for all of them. None where γ is given.
-[[nodiscard]] std::vector<CompliantPlace> complianceAlong(const Project& project, int places);
+/// bends alike for all of them. None where γ is given; a stop leaves out the last ones.
+[[nodiscard]] std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
+                                                          const std::stop_token& stop = {});
 
 /// Index into compliantPoints() of the zone or section that carries the gauge, or whose middle is
 /// nearest to its free position.

@@ -71,8 +71,8 @@ SectionCoupling::Outcome SectionCoupling::solve(const PassFeed& feed, const Plac
             m_lag[j] = fed - m_depth[j * m_radii + k];
         }
         double* roots = m_roots.data() + k * m_sections;
-        if (!m_balance.solve(m_lag.data(), roots).converged) {
-            return Outcome::notSolved;
+        if (!m_balance.solve(m_lag.data(), roots, stop).converged) {
+            return stop.stop_requested() ? Outcome::stopped : Outcome::notSolved;
         }
         keepPeaks(roots, at);
         for (std::size_t j = 0; j < m_sections; ++j) {

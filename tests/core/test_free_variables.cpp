@@ -332,7 +332,7 @@ private slots:
         const SimulationResult result = simulate(other);
         QVERIFY(!holds(result) || std::llround(result.time_s * 1e6) >= best.best->time_us);
         const bool binds = !holds(result) && std::llround(result.time_s * 1e6) < best.best->time_us;
-        QVERIFY(bindingRequirements(p, *best.best).empty() == !binds);
+        QVERIFY(bindingRequirements(p, *best.best)->empty() == !binds);
     }
 
     void aGridOfTooManyVariantsIsRefused() {

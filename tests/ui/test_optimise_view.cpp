@@ -246,9 +246,39 @@ private slots:
         QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
                  qPrintable(cost));
         QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
-                     && cost.contains(QStringLiteral("at most 0.6 % of the phases fail"))
+                     && cost.contains(QStringLiteral("at most 0.74 % of the phases fail"))
                      && cost.contains(QStringLiteral("proved for these")),
                  qPrintable(cost));
+    }
+
+    void theShareThatMayFailGrowsWithTheCyclesTried() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.robust = true;
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.candidate = 3;
+        const QString third = OptimiseText::answer(outcome, {});
+        QVERIFY2(third.contains(QStringLiteral("as cycle no. 3 that was tried so"))
+                     && third.contains(QStringLiteral("at most 1.10 % of the phases fail")),
+                 qPrintable(third));
+    }
+
+    // What was not worked out is not known; it does not read as if nothing were in the way.
+    void whatBindsIsNotKnownWhereItWasStopped() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.found.emplace_back().time_s = 50;
+        const auto says = [&](const char* words) {
+            return OptimiseText::answer(outcome, {}).contains(QString::fromLatin1(words));
+        };
+        QVERIFY(says("from being quicker is not known: the search was stopped"));
+        outcome.binding.emplace();
+        QVERIFY(!says("not known") && says("No cycle of the grid that differs in one setting"));
+        outcome.stopped = true; // of the best so far nothing of the kind is proved
+        QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
+        outcome.binding->push_back(ConstraintKind::wheelPower);
+        QVERIFY(!says("not known") && says("What keeps it from being quicker: "));
     }
 
     void aSearchIsStoppedAndAnEditDropsIt() {

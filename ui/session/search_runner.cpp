@@ -3,6 +3,7 @@
 
 #include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
+#include "core/optimisation/grace_stop.h"
 #include "core/optimisation/judge.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/refine.h"
@@ -76,9 +77,12 @@ private:
             tell(stages, progress.bound_s, progress.evaluations);
         };
         SearchedNumber number{.stages = stages};
+        int candidate = 0;
         if (m_outcome->robust) {
             RobustSummary robust =
-                optimiseRobustly(project, scenariosAskedFor(project), {.search = options});
+                optimiseRobustly(project, scenariosAskedFor(project, m_stop), {.search = options});
+            candidate = m_candidates + robust.candidate;
+            m_candidates += robust.candidates;
             number.scenariosAdded = static_cast<int>(robust.added.size());
             number.holds = robust.holdsInSample;
             number.nominalTime_s = robust.nominalTime_s;
@@ -91,7 +95,7 @@ private:
             m_outcome->stopped = true;
         }
         if (number.search.best && number.holds) {
-            addFound(*number.search.best);
+            addFound(*number.search.best, FoundBy::search, candidate);
         }
         m_outcome->numbers.push_back(std::move(number));
     }
@@ -99,15 +103,16 @@ private:
     struct Noted {
         FeasibleCycle cycle;
         FoundBy by = FoundBy::search;
+        int candidate = 0; ///< on fresh phases
     };
 
     /// A cycle is noted once.
-    void addFound(const FeasibleCycle& cycle, FoundBy by = FoundBy::search) {
+    void addFound(const FeasibleCycle& cycle, FoundBy by = FoundBy::search, int candidate = 0) {
         const auto known = std::ranges::find_if(m_found, [&cycle](const Noted& each) {
             return each.cycle.variant == cycle.variant && each.cycle.cycle == cycle.cycle;
         });
         if (known == m_found.end()) {
-            m_found.push_back({cycle, by});
+            m_found.push_back({cycle, by, candidate});
         } else if (by == FoundBy::margin) {
             known->by = by;
         }
@@ -167,7 +172,8 @@ private:
         if (m_outcome->robust) {
             options.scenarios = m_scenarios;
             options.everyStageSteps = true;
-            options.source = scenariosAskedFor(project);
+            options.source = scenariosAskedFor(project, m_stop);
+            options.candidates = m_candidates;
         }
         const RefineSummary refined = refine(project, best.cycle, options);
         if (refined.isQuicker) {
@@ -176,7 +182,11 @@ private:
                                      .cycle = refined.cycle,
                                      .machine = best.machine,
                                      .time_s = refined.time_s,
-                                     .leastRelativeMargin = refined.leastRelativeMargin});
+                                     .leastRelativeMargin = refined.leastRelativeMargin,
+                                     .candidate = refined.candidate});
+            const GraceStop grace(m_stop);
+            m_outcome->binding = bindingRequirements(project, refined.cycle, refined.time_us,
+                                                     m_scenarios, grace.token());
         }
     }
 
@@ -185,7 +195,7 @@ private:
             return isBetter(a.cycle, b.cycle, m_variants.grid(a.cycle.variant));
         });
         std::vector<std::size_t> numbers; // of stages, met already
-        for (const auto& [each, by] : m_found) {
+        for (const auto& [each, by, candidate] : m_found) {
             const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
             m_outcome->found.push_back(
                 {.by = by,
@@ -194,16 +204,18 @@ private:
                  .time_s = each.time_s,
                  .leastRelativeMargin = each.leastRelativeMargin,
                  .isBest = numbers.empty(),
-                 .isBestOfItsNumber = first});
+                 .isBestOfItsNumber = first,
+                 .candidate = candidate});
             if (first) {
                 numbers.push_back(each.cycle.size());
             }
         }
-        m_outcome->limit_s = steplessLimit_s(m_outcome->project, m_stop);
+        const GraceStop grace(m_stop); // for both
+        m_outcome->limit_s = steplessLimit_s(m_outcome->project, grace.token());
         m_outcome->bound_s = bound();
-        if (!m_found.empty() && !m_outcome->stopped) { // it takes cycles run to their ends
-            m_outcome->binding =
-                bindingRequirements(m_outcome->project, m_found.front().cycle, m_scenarios, m_stop);
+        if (!m_found.empty()) {
+            m_outcome->binding = bindingRequirements(m_outcome->project, m_found.front().cycle,
+                                                     m_scenarios, grace.token());
         }
     }
 
@@ -229,6 +241,7 @@ private:
     Note m_note;
     std::vector<Noted> m_found;
     std::vector<Project> m_scenarios;
+    int m_candidates = 0; ///< cycles tried on fresh phases so far
 };
 
 } // namespace

@@ -36,6 +36,7 @@ struct FoundCycle {
     double leastRelativeMargin = 0;
     bool isBest = false;            ///< of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< of stages
+    int candidate = 0;              ///< the how manieth that was tried on fresh phases; 0: was not
 };
 
 /// The search of the cycles of one number of stages.
@@ -58,7 +59,8 @@ struct SearchOutcome {
     std::vector<FoundCycle> found;       ///< the quickest first
     double limit_s = 0;                  ///< of the stepless cycle
     double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
-    std::vector<ConstraintKind> binding;
+    /// What binds the quickest of `found`; nothing: not known, as it was stopped before.
+    std::optional<std::vector<ConstraintKind>> binding;
     bool stopped = false;
 
     [[nodiscard]] bool ran() const { return fault == GridFault::none && batchIssues.empty(); }

@@ -188,9 +188,7 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         lines << tr("The stepless limit is %1 min, %2 % below it.")
                      .arg(minutes(outcome.limit_s), percent(gapToLimit(least_s, outcome.limit_s)));
     }
-    if (!outcome.binding.empty()) {
-        lines << tr("What keeps it from being quicker: %1.").arg(names(outcome.binding));
-    }
+    lines << bindingOf(outcome);
     if (outcome.robust) {
         int added = 0;
         for (const SearchedNumber& number : outcome.numbers) {
@@ -198,16 +196,32 @@ QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double>
         }
         lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
                     nullptr, added);
-        lines
-            << tr("It held in all of %1 phases of the stock drawn afresh: with 95 % confidence at "
-                  "most %2 % of the phases fail.")
-                   .arg(QLocale().toString(freshPhaseCount), percent(mostFailing(freshPhaseCount)));
+        const FoundCycle& answer = outcome.refined() ? *outcome.refined() : *best;
+        const int candidate = std::max(answer.candidate, 1);
+        const double most = mostFailing(freshPhaseCount, candidate);
+        lines << tr("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
+                    "was tried so: with 95 % confidence at most %3 % of the phases fail.")
+                     .arg(QLocale().toString(freshPhaseCount), QLocale().toString(candidate),
+                          Names::fixed(std::ceil(most * 1e4) / 1e2, 2));
         if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
             lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
                          .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
         }
     }
+    lines.removeAll(QString());
     return lines.join(u' ');
+}
+
+QString OptimiseText::bindingOf(const SearchOutcome& outcome) {
+    if (!outcome.binding) {
+        return tr("What keeps it from being quicker is not known: the search was stopped before.");
+    }
+    if (!outcome.binding->empty()) {
+        return tr("What keeps it from being quicker: %1.").arg(names(*outcome.binding));
+    }
+    return outcome.proved() && !outcome.refined()
+               ? tr("No cycle of the grid that differs in one setting is quicker.")
+               : QString();
 }
 
 } // namespace sparkout

@@ -30,6 +30,7 @@ public:
 private:
     static QString names(const std::vector<ConstraintKind>& kinds);
     static QString cutsOf(const SearchOutcome& outcome);
+    static QString bindingOf(const SearchOutcome& outcome);
 };
 
 } // namespace sparkout

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/grace.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace sparkout {
+
+/// A Grace for work that takes a token: one that is requested with the stop, but not before the
+/// moment is over. It is for all that is worked out about one answer together.
+class GraceStop {
+public:
+    explicit GraceStop(std::stop_token stop)
+        : m_stop(std::move(stop))
+        , m_timer([this](const std::stop_token& done) { wait(done); })
+        , m_asked(m_stop, Ask{this}) {}
+    GraceStop(const GraceStop&) = delete;
+    GraceStop& operator=(const GraceStop&) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return m_over.get_token(); }
+
+private:
+    struct Ask {
+        GraceStop* grace;
+        void operator()() const {
+            const std::scoped_lock lock(grace->m_mutex);
+            if (grace->m_momentIsOver) {
+                grace->m_over.request_stop();
+            }
+        }
+    };
+
+    void wait(const std::stop_token& done) {
+        std::condition_variable_any never;
+        std::unique_lock lock(m_mutex);
+        never.wait_for(lock, done, Grace::moment, [] { return false; });
+        if (!done.stop_requested()) {
+            m_momentIsOver = true;
+            if (m_stop.stop_requested()) {
+                m_over.request_stop();
+            }
+        }
+    }
+
+    std::stop_token m_stop;
+    std::stop_source m_over;
+    std::mutex m_mutex; ///< of what follows
+    bool m_momentIsOver = false;
+    std::jthread m_timer; ///< ended before what it uses
+    std::stop_callback<Ask> m_asked;
+};
+
+} // namespace sparkout
