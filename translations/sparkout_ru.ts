@@ -96,7 +96,7 @@
         <message>
             <source>%1, p</source>
             <comment>name of the test</comment>
-            <translation>%1, p</translation>
+            <translation>Критерий %1, p</translation>
         </message>
         <message>
             <source>conforms to the drawing</source>
@@ -645,10 +645,6 @@
         <message>
             <source>not met at any depth</source>
             <translation>не выполнено ни при какой подаче</translation>
-        </message>
-        <message>
-            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be told from it.</source>
-            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
         </message>
         <message>
             <source>No other requirement of this project limits the feed.</source>
@@ -3704,6 +3700,14 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Not checked, for want of an input: %1</source>
             <translation>Не проверяется, нет исходных данных: %1</translation>
         </message>
+        <message>
+            <source>Roughness is not limiting while it is not calibrated: %1</source>
+            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: %1</translation>
+        </message>
+        <message>
+            <source>Roughness is not limiting while it is not calibrated: with the roughness calibration of 1 the computed Ra is too small, and no depth of cut can be told from it.</source>
+            <translation>Шероховатость не ограничивает подачу, пока расчёт не откалиброван: при поправке шероховатости, равной 1, расчётный параметр Ra занижен, и допустимую глубину резания по нему определить нельзя.</translation>
+        </message>
     </context>
     <context>
         <name>Location</name>
@@ -4009,6 +4013,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>double stroke %1</source>
             <comment>short</comment>
             <translation>дв.ход %1</translation>
+        </message>
+        <message>
+            <source>Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, and its size, form and roughness are those of the cut part alone.</source>
+            <translation>Остаются непрошлифованные полосы (перекрытие B/s %1, меньше 1): это не вся поверхность, её размер, форма и шероховатость относятся только к прошлифованной части.</translation>
         </message>
     </context>
     <context>
@@ -8866,6 +8874,10 @@ mm/min</source>
             <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
             <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
         </message>
+        <message>
+            <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
+            <translation>Файл настроек повреждён, и убрать его в сторону не удалось (%1): %2. Он оставлен как есть; действуют настройки по умолчанию, их изменения не сохраняются.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::FormRow</name>
@@ -10680,6 +10692,10 @@ target, µm</source>
             <source>Untitled</source>
             <translation>Без имени</translation>
         </message>
+        <message>
+            <source>Another window is offering the unsaved work that was found. When it has answered, ask again for what it left.</source>
+            <translation>Найденную несохранённую работу уже предлагает другое окно. Когда там будет дан ответ, спросите снова о том, что осталось.</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::ReportCommands</name>
@@ -10810,6 +10826,18 @@ target, µm</source>
         <message>
             <source>The run was not kept: the inputs were changed before it was computed.</source>
             <translation>Расчёт не запомнен: исходные данные изменились до его окончания.</translation>
+        </message>
+        <message>
+            <source>“%1” is being computed and will be kept.</source>
+            <translation>«%1»: идёт расчёт, он будет запомнен.</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Остановить</translation>
+        </message>
+        <message>
+            <source>Stopped; nothing was kept.</source>
+            <translation>Остановлено; ничего не запомнено.</translation>
         </message>
     </context>
     <context>

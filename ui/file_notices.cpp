@@ -14,6 +14,8 @@
 #include <QFileInfo>
 #include <QLocale>
 
+#include <cstring>
+
 namespace sparkout {
 
 namespace {
@@ -172,6 +174,13 @@ void FileCommands::tellDamagedSettings() {
             {settingsKey,
              Mark::warning,
              [error = *error] {
+                 if (error.step == FileStep::backup) {
+                     return tr("The settings file is damaged and could not be put aside (%1): %2. "
+                               "It is left as it is; the settings are the default ones, and "
+                               "changes of them are not kept.")
+                         .arg(QString::fromLocal8Bit(std::strerror(error.systemError)),
+                              printableText(QString::fromStdString(error.path)));
+                 }
                  return tr("The settings are the default ones: %1").arg(readErrorText(error));
              },
              {}});
@@ -200,8 +209,9 @@ bool FileCommands::offerRecovery(bool alsoDiscarded) {
         return false;
     }
     std::vector<RecoveryItem> items;
+    bool offeredElsewhere = false;
     aside([&] {
-        items = store->left();
+        items = store->left(&offeredElsewhere);
         if (alsoDiscarded) {
             for (RecoveryItem& item : store->discarded()) {
                 items.push_back(std::move(item));
@@ -210,11 +220,13 @@ bool FileCommands::offerRecovery(bool alsoDiscarded) {
     });
     if (items.empty()) {
         if (alsoDiscarded) {
-            showFailure(m_window, tr("Recover work"), tr("No unsaved work was found."));
+            showFailure(m_window, tr("Recover work"),
+                        offeredElsewhere ? RecoveryDialog::offeredElsewhereText()
+                                         : tr("No unsaved work was found."));
         }
         return false;
     }
-    RecoveryDialog dialog(*store, std::move(items), m_window);
+    RecoveryDialog dialog(*store, std::move(items), offeredElsewhere, m_window);
     const bool accepted = dialog.exec() == QDialog::Accepted;
     const auto chosen = dialog.chosen();
     return accepted && chosen && recover(*chosen);

@@ -5,6 +5,8 @@
 #include <QEvent>
 #include <QPainter>
 
+#include <utility>
+
 namespace sparkout {
 
 namespace {
@@ -52,13 +54,20 @@ void FocusFrame::follow(QWidget& widget) {
     m_widget = &widget;
     for (QWidget* part = &widget; part; part = part->isWindow() ? nullptr : part->parentWidget()) {
         part->installEventFilter(this);
+        m_watched << part;
     }
+    connect(&widget, &QObject::destroyed, this, &FocusFrame::leave);
     place();
 }
 
 void FocusFrame::leave() {
-    for (QWidget* part = m_widget; part; part = part->isWindow() ? nullptr : part->parentWidget()) {
-        part->removeEventFilter(this);
+    for (const QPointer<QWidget>& part : std::exchange(m_watched, {})) {
+        if (part) {
+            part->removeEventFilter(this);
+        }
+    }
+    if (m_widget) {
+        disconnect(m_widget, &QObject::destroyed, this, nullptr);
     }
     m_widget = nullptr;
     hide();

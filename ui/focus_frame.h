@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QPointer>
 #include <QWidget>
 
@@ -26,7 +27,8 @@ private:
     void leave();
     void place();
 
-    QPointer<QWidget> m_widget; ///< null: nothing is framed
+    QPointer<QWidget> m_widget;         ///< null: nothing is framed
+    QList<QPointer<QWidget>> m_watched; ///< it and what it stands in, which may outlive it
 };
 
 } // namespace sparkout

@@ -88,7 +88,7 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::fitPanels() {
-    m_widths->want(m_inputsDock, m_inputs->minimumSizeHint().width());
+    m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
     m_widths->want(m_verdictDock, atFontSize(verdictWidth));
 }
 
@@ -99,15 +99,22 @@ void MainWindow::restoreWindow() {
     if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
         restoreGeometry(parts->front());
     }
-    if (const auto parts = unsealed(m_settings.windowState(), 2)) {
+    auto parts = unsealed(m_settings.windowState(), 3);
+    if (!parts) { // of an earlier version: the widths that were wanted are not known
+        parts = unsealed(m_settings.windowState(), 2);
+    }
+    if (parts) {
         restoreState(parts->front());
-        m_tabs->restoreState(parts->back());
-        m_widths->takeOverWhenShown();
+        m_tabs->restoreState(parts->at(1));
+        if (parts->size() < 3 || !m_widths->restoreState(parts->back())) {
+            m_widths->takeOverWhenShown();
+        }
     }
 }
 
 void MainWindow::saveWindow() {
-    m_settings.setWindow(sealed({saveGeometry()}), sealed({saveState(), m_tabs->saveState()}));
+    m_settings.setWindow(sealed({saveGeometry()}),
+                         sealed({saveState(), m_tabs->saveState(), m_widths->saveState()}));
 }
 
 void MainWindow::movePanel(int by) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panel_widths.h"
 
+#include <QDataStream>
 #include <QDockWidget>
 #include <QEvent>
 #include <QGuiApplication>
+#include <QIODevice>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -38,20 +40,29 @@ std::vector<int> PanelWidths::widths() const {
     for (const QDockWidget* panel : m_panels) {
         found.push_back(stands(*panel) ? panel->width() : -1);
         found.push_back(m_wanted.value(panel));
+        found.push_back(panel->minimumSizeHint().width());
     }
     return found;
 }
 
 void PanelWidths::want(QDockWidget* panel, int width) {
     m_wanted[panel] = width;
-    m_window.resizeDocks({panel}, {width}, Qt::Horizontal);
+    m_window.resizeDocks({panel}, {std::max(width, panel->minimumSizeHint().width())},
+                         Qt::Horizontal);
     m_later.start();
 }
 
-void PanelWidths::takeOver() {
-    for (const QDockWidget* panel : m_panels) {
-        if (stands(*panel)) {
-            m_wanted[panel] = panel->width();
+void PanelWidths::takeOver(QDockWidget* panel) {
+    if (stands(*panel)) {
+        m_wanted[panel] = panel->width();
+    }
+}
+
+/// What was pressed before, and is as narrow as it was, is wanted as it was.
+void PanelWidths::takeOverDragged() {
+    for (QDockWidget* panel : m_panels) {
+        if (m_pressed.value(panel) != panel->width()) {
+            takeOver(panel);
         }
     }
 }
@@ -60,25 +71,68 @@ void PanelWidths::takeOverWhenShown() {
     m_restored = true;
 }
 
+QByteArray PanelWidths::saveState() const {
+    QByteArray state;
+    QDataStream stream(&state, QIODevice::WriteOnly);
+    stream.setVersion(QDataStream::Qt_6_0);
+    for (const QDockWidget* panel : m_panels) {
+        stream << qint32(m_wanted.value(panel));
+    }
+    return state;
+}
+
+bool PanelWidths::restoreState(const QByteArray& state) {
+    QDataStream stream(state);
+    stream.setVersion(QDataStream::Qt_6_0);
+    QHash<const QDockWidget*, int> wanted;
+    for (const QDockWidget* panel : m_panels) {
+        qint32 width = 0;
+        stream >> width;
+        if (stream.status() != QDataStream::Ok || width < 0 || width > QWIDGETSIZE_MAX) {
+            return false;
+        }
+        wanted[panel] = width;
+    }
+    m_wanted = wanted;
+    m_later.start();
+    return true;
+}
+
 void PanelWidths::restore() {
     m_dragging = m_dragging && QGuiApplication::mouseButtons() != Qt::NoButton;
+    if (std::exchange(m_released, false)) { // by now the last move of the mouse has had its effect
+        takeOverDragged();
+    }
     if (m_dragging || !m_window.isVisible() || m_tried == widths()) {
         return;
     }
     if (std::exchange(m_restored, false)) {
-        takeOver();
+        std::ranges::for_each(m_panels, [this](QDockWidget* panel) { takeOver(panel); });
     }
     m_tried = widths(); // what cannot be had now is not tried again and again
-    QList<QDockWidget*> narrow;
+    const QWidget& middle = *m_window.centralWidget();
+    int room = middle.width() - middle.minimumSizeHint().width(); // none is taken from each other
+    QList<QDockWidget*> changed;
     QList<int> wanted;
+    const auto change = [&](QDockWidget* panel, int width) {
+        changed << panel;
+        wanted << width;
+        room -= width - panel->width();
+    };
     for (QDockWidget* panel : m_panels) {
-        if (stands(*panel) && panel->width() < m_wanted.value(panel)) {
-            narrow << panel;
-            wanted << m_wanted.value(panel);
+        const int most = std::max(m_wanted.value(panel), panel->minimumSizeHint().width());
+        if (stands(*panel) && panel->width() > most) {
+            change(panel, most);
         }
     }
-    if (!narrow.isEmpty()) {
-        m_window.resizeDocks(narrow, wanted, Qt::Horizontal);
+    for (QDockWidget* panel : m_panels) {
+        const int missing = stands(*panel) ? m_wanted.value(panel) - panel->width() : 0;
+        if (missing > 0 && room > 0) {
+            change(panel, panel->width() + std::min(missing, room));
+        }
+    }
+    if (!changed.isEmpty()) {
+        m_window.resizeDocks(changed, wanted, Qt::Horizontal);
     }
 }
 
@@ -87,12 +141,15 @@ bool PanelWidths::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress: // the window's own are those of its separators
         if (watched == &m_window) {
             m_dragging = true;
-            m_pressed = widths();
+            for (const QDockWidget* panel : m_panels) {
+                m_pressed[panel] = panel->width();
+            }
         }
         break;
     case QEvent::MouseButtonRelease:
-        if (watched == &m_window && std::exchange(m_dragging, false) && m_pressed != widths()) {
-            takeOver();
+        if (watched == &m_window && std::exchange(m_dragging, false)) {
+            m_released = true;
+            m_later.start();
         }
         break;
     case QEvent::Resize:

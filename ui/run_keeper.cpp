@@ -14,15 +14,25 @@ namespace {
 
 const QString keepKey = QStringLiteral("keep-run");
 const QString changedKey = QStringLiteral("changed-runs");
+const QString asideKey = QStringLiteral("run-aside");
+constexpr int patience_ms = 300;
 
 } // namespace
 
 RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notices, QObject* parent)
-    : QObject(parent), m_kept(kept), m_runs(runs), m_notices(notices) {
+    : QObject(parent)
+    , m_kept(kept)
+    , m_runs(runs)
+    , m_notices(notices)
+    , m_aside(nullptr, runs.runner()) {
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patience_ms);
+    connect(&m_patience, &QTimer::timeout, this, &RunKeeper::tellAside);
     connect(&kept, &KeptRuns::replaced, this, [this] {
         m_waiting = false;
         m_told = false;
-        m_asideName.clear(); // of another document
+        m_aside.stop(); // of another document
+        endAside();
         m_notices.remove(keepKey);
         m_notices.remove(changedKey);
     });
@@ -33,10 +43,9 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     });
     connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::tellChanged);
     connect(&m_aside, &RunController::finished, this, [this](const OutcomePtr& outcome) {
-        const QString name = std::exchange(m_asideName, {});
-        if (!name.isEmpty()) {
-            keepOutcome(*outcome, name);
-        }
+        const QString name = m_asideName;
+        endAside();
+        keepOutcome(*outcome, name);
     });
 }
 
@@ -56,8 +65,29 @@ void RunKeeper::setOutcome(OutcomePtr outcome) {
 }
 
 void RunKeeper::keepAside(Project project, const QString& name) {
+    endAside();
     m_asideName = name;
     m_aside.request(std::move(project));
+    m_patience.start();
+}
+
+void RunKeeper::tellAside() {
+    m_notices.add(
+        {asideKey,
+         Mark::none,
+         [name = m_asideName] { return tr("“%1” is being computed and will be kept.").arg(name); },
+         {{[] { return tr("Stop"); },
+           [this] {
+               m_aside.stop();
+               endAside();
+               emit told(tr("Stopped; nothing was kept."));
+           }}}});
+}
+
+void RunKeeper::endAside() {
+    m_patience.stop();
+    m_asideName.clear();
+    m_notices.remove(asideKey);
 }
 
 void RunKeeper::keepNow() {

@@ -4,6 +4,7 @@
 #include "ui/session/run_controller.h"
 
 #include <QObject>
+#include <QTimer>
 
 namespace sparkout {
 
@@ -19,7 +20,8 @@ public:
 
     void keep(); ///< the run of the present inputs: at once, or when it is computed
     void setOutcome(OutcomePtr outcome);
-    /// Runs other inputs aside, keeps them under a name and asks for the view that compares.
+    /// Runs other inputs aside, keeps them under a name and asks for the view that compares. A
+    /// notice shows a run that takes its time, and stops it.
     void keepAside(Project project, const QString& name);
 
 signals:
@@ -30,6 +32,8 @@ private:
     void keepNow();
     void keepOutcome(const Outcome& outcome, const QString& name = {});
     void tellChanged();
+    void tellAside();
+    void endAside();
 
     KeptRuns& m_kept;
     const RunController& m_runs;
@@ -38,6 +42,7 @@ private:
     bool m_waiting = false; ///< for the run of the inputs to be kept
     bool m_told = false;    ///< that kept runs of this project come out differently
     QString m_asideName;    ///< of the run aside that is wanted; empty: none
+    QTimer m_patience;      ///< a short run needs no notice
     RunController m_aside;  ///< last: stopped before what it reports to is gone
 };
 

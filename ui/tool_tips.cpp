@@ -104,6 +104,10 @@ QString ToolTips::shown(const QString& text) {
                : lines;
 }
 
+QString ToolTips::markup(const QString& text) {
+    return isOwnMarkup(text) ? text : Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal);
+}
+
 /// False where there is none: what stands around may have one.
 bool ToolTips::show(QWidget& widget, const QHelpEvent& event) {
     const Tip tip = tipAt(widget, event.pos());

@@ -22,6 +22,8 @@ public:
 
     /// The text as it is handed to Qt.
     [[nodiscard]] static QString shown(const QString& text);
+    /// The text for a label with markup, by the same rule; the label breaks its lines.
+    [[nodiscard]] static QString markup(const QString& text);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

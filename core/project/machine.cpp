@@ -70,12 +70,12 @@ const StructInfo& tableOf<WheelContact>() {
 template <>
 const StructInfo& tableOf<MachineLimits>() {
     static const std::array rows{
-        SPARKOUT_FIELD(MachineLimits, radial_feed_mm,
-                       .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm",
-                       .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .count = 3, .page = Page::machine,
-                       .hint =
-                           SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
+        SPARKOUT_FIELD(
+            MachineLimits, radial_feed_mm,
+            .label = SPARKOUT_NOOP("Input", "Range of the radial feed"), .unit = "mm/dbl stroke",
+            .hard = {0, 10}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"), .count = 3,
+            .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input", "Lowest, highest and step, per double stroke.")),
         SPARKOUT_FIELD(MachineLimits, axial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Range of the axial feed"), .unit = "mm/min",
                        .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),

@@ -24,6 +24,7 @@ inline Project limitedProject() {
     p.material.burn_rise_k = 700;
     p.machine.wheel_drive_kw = 4;
     p.part.tolerance.roughness_ra_um = 0.8;
+    p.wheel.roughness_factor = 1.5; // calibrated
     return p;
 }
 

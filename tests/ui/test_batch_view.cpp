@@ -25,9 +25,12 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QThread>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace test_batch_view {
 
@@ -246,6 +249,87 @@ private slots:
         QVERIFY(QString::fromStdString(after.runs.back().name)
                     .startsWith(QStringLiteral("Worst part")));
         QCOMPARE(window.window->viewTabs().currentView()->objectName(), QStringLiteral("compare"));
+    }
+
+    // A surface with strips left uncut is drawn as if it were whole: each view says so.
+    void uncutStripsAreMarkedOverTheirPlots() {
+        sparkout::Bench bench(QStringLiteral("en"));
+        Project project = fixtures::shaftBatch(20);
+        const QString mark = QStringLiteral("Strips stay uncut");
+        const auto show = [&bench](const Project& shown) {
+            QSignalSpy drawn(bench.window.get(), &MainWindow::outcomeShown);
+            bench.window->document().edit(shown, {"Input", "Axial feed"});
+            QTRY_VERIFY_WITH_TIMEOUT(drawn.count() > 0, patience_ms);
+        };
+        const auto marked = [&](const char* view, const char* notice) {
+            if (!bench.window->showView(QString::fromUtf8(view))) {
+                return -1;
+            }
+            View* const shown = bench.window->viewTabs().currentView();
+            auto* const label = shown->findChild<QLabel*>(QString::fromUtf8(notice));
+            if (auto* batch = qobject_cast<BatchView*>(shown)) {
+                (void)QTest::qWaitFor([&] { return batch->batch() && !batch->stale(); },
+                                      patience_ms);
+            }
+            QTest::qWait(50);
+            return int(label->isVisible() && label->text().contains(mark));
+        };
+        const auto count = [&] {
+            return marked("profiles", "notice") + marked("layers", "layersNotice")
+                   + marked("batch", "batchNotice");
+        };
+        show(project);
+        QCOMPARE(count(), 0);
+        for (Stage& stage : project.cycle.stages) {
+            stage.axial_feed_mm_min =
+                1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        }
+        show(project);
+        QCOMPARE(count(), 3);
+        auto* label = bench.window->findChild<QLabel*>(QStringLiteral("batchNotice"));
+        QVERIFY(label->text().contains(QStringLiteral("0.8")));
+        QVERIFY(bench.window->findChild<BatchView*>()->histograms()->isVisible());
+    }
+
+    void aWorstPartThatTakesItsTimeIsShownAndCanBeStopped() {
+        const auto held = std::make_shared<std::atomic<bool>>(false);
+        sparkout::Bench window(QStringLiteral("en"), Theme::light,
+                               [held](const Project& project, const std::stop_token& stop) {
+                                   while (*held && !stop.stop_requested()) {
+                                       QThread::msleep(5);
+                                   }
+                                   return runProject(project, stop);
+                               });
+        QVERIFY(window.open(shippedBatch()));
+        QVERIFY(window.window->showView(QStringLiteral("batch")));
+        auto* worst = window.window->findChild<QPushButton*>(QStringLiteral("batchWorst"));
+        QTRY_VERIFY_WITH_TIMEOUT(worst->isEnabled(), patience_ms);
+        const auto runs = [&window]() -> const std::vector<KeptRun>& {
+            return window.window->document().project().runs;
+        };
+        const std::size_t before = runs().size();
+        const auto notice = [&window] {
+            return window.window->findChild<QWidget*>(QStringLiteral("notice run-aside"));
+        };
+        *held = true;
+        QTest::mouseClick(worst, Qt::LeftButton);
+        QTRY_VERIFY(notice() && notice()->isVisible());
+        QVERIFY(notice()->findChild<QLabel*>() != nullptr);
+        QTest::mouseClick(notice()->findChildren<QPushButton*>().constFirst(), Qt::LeftButton);
+        QTRY_VERIFY(!notice());
+        QTest::qWait(50);
+        QCOMPARE(runs().size(), before);
+        QTest::mouseClick(worst, Qt::LeftButton);
+        QTRY_VERIFY(notice());
+        *held = false;
+        QTRY_COMPARE_WITH_TIMEOUT(runs().size(), before + 1, patience_ms);
+        QTRY_VERIFY(!notice());
+        const std::string name = runs().back().name;
+        QVERIFY(window.window->showView(QStringLiteral("batch")));
+        QTRY_VERIFY_WITH_TIMEOUT(worst->isEnabled(), patience_ms);
+        QTest::mouseClick(worst, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(runs().size(), before + 2, patience_ms);
+        QCOMPARE(runs().back().name, name + " (2)");
     }
 
     void rejectsAreShownByCauseTheMostFrequentFirst() {

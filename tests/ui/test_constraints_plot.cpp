@@ -116,6 +116,36 @@ private slots:
         QVERIFY(shown.plot().stepless()->dataCount() > 2);
     }
 
+    // The numbers of an uncalibrated Ra are micrometres by the thousand.
+    void aRoughnessThatIsNotCalibratedIsNamedInWordsAlone() {
+        Project project = limitedProject();
+        Shown shown(run(project));
+        const QString words =
+            QStringLiteral("Roughness is not limiting while it is not calibrated");
+        const QString name = QStringLiteral("roughness of the last cut");
+        const auto named = [&] { // in the legend, in the table, under the mouse
+            QString text;
+            for (const LegendEntry& entry : shown.plot().legendEntries()) {
+                text += entry.text + u'|';
+            }
+            text += shown.plot().table().header.join(u'|');
+            QSignalSpy pointed(&shown.plot(), &ConstraintsPlot::pointed);
+            fixtures::hover(&shown.plot(), QRectF(shown.plot().axisRect()->rect()).center());
+            return text + pointed.value(0).value(0).toString();
+        };
+        QCOMPARE(named().count(name), 3);
+        QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
+        project.wheel.roughness_factor = 1;
+        shown.show(run(project));
+        QCOMPARE(named().count(name), 0);
+        QVERIFY(named().contains(QStringLiteral("burn")));
+        QVERIFY(shown.part<QLabel>("limitsOff").isVisible());
+        QVERIFY(shown.part<QLabel>("limitsOff").text().contains(words));
+        project.part.tolerance.roughness_ra_um.reset();
+        shown.show(run(project));
+        QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
+    }
+
     void anEditAndItsUndoLeadToTheSameAxes() {
         const OutcomePtr first = run(limitedProject());
         Project edited = limitedProject();

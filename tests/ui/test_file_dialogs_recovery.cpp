@@ -91,6 +91,44 @@ private slots:
         QVERIFY(QFileInfo::exists(store.folder() + QStringLiteral("/1.recovery")));
     }
 
+    void workThatAnotherWindowIsOfferingIsNotSaidToBeNone() {
+        const QTemporaryDir state;
+        const RecoveryStore store(state.path());
+        QVERIFY(makePrivateFolder(store.folder()));
+        trouble::write(store.folder() + QStringLiteral("/1.recovery"), "nonsense");
+        std::vector<RecoveryItem> offered = store.left(); // as that window's dialog holds them
+        QCOMPARE(offered.size(), std::size_t{1});
+        Bench bench(QStringLiteral("en"), state.path());
+        {
+            DialogAnswers answers({QStringLiteral("Enter")});
+            bench.window->files().recoverWork();
+            ANSWERED(answers);
+            QVERIFY2(answers.text().startsWith(QStringLiteral("Another window")),
+                     qPrintable(answers.text()));
+        }
+        QVERIFY(bench.open()); // discarded work is there all the same
+        bench.edit(31);
+        {
+            DialogAnswers answers({QStringLiteral("discard")});
+            bench.window->files().startNew(Operation::plunge);
+            ANSWERED(answers);
+        }
+        const auto shown = [&bench] {
+            QString text;
+            DialogAnswers answers({QStringLiteral("later")});
+            answers.seen = [&](QDialog& dialog) {
+                for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+                    text += label->text();
+                }
+            };
+            bench.window->files().recoverWork();
+            return answers.fault() + text;
+        };
+        QVERIFY2(shown().contains(QStringLiteral("Another window")), qPrintable(shown()));
+        offered.clear();
+        QVERIFY(!shown().contains(QStringLiteral("Another window")));
+    }
+
     void discardedWorkCanStillBeRecovered() {
         Bench bench;
         QVERIFY(bench.open());

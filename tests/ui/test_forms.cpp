@@ -2,11 +2,13 @@
 #include "ui/inputs/choice_editor.h"
 #include "ui/inputs/form_page.h"
 #include "ui/inputs/form_row.h"
+#include "ui/inputs/hint_text.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/number_field.h"
 #include "ui/session/document.h"
 #include "ui/session/number_text.h"
 #include "ui/session/operation.h"
+#include "ui/session/texts.h"
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
@@ -22,6 +24,7 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QTest>
+#include <QTextDocumentFragment>
 
 #include <clocale>
 #include <functional>
@@ -74,6 +77,24 @@ class TestForms : public QObject {
     Q_OBJECT
 
 private slots:
+    // Whoever enters a range compares it with the feed it is the range of.
+    void theRangeOfAFeedHasTheUnitOfTheFeed() {
+        const StructInfo& ranges = tableOf<MachineLimits>();
+        const StructInfo& stage = tableOf<Stage>();
+        const std::pair<const char*, const char*> pairs[] = {
+            {"radial_feed_mm", "radial_feed_mm"},
+            {"axial_feed_mm_min", "axial_feed_mm_min"},
+            {"plunge_feed_mm_min", "radial_feed_mm_min"}};
+        const auto limitsOf = [](const Field& field) {
+            return QTextDocumentFragment::fromHtml(limitsMarkup(field)).toPlainText();
+        };
+        for (const auto& [range, feed] : pairs) {
+            const QString unit = unitText(stage.find(feed)->unit);
+            QCOMPARE(unitText(ranges.find(range)->unit), unit);
+            QVERIFY2(limitsOf(*ranges.find(range)).contains(unit), range);
+        }
+    }
+
     void aNumberOfSectionsTypedDigitByDigitKeepsTheirCompliance() {
         Document document;
         Project project = newProject(Operation::plunge);
@@ -199,8 +220,8 @@ private slots:
         project.machine.wheel_contact.emplace();
         document.startUntitled(project);
         int fields = 0;
-        for (const Page page : {Page::part, Page::material, Page::wheel, Page::machine, Page::gauge,
-                                Page::cycle}) {
+        for (const Page page :
+             {Page::part, Page::material, Page::wheel, Page::machine, Page::gauge, Page::cycle}) {
             FormPage form(page, document);
             form.show();
             QList<QWidget*> texts;

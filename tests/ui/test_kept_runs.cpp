@@ -72,6 +72,15 @@ private slots:
         QCOMPARE(desk.kept.count(), 1);
     }
 
+    void aGivenNameThatIsTakenGetsANumber() {
+        Desk desk;
+        const OutcomePtr run = desk.run();
+        for (const char* name : {"Worst part", "Worst part (2)", "Worst part (3)"}) {
+            QVERIFY(desk.kept.keep(*run, QStringLiteral("Worst part")) == KeptRuns::Kept::yes);
+            QCOMPARE(desk.kept.all().back().name, std::string(name));
+        }
+    }
+
     void everyRunHasItsOwnName() {
         Desk desk;
         for (int i = 0; i < 3; ++i) {

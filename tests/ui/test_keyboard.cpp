@@ -20,12 +20,15 @@
 #include <QDockWidget>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSet>
 #include <QShortcut>
 #include <QTest>
+#include <QVBoxLayout>
 
 namespace test_keyboard {
 
@@ -343,6 +346,30 @@ private slots:
         auto* field = window.findChild<QWidget*>(QStringLiteral("/part/length_mm"));
         field->setFocus(Qt::MouseFocusReason);
         QVERIFY(!window.findChild<FocusFrame*>()->isVisible());
+    }
+
+    /// What stood round a widget that is gone no longer takes the frame away from another one.
+    void theFrameLetsGoOfAWidgetThatIsGone() {
+        QWidget window;
+        auto* layout = new QVBoxLayout(&window);
+        auto* first = new QPushButton; // takes a click for itself
+        first->setFocusPolicy(Qt::NoFocus);
+        auto* second = new QLineEdit;
+        layout->addWidget(first);
+        layout->addWidget(second);
+        auto* within = new QLineEdit(first);
+        within->setGeometry(2, 2, 40, 20);
+        window.resize(300, 200);
+        window.show();
+        FocusFrame::showRound(*within);
+        auto* frame = window.findChild<FocusFrame*>();
+        QVERIFY(frame->isVisible());
+        delete within;
+        QVERIFY(!frame->isVisible());
+        FocusFrame::showRound(*second);
+        QVERIFY(frame->isVisible());
+        QTest::mouseClick(first, Qt::LeftButton, {}, first->rect().center());
+        QVERIFY(frame->isVisible());
     }
 
     void controlAndANumberShowAView() {

@@ -183,6 +183,54 @@ private slots:
         QVERIFY(!Settings(folder.filePath(QStringLiteral("absent.json"))).unreadable());
     }
 
+    // Its owner may write it, and for a while not read it.
+    void whatCannotBeReadForAWhileIsNotWrittenOver() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        const QByteArray before = R"({"theme": "dark", "later": "kept"})";
+        trouble::write(file, before);
+        trouble::giveAway(folder.path());
+        trouble::giveAway(file);
+        const trouble::Unprivileged user;
+        Settings settings(file);
+        QCOMPARE(settings.theme(), QStringLiteral("dark"));
+        trouble::setMode(file, 0200);
+        settings.addRecentFile(QStringLiteral("/tmp/1.sparkout")); // looks what others have written
+        QCOMPARE(settings.theme(), QStringLiteral("dark"));
+        const auto error = settings.flush();
+        QVERIFY(error && error->step != FileStep::write);
+        trouble::setMode(file, 0600);
+        QCOMPARE(trouble::bytesOf(file), before);
+        QVERIFY(!settings.flush());
+        const QByteArray after = trouble::bytesOf(file);
+        QVERIFY(after.contains("\"later\"") && after.contains("1.sparkout"));
+        QCOMPARE(Settings(file).theme(), QStringLiteral("dark"));
+    }
+
+    void aDamagedFileThatCannotBePutAsideStays_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("cut") << QByteArray("{\"language\": \"ru\", \"theme");
+        QTest::newRow("too large") << QByteArray(2 << 20, ' ');
+    }
+
+    void aDamagedFileThatCannotBePutAsideStays() {
+        QFETCH(QByteArray, bytes);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(file, bytes);
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("settings.json.damaged")));
+        Settings settings(file);
+        QVERIFY(settings.damaged().isEmpty());
+        QVERIFY(settings.unreadable() && settings.unreadable()->systemError != 0);
+        settings.setTheme(QStringLiteral("dark"));
+        QVERIFY(settings.flush());
+        QCOMPARE(trouble::bytesOf(file), bytes);
+        QVERIFY(QDir(folder.path()).rmdir(QStringLiteral("settings.json.damaged")));
+        QVERIFY(!settings.flush()); // there is room for it now
+        QCOMPARE(trouble::bytesOf(settings.damaged()), bytes);
+        QCOMPARE(Settings(file).theme(), QStringLiteral("dark"));
+    }
+
     void aHugeFileIsPutAsideUnread() {
         const QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("settings.json"));

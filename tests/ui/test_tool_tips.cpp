@@ -2,6 +2,7 @@
 // Tool tips have lines that can be read, and show what a file says letter by letter.
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
+#include "ui/inputs/hint_strip.h"
 #include "ui/inputs/hint_text.h"
 #include "ui/tool_tips.h"
 #include "ui/view_tabs.h"
@@ -10,13 +11,16 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QStandardItemModel>
 #include <QTabBar>
 #include <QTableView>
 #include <QTest>
 #include <QTextDocument>
 #include <QToolTip>
+#include <QVBoxLayout>
 
 namespace test_tool_tips {
 
@@ -148,6 +152,27 @@ private slots:
         widget.setToolTip(text);
         widget.show();
         QCOMPARE(seen(tipOf(widget)), text);
+    }
+
+    void textOfAFileIsNoMarkupInTheHints_data() { textOfAFileIsNoMarkup_data(); }
+
+    void textOfAFileIsNoMarkupInTheHints() {
+        QFETCH(QString, text);
+        QWidget panel;
+        auto* layout = new QVBoxLayout(&panel);
+        auto* field = new QLineEdit;
+        auto* hints = new HintStrip;
+        layout->addWidget(new QPushButton); // has the focus first
+        layout->addWidget(field);
+        layout->addWidget(hints);
+        field->setToolTip(text);
+        panel.show();
+        panel.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&panel));
+        QTest::mouseClick(field, Qt::LeftButton);
+        QTextDocument document; // as the label has it
+        document.setHtml(hints->findChild<QLabel*>()->text());
+        QCOMPARE(document.toPlainText(), text);
     }
 
     void hintsKeepTheirMarkup() {

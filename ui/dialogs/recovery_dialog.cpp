@@ -37,8 +37,13 @@ QString stateText(const RecoveryItem& item) {
 
 } // namespace
 
+QString RecoveryDialog::offeredElsewhereText() {
+    return tr("Another window is offering the unsaved work that was found. When it has answered, "
+              "ask again for what it left.");
+}
+
 RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryItem> items,
-                               QWidget* parent)
+                               bool offeredElsewhere, QWidget* parent)
     : QDialog(parent), m_store(store), m_items(std::move(items)), m_list(new QTreeWidget(this)) {
     setWindowTitle(tr("Recover work"));
     setHelpTopic(*this, QStringLiteral("files#recovery"));
@@ -70,6 +75,9 @@ RecoveryDialog::RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryI
     layout->addWidget(plainLabel(tr("Work that was not saved was found. Recovering opens it here, "
                                     "still unsaved; your own files are not touched."),
                                  this));
+    if (offeredElsewhere) {
+        layout->addWidget(plainLabel(offeredElsewhereText(), this));
+    }
     layout->addWidget(m_list, 1);
     layout->addWidget(folder);
     layout->addWidget(buttons);

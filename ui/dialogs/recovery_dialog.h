@@ -19,8 +19,11 @@ class RecoveryDialog : public QDialog {
     Q_OBJECT
 
 public:
+    /// `offeredElsewhere`: the items are discarded ones alone, as another window offers the others.
     RecoveryDialog(const RecoveryStore& store, std::vector<RecoveryItem> items,
-                   QWidget* parent = nullptr);
+                   bool offeredElsewhere, QWidget* parent = nullptr);
+
+    [[nodiscard]] static QString offeredElsewhereText();
 
     /// The item to recover, after accept().
     [[nodiscard]] std::optional<RecoveryItem> chosen() const;

@@ -3,13 +3,13 @@
 
 #include "ui/inputs/form_metrics.h"
 #include "ui/inputs/hint_text.h"
+#include "ui/tool_tips.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QEvent>
 #include <QLabel>
-#include <QTextDocument>
 #include <QVBoxLayout>
 
 namespace sparkout {
@@ -109,9 +109,7 @@ void HintStrip::showFieldOf(const QWidget* widget) {
 
 void HintStrip::fill() {
     if (m_helper) {
-        const QString tip = m_helper->toolTip();
-        m_text->setText(
-            Qt::mightBeRichText(tip) ? tip : Qt::convertFromPlainText(tip, Qt::WhiteSpaceNormal));
+        m_text->setText(ToolTips::markup(m_helper->toolTip()));
         return;
     }
     if (!m_field) {

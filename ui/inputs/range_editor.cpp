@@ -15,6 +15,12 @@
 
 namespace sparkout {
 
+namespace {
+
+constexpr int longestUnit = 8; ///< of those that stand in one line
+
+} // namespace
+
 RangeEditor::RangeEditor(const std::string& path, const Field& field, Document& document,
                          QWidget* parent)
     : FieldEditor(path, field, document), m_body(new QWidget(parent)), m_unit(new QLabel(m_body)) {
@@ -102,7 +108,12 @@ void RangeEditor::retranslate() {
         m_fields[i]->setAccessibleName(tr("%1: %2, %3").arg(label, names[i], unit));
         m_fields[i]->setToolTip(tr("%1: %2").arg(label, names[i]));
     }
-    m_unit->setText(unit);
+    const bool isLong = unit.size() > longestUnit; // it breaks at the stroke
+    if (isLong) {
+        m_unit->setWordWrap(true);
+        setTextLines(*m_unit, 2, 6);
+    }
+    m_unit->setText(isLong ? QString(unit).replace(u'/', QStringLiteral("/\u200b")) : unit);
 }
 
 QString RangeEditor::refusal() const {

@@ -17,6 +17,7 @@
 #include "ui/report/report_values.h"
 #include "ui/session/field_text.h"
 #include "ui/views/formula_text.h"
+#include "ui/views/limit_names.h"
 #include "ui/views/names.h"
 
 #include <QLocale>
@@ -209,9 +210,7 @@ StepBlocks CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep
     const bool limitsRa = project.part.tolerance.roughness_ra_um.has_value();
     const bool calibrated = isRoughnessCalibrated(project);
     if (limitsRa && !calibrated) {
-        formulas.say(tr("Roughness is not limiting while it is not calibrated: with the roughness "
-                        "calibration of 1 the computed Ra is too small, and no depth of cut can be "
-                        "told from it."));
+        formulas.say(LimitNames::guessed());
     }
     if (sheets.empty()) {
         formulas.say(limitsRa ? tr("No other requirement of this project limits the feed.")
@@ -242,9 +241,7 @@ Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
          depthLimits(project, pass.effectiveWidth_mm, std::max(0.0, stock))) {
         const bool power =
             limit.kind == ConstraintKind::wheelPower || limit.kind == ConstraintKind::workPower;
-        const bool guessed =
-            limit.kind == ConstraintKind::roughness && !isRoughnessCalibrated(project);
-        if (guessed || (power && isCoupled(project))) {
+        if (LimitNames::isGuess(limit.kind, project) || (power && isCoupled(project))) {
             continue;
         }
         const double share = percentOf * visit.actual_mm / limit.depth_mm;

@@ -22,14 +22,27 @@ constexpr std::size_t mostRuns = 1000; ///< of the table of the project
 constexpr std::size_t fileShare = 2;   ///< indented, a text may grow to twice its length
 constexpr std::size_t valuesShare = 2; ///< leaves as much for the rest of the project
 
+bool isFree(const std::vector<KeptRun>& runs, const std::string& name) {
+    return std::ranges::none_of(runs, [&](const KeptRun& run) { return run.name == name; });
+}
+
 std::string freeName(const std::vector<KeptRun>& runs) {
     for (std::size_t number = runs.size() + 1;; ++number) {
         const std::string name =
             QCoreApplication::translate("KeptRuns", "Run %1").arg(number).toStdString();
-        if (std::ranges::none_of(runs, [&](const KeptRun& run) { return run.name == name; })) {
+        if (isFree(runs, name)) {
             return name;
         }
     }
+}
+
+/// The name that is wanted, with a number where a run has it already.
+std::string freeName(const std::vector<KeptRun>& runs, const QString& wanted) {
+    std::string name = wanted.toStdString();
+    for (int number = 2; !isFree(runs, name); ++number) {
+        name = QStringLiteral("%1 (%2)").arg(wanted).arg(number).toStdString();
+    }
+    return name;
 }
 
 /// Whether a project file with these runs would be read again, with room to spare.
@@ -76,7 +89,7 @@ KeptRuns::Kept KeptRuns::keep(const Outcome& outcome, const QString& name) {
     const QString when = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
     project.runs.push_back(
         keptRun(outcome.result, summarise(outcome.result, outcome.accuracy, outcome.constraints),
-                name.isEmpty() ? freeName(all()) : name.toStdString(), when.toStdString()));
+                name.isEmpty() ? freeName(all()) : freeName(all(), name), when.toStdString()));
     if (!fitFile(project.runs)) {
         return Kept::full;
     }

@@ -28,9 +28,10 @@ public:
 
     enum class Kept { yes, refused, full };
     /// The run of an outcome under the first free name "Run 1", "Run 2", …, and chosen; not when
-    /// its inputs are refused, or the project file would grow beyond what is read again.
-    Kept keep(const Outcome& outcome, const QString& name = {}); ///< given one is taken as it is
-    void rename(int index, const QString& name);                 ///< an empty name changes nothing
+    /// its inputs are refused, or the project file would grow beyond what is read again. A given
+    /// name gets a number, "Worst part (2)", where a kept run has it.
+    Kept keep(const Outcome& outcome, const QString& name = {});
+    void rename(int index, const QString& name); ///< an empty name changes nothing
     void remove(int index);
     /// Its inputs in place of the present ones; the kept runs stay. False when they can no longer
     /// be read.

@@ -119,12 +119,17 @@ bool RecoveryStore::inUse(const QString& id) const {
     return !free && !claim(id);
 }
 
-std::vector<RecoveryItem> RecoveryStore::left() const {
+std::vector<RecoveryItem> RecoveryStore::left(bool* offeredElsewhere) const {
     std::vector<RecoveryItem> items;
     Descriptor locked =
         openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
-    if (locked && ::flock(locked.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        return items; // another instance is offering them
+    const bool elsewhere =
+        locked && ::flock(locked.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (offeredElsewhere) {
+        *offeredElsewhere = elsewhere;
+    }
+    if (elsewhere) {
+        return items;
     }
     const auto offer = std::make_shared<const RecoveryOffer>(std::move(locked));
     const QDir folder(m_folder);

@@ -56,8 +56,8 @@ public:
     [[nodiscard]] RecoveryClaimPtr claimNew() const;
 
     /// What sessions that no longer run left behind, newest first; nothing while another instance
-    /// is offering it.
-    [[nodiscard]] std::vector<RecoveryItem> left() const;
+    /// is offering it, which `offeredElsewhere` then says.
+    [[nodiscard]] std::vector<RecoveryItem> left(bool* offeredElsewhere = nullptr) const;
     /// The name of an item, for the session that goes on in its file. Null: another session was
     /// quicker, or what stands at the name of its lock is none.
     [[nodiscard]] RecoveryClaimPtr claim(const RecoveryItem& item) const;

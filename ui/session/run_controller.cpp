@@ -54,6 +54,11 @@ void RunController::request(Project project) {
     });
 }
 
+void RunController::stop() {
+    m_job.stop();
+    m_running = false;
+}
+
 void RunController::deliver(const OutcomePtr& outcome, double time_ms) {
     m_running = false;
     m_lastRun_ms = time_ms;

@@ -26,6 +26,8 @@ public:
     explicit RunController(QObject* parent = nullptr, Runner runner = runProject);
 
     void request(Project project);
+    void stop(); ///< and drops its outcome
+    [[nodiscard]] const Runner& runner() const { return m_runner; }
     [[nodiscard]] bool running() const { return m_running; }
     [[nodiscard]] double lastRun_ms() const { return m_lastRun_ms; }
 

@@ -27,7 +27,7 @@ SettingsFile::SettingsFile(const QString& path) : m_path(path) {
     m_later.setInterval(later_ms);
     connect(&m_later, &QTimer::timeout, this, [this] { (void)flush(); });
     if (!m_path.isEmpty()) {
-        m_values = read();
+        m_values = read().value_or(QVariantMap());
     }
 }
 
@@ -35,36 +35,43 @@ SettingsFile::~SettingsFile() {
     (void)flush();
 }
 
-QVariantMap SettingsFile::read() {
+std::optional<QVariantMap> SettingsFile::read() {
     const auto bytes = readFile(systemPath(m_path), largest);
     const auto* text = std::get_if<std::string>(&bytes);
     const auto* error = std::get_if<FileError>(&bytes);
     m_unreadable.reset();
-    if (error != nullptr) { // the defaults hold
+    const auto damaged = [this] {
+        return putAside() ? std::optional<QVariantMap>(QVariantMap()) : std::nullopt;
+    };
+    if (error != nullptr) {
         if (error->step == FileStep::tooLarge) {
-            putAside();
-        } else if (error->systemError != ENOENT && error->systemError != ENOTDIR) {
-            m_unreadable = *error;
+            return damaged();
         }
-        return {};
+        if (error->systemError == ENOENT || error->systemError == ENOTDIR) {
+            return QVariantMap(); // the defaults hold
+        }
+        m_unreadable = *error;
+        return std::nullopt;
     }
     QJsonParseError fault;
     const QJsonDocument document =
         QJsonDocument::fromJson(QByteArray::fromStdString(*text), &fault);
     if (fault.error != QJsonParseError::NoError || !document.isObject()) {
-        putAside();
-        return {};
+        return damaged();
     }
     return document.object().toVariantMap();
 }
 
-void SettingsFile::putAside() {
+bool SettingsFile::putAside() {
     const QString aside = m_path + QStringLiteral(".damaged");
     // Not QFile::rename(): what it cannot rename it opens and copies.
     if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(aside).constData())
         == 0) {
         m_damaged = aside;
+        return true;
     }
+    m_unreadable = FileError{QFile::encodeName(m_path).toStdString(), FileStep::backup, errno, {}};
+    return false;
 }
 
 void SettingsFile::set(const QString& key, const QVariant& value) {
@@ -79,8 +86,11 @@ void SettingsFile::set(const QString& key, const QVariant& value) {
 }
 
 void SettingsFile::refresh() {
-    if (!m_path.isEmpty()) {
-        m_values = read();
+    if (m_path.isEmpty()) {
+        return;
+    }
+    if (std::optional<QVariantMap> values = read()) { // else those that were read before hold
+        m_values = *std::move(values);
         m_values.insert(m_changed);
     }
 }
@@ -91,9 +101,12 @@ std::optional<FileError> SettingsFile::flush() {
         return {};
     }
     QDir().mkpath(QFileInfo(m_path).absolutePath()); // its failure is the writer's
-    QVariantMap values = read();
-    values.insert(m_changed);
-    const QByteArray text = QJsonDocument(QJsonObject::fromVariantMap(values)).toJson();
+    std::optional<QVariantMap> values = read();
+    if (!values) {
+        return m_unreadable;
+    }
+    values->insert(m_changed);
+    const QByteArray text = QJsonDocument(QJsonObject::fromVariantMap(*values)).toJson();
     auto error = writeFileSafely(systemPath(m_path), {text.constData(), std::size_t(text.size())});
     if (!error) {
         m_changed.clear();

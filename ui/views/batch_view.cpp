@@ -236,7 +236,8 @@ QString BatchView::notice() const {
                    : tr("Of the inputs before the last edit. Press “Run” for those of now.");
     }
     if (m_batch) {
-        return contentNotice();
+        const QString content = contentNotice();
+        return content.isEmpty() ? Names::uncutStrips(m_batch->result.project) : content;
     }
     return m_runner->running()
                ? QString()
@@ -249,7 +250,8 @@ QStringList BatchView::heading() const {
     QStringList heading{title()};
     if (m_batch) {
         heading << QString::fromStdString(m_batch->result.project.title).simplified()
-                << m_name->currentText() << m_state->text();
+                << m_name->currentText() << m_state->text()
+                << Names::uncutStrips(m_batch->result.project);
     }
     heading.removeAll(QString());
     return heading;

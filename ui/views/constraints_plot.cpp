@@ -122,7 +122,8 @@ void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
 void ConstraintsPlot::fill() {
     const LimitGroup* group = shownGroup();
     for (const auto& [kind, graph] : m_limits) {
-        setPoints(*graph, group ? limitCurve(m_outcome->limits, *group, kind) : LimitPoints());
+        const bool shown = group && !LimitNames::isGuess(kind, m_outcome->result.project);
+        setPoints(*graph, shown ? limitCurve(m_outcome->limits, *group, kind) : LimitPoints());
     }
     const LimitPoints stepless = group ? steplessLimit(m_outcome->limits, *group) : LimitPoints();
     setPoints(*m_stepless, stepless);

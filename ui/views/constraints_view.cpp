@@ -245,7 +245,7 @@ void ConstraintsView::showState() {
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
     m_off->clear(); // links take the palette's colour when the text is another
-    m_off->setText(m_good ? LimitNames::notCheckedLinks(m_good->result.project) : QString());
+    m_off->setText(m_good ? LimitNames::missingLinks(m_good->result.project) : QString());
     m_off->setVisible(m_good && !m_off->text().isEmpty());
     m_splitter->setVisible(m_good != nullptr);
     for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values}) {

@@ -153,8 +153,12 @@ QString LayersView::notice() const {
         return tr("The cycle is too long to be recorded: its layers are not drawn. Fewer radii or "
                   "sections help.");
     }
-    return m_good->result.status == RunStatus::completed ? QString()
-                                                         : Names::status(m_good->result.status);
+    QStringList lines{Names::uncutStrips(m_good->result.project)};
+    if (m_good->result.status != RunStatus::completed) {
+        lines.prepend(Names::status(m_good->result.status));
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
 }
 
 /// How much has come off where, up to the cursor.
@@ -187,7 +191,8 @@ QStringList LayersView::heading() const {
     QStringList heading{title()};
     if (m_good) {
         heading << QString::fromStdString(m_good->result.project.title).simplified()
-                << m_radius->currentText() << summary();
+                << m_radius->currentText() << summary()
+                << Names::uncutStrips(m_good->result.project);
     }
     heading.removeAll(QString());
     return heading;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/limit_names.h"
 
+#include "core/quality/roughness.h"
+#include "ui/session/texts.h"
 #include "ui/views/names.h"
 
 #include <QLocale>
@@ -98,6 +100,29 @@ QString LimitNames::notChecked(const Project& project) {
         names << limit(each.kind);
     }
     return notChecked(names);
+}
+
+bool LimitNames::isGuess(ConstraintKind kind, const Project& project) {
+    return kind == ConstraintKind::roughness && !isRoughnessCalibrated(project);
+}
+
+QString LimitNames::guessed() {
+    return tr("Roughness is not limiting while it is not calibrated: with the roughness "
+              "calibration of 1 the computed Ra is too small, and no depth of cut can be told "
+              "from it.");
+}
+
+QString LimitNames::missingLinks(const Project& project) {
+    QStringList lines{notCheckedLinks(project)};
+    if (project.part.tolerance.roughness_ra_um && isGuess(ConstraintKind::roughness, project)) {
+        static const std::string path = "/wheel/roughness_factor";
+        lines << tr("Roughness is not limiting while it is not calibrated: %1")
+                     .arg(QStringLiteral("<a href=\"%1\">%2</a>")
+                              .arg(QString::fromStdString(path),
+                                   locationText(path).toHtmlEscaped()));
+    }
+    lines.removeAll(QString());
+    return lines.join(QStringLiteral("<br>"));
 }
 
 QString LimitNames::notCheckedLinks(const Project& project) {

@@ -31,6 +31,11 @@ public:
     /// nothing is off.
     static QString notChecked(const Project& project);
     static QString notCheckedLinks(const Project& project);
+    /// Whether the limit of the feed is no number: that of roughness that is not calibrated.
+    static bool isGuess(ConstraintKind kind, const Project& project);
+    static QString guessed(); ///< the sentence in place of it
+    /// notCheckedLinks(), and where roughness is a guess that sentence.
+    static QString missingLinks(const Project& project);
 
 private:
     static QString notChecked(const QStringList& names);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/names.h"
 
+#include "core/quality/ranges.h"
 #include "ui/session/texts.h"
 
 #include <QLocale>
@@ -235,6 +236,16 @@ QString Names::value(const ConstraintResult& c) {
     const bool deviation =
         c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
     return c.isWhole ? amount(c.kind, c.value, deviation) : QStringLiteral("–");
+}
+
+QString Names::uncutStrips(const Project& project) {
+    const std::vector<OverlapCheck> all = checkOverlaps(project);
+    const auto least = std::ranges::min_element(all, {}, &OverlapCheck::overlap);
+    return least == all.end() || least->holds()
+               ? QString()
+               : tr("Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, "
+                    "and its size, form and roughness are those of the cut part alone.")
+                     .arg(significant(least->overlap));
 }
 
 QString Names::issue(const Issue& issue) {

@@ -43,7 +43,9 @@ public:
     static QString margin(const ConstraintResult& c); ///< "+1.25", of a range as inRange()
     /// The margin in a column next to that of the limit, which says the end of a range: "2×".
     static QString besideLimit(const ConstraintResult& c);
-    static QString issue(const Issue& issue);         ///< the sentence after its place in words
+    static QString issue(const Issue& issue); ///< the sentence after its place in words
+    /// That the cut surface of a traverse cycle is not whole, as strips stay uncut; else empty.
+    static QString uncutStrips(const Project& project);
     /// The first errors of a refused input, at most `most` of them, one a line.
     static QString refusal(const Issues& issues, int most = 3);
 

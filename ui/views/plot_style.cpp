@@ -80,16 +80,24 @@ int ticksWithRoom(int height, const QFont& font) {
 void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
     constexpr double least = 0.6; // of the usual size
     constexpr int air = 6;        // beyond the plot, before a neighbour's label
-    for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+    const auto fit = [&](QCPAxis& axis, int room) {
         int need = 1;
-        for (const QString& line : axis->label().split(u'\n')) {
+        for (const QString& line : axis.label().split(u'\n')) {
             need = std::max(need, QFontMetrics(font).horizontalAdvance(line));
         }
-        const double times = double(rect.height() + air) / need;
+        const double times = double(room) / need;
         const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
-        if (axis->labelFont() != own) {
-            axis->setLabelFont(own);
+        if (axis.labelFont() != own) {
+            axis.setLabelFont(own);
         }
+    };
+    const QRect all = rect.outerRect(); // a label stands in the middle of its axis
+    const int centre = rect.center().x();
+    for (QCPAxis* axis : rect.axes(QCPAxis::atBottom)) {
+        fit(*axis, 2 * std::min(centre - all.left(), all.right() - centre) - air);
+    }
+    for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+        fit(*axis, rect.height() + air);
         axis->ticker()->setTickCount(ticksWithRoom(rect.height(), font));
     }
 }

@@ -107,6 +107,10 @@ void ProfilesView::showState() {
         text += (text.isEmpty() ? QString() : QStringLiteral("\n"))
                 + tr("The cycle is too long to be recorded: only its end is shown.");
     }
+    if (const QString strips = m_good ? Names::uncutStrips(m_good->result.project) : QString();
+        !strips.isEmpty()) {
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + strips;
+    }
     m_notice->setText(text);
     m_notice->setVisible(!text.isEmpty());
     for (QWidget* w : std::initializer_list<QWidget*>{m_legend, m_values, m_strokeBar}) {

@@ -79,7 +79,8 @@ QStringList ProfilesView::headingOf(const QString& plot) const {
     QStringList heading{tr("%1: %2").arg(title(), plot)};
     if (m_good) {
         heading << QString::fromStdString(m_good->result.project.title).simplified()
-                << ProfilesText::moment(m_across->series());
+                << ProfilesText::moment(m_across->series())
+                << Names::uncutStrips(m_good->result.project);
     }
     heading.removeAll(QString());
     return heading;
