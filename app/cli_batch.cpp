@@ -54,6 +54,9 @@ ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSam
     ordered_json json = {
         {"name", of.name},           {"where", placeKey(of)},       {"unit", of.unit},
         {"low", orNullJson(of.low)}, {"high", orNullJson(of.high)}, {"count", summary.count}};
+    if (summary.unstated > 0) {
+        json["strips_uncut"] = summary.unstated;
+    }
     if (summary.count == 0) {
         return json;
     }
@@ -86,6 +89,15 @@ ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSam
     }
     for (const HistogramBar& bar : summary.histogram) {
         json["histogram"].push_back({bar.low, bar.high, bar.count});
+    }
+    return json;
+}
+
+/// Parts by what makes them bad, the most frequent first.
+ordered_json rejectsJson(const BatchSummary& summary) {
+    ordered_json json = ordered_json::object();
+    for (const RejectCause& cause : summary.causes) {
+        json[cause.kind ? constraintName(*cause.kind) : "size_not_reached"] = cause.count;
     }
     return json;
 }
@@ -252,12 +264,27 @@ const char* testName(NormalityTest test) {
     return test == NormalityTest::shapiroWilk ? "(Shapiro-Wilk)" : "(Anderson-Darling)";
 }
 
+std::string strippedText(const BatchSummary& summary) {
+    return summary.stripped == 0
+               ? std::string()
+               : std::to_string(summary.stripped) + " of " + std::to_string(summary.parts)
+                     + " parts have no size, form and Ra: strips uncut; no Ppk is told of them\n";
+}
+
+/// "; 7 of 50 parts have none: strips uncut"; nothing where all have it.
+std::string unstatedText(const CharacteristicSummary& summary) {
+    return summary.unstated == 0 ? std::string()
+                                 : "; " + std::to_string(summary.unstated) + " of "
+                                       + std::to_string(summary.unstated + summary.count)
+                                       + " parts have none: strips uncut";
+}
+
 std::string characteristicText(const CharacteristicSummary& summary, bool isSample) {
     const Characteristic& of = summary.characteristic;
     const int decimals = 3;
     std::string text = placeKey(of) + " " + of.name + ", " + of.unit + ": ";
     if (summary.count == 0) {
-        return text + "none\n";
+        return text + "none" + unstatedText(summary) + '\n';
     }
     text += range({summary.least.value, summary.most.value}, decimals);
     if (isSample) {
@@ -275,7 +302,7 @@ std::string characteristicText(const CharacteristicSummary& summary, bool isSamp
     if (of.low || of.high) {
         text += ", outside " + shareText(summary.outside);
     }
-    return text + '\n';
+    return text + unstatedText(summary) + '\n';
 }
 
 std::string cell(const std::optional<double>& value) {
@@ -298,8 +325,8 @@ std::string batchText(const BatchResult& result, const std::optional<SobolIndice
         std::to_string(summary.parts) + " of " + std::to_string(result.batchParts) + " parts, "
         + statusName(result.status) + "\nverdict " + verdictText(weigh(summary, result), summary)
         + "\nnot good " + shareText(summary.bad) + "; did not reach size "
-        + std::to_string(summary.failed) + "\nworst part " + std::to_string(summary.worstPart)
-        + factorsText(result, summary.worstPart) + '\n';
+        + std::to_string(summary.failed) + "\n" + strippedText(summary) + "worst part "
+        + std::to_string(summary.worstPart) + factorsText(result, summary.worstPart) + '\n';
     const auto regressions = rankRegressions(result);
     const auto factors = givenFactors(result.project);
     for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
@@ -323,7 +350,9 @@ std::string batchJson(const BatchResult& result, const std::optional<SobolIndice
                          {"parts", summary.parts},
                          {"is_sample", summary.isSample},
                          {"did_not_reach_size", summary.failed},
+                         {"strips_uncut", summary.stripped},
                          {"not_good", shareJson(summary.bad)},
+                         {"rejects", rejectsJson(summary)},
                          {"verdict", verdictJson(weigh(summary, result), summary)},
                          {"drifts", summary.drifts},
                          {"exact_percentiles", summary.exactPercentiles},
@@ -354,15 +383,15 @@ std::string batchCsv(const BatchResult& result) {
     std::string text = "where,characteristic,unit,low,high,count,min,max,mean,mean_low,mean_high,s,"
                        "cp,cp_low,cp_high,cpk,cpk_low,cpk_high,outside,outside_low,outside_high,"
                        "pp,pp_low,pp_high,ppk,ppk_low,ppk_high,expected_outside,normality,"
-                       "normality_test\n";
+                       "normality_test,strips_uncut\n";
     const bool atRest = !summary.drifts;
     const std::optional<Capability> none;
     for (const CharacteristicSummary& row : summary.characteristics) {
         const Characteristic& of = row.characteristic;
-        text += placeKey(of) + "," + of.name + "," + of.unit + "," + cell(of.low) + ","
-                + cell(of.high) + "," + std::to_string(row.count) + ",";
+        text += csvCell(placeKey(of)) + "," + csvCell(of.name) + "," + csvCell(of.unit) + ","
+                + cell(of.low) + "," + cell(of.high) + "," + std::to_string(row.count) + ",";
         if (row.count == 0) {
-            text += ",,,,,,,,,,,,,,,,,,,,,,,\n";
+            text += ",,,,,,,,,,,,,,,,,,,,,,,," + std::to_string(row.unstated) + "\n";
             continue;
         }
         const bool sample = summary.isSample;
@@ -374,7 +403,8 @@ std::string batchCsv(const BatchResult& result) {
                 + "," + cells(row.outside.interval) + "," + capabilityCells(row.pp) + ","
                 + capabilityCells(row.ppk) + "," + cell(row.expectedOutside) + ","
                 + (row.normality ? numberText(row.normality->probability) : "") + ","
-                + (row.normality ? testKey(row.normality->test) : "") + "\n";
+                + (row.normality ? testKey(row.normality->test) : "") + ","
+                + std::to_string(row.unstated) + "\n";
     }
     return text;
 }
@@ -430,15 +460,18 @@ std::string joinText(const JoinedBatch& joined, const std::vector<BatchResult>& 
     return text;
 }
 
-const char* stateSentence(StateFault fault) {
+std::string stateSentence(StateFault fault) {
     switch (fault) {
     case StateFault::none: break;
     case StateFault::otherFormat: return "not a shard of a batch";
+    case StateFault::tooDeep:
+        return "not a shard of a batch: nested deeper than " + std::to_string(limits::depth)
+               + " levels";
     case StateFault::otherVersion: return "a shard of another version of Sparkout; run it again";
     case StateFault::changed: return "changed since it was written (its checksum does not fit)";
     case StateFault::impossible: return "holds numbers that no batch gives";
     }
-    return "";
+    return {};
 }
 
 } // namespace sparkout::cli

@@ -29,6 +29,6 @@ namespace sparkout::cli {
                                    const std::vector<std::string>& files);
 
 /// Why a file is no shard.
-[[nodiscard]] const char* stateSentence(StateFault fault);
+[[nodiscard]] std::string stateSentence(StateFault fault);
 
 } // namespace sparkout::cli

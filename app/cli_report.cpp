@@ -5,7 +5,7 @@
 #include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
 #include "core/units.h"
 
@@ -32,11 +32,12 @@ std::string um(double value_mm) {
 }
 
 std::string accuracyText(const SimulationResult& result, const PartAccuracy& accuracy) {
+    if (!FinishedSurface(result.project).isWhole()) {
+        return "strips stay uncut    size, roundness, runout, cylindricity, form and Ra are not "
+               "known\n";
+    }
     std::string text = "deviations, µm       min, max of the diameter; radial runout; roundness by "
                        "minimum zone, least squares\n";
-    if (leavesStrips(result.project)) {
-        text = "strips stay uncut: what follows is of the cut surface alone\n" + text;
-    }
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         text += padded("  " + sectionName(section.zone, static_cast<int>(i)))
@@ -151,7 +152,7 @@ std::string traceCsv(const SimulationResult& result, const Trajectory& trajector
         const Place& place = pass.place;
         std::string where =
             ',' + std::to_string(place.cycleCount) + ',' + std::to_string(place.stage) + ',';
-        where += traverse ? std::string(zoneKey(place.zone)) + ',' + stepKey(place.step) + ','
+        where += traverse ? csvCell(zoneKey(place.zone)) + ',' + csvCell(stepKey(place.step)) + ','
                                 + std::to_string(place.revolution)
                           : std::to_string(place.section);
         for (int k = 0; k < trajectory.radii; ++k) {

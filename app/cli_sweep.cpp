@@ -5,6 +5,7 @@
 #include "app/cli_io.h"
 #include "app/cli_report.h"
 #include "app/stop_signals.h"
+#include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/sweep/sweep_run.h"
 
@@ -88,14 +89,16 @@ std::string sweepJson(const SweepResult& sweep) {
 /// A row a point; of every result its value and its margin.
 std::string sweepCsv(const SweepResult& sweep) {
     std::string text;
+    const auto withUnit = [](const std::string& name, const std::string& unit) {
+        return csvCell(unit.empty() ? name : name + " [" + unit + ']');
+    };
     for (const SweptInput& input : sweep.inputs) {
-        text += input.axis.input + (input.unit.empty() ? "," : " [" + input.unit + "],");
+        text += withUnit(input.axis.input, input.unit) + ',';
     }
     text += "status,ok";
     for (const SweepQuantity& quantity : sweep.quantities) {
         const std::string name = quantity.name + ' ' + placeOf(quantity);
-        text += ',' + name + (quantity.unit.empty() ? "" : " [" + quantity.unit + ']') + ',' + name
-                + " margin";
+        text += ',' + withUnit(name, quantity.unit) + ',' + csvCell(name + " margin");
     }
     text += '\n';
     for (std::size_t i = 0; i < sweep.points.size(); ++i) {
@@ -103,7 +106,7 @@ std::string sweepCsv(const SweepResult& sweep) {
         for (const double value : sweep.valuesAt(i)) {
             text += numberText(value) + ',';
         }
-        text += std::string(stateOf(point)) + ',' + (point.good ? "true" : "false");
+        text += csvCell(stateOf(point)) + ',' + (point.good ? "true" : "false");
         for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
             const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
             text += ',' + cellOf(value.value) + ',' + cellOf(value.margin);

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/build_id.h"
 
+#include "core/build_flags.h"
 #include "core/source_digest.h"
+
+#if defined(__GLIBC__)
+#include <gnu/libc-version.h>
+#endif
 
 namespace sparkout {
 
-std::string buildId() {
+namespace {
+
+std::string compiler() {
 #if defined(__clang__)
-    return std::string(SPARKOUT_SOURCE_DIGEST ", Clang ") + __clang_version__;
+    return std::string("Clang ") + __clang_version__;
 #else
-    return std::string(SPARKOUT_SOURCE_DIGEST ", GCC ") + __VERSION__;
+    return std::string("GCC ") + __VERSION__;
 #endif
+}
+
+/// That of this run, which need not be the one it was compiled with.
+std::string libraryOfC() {
+#if defined(__GLIBC__)
+    return std::string("glibc ") + gnu_get_libc_version();
+#else
+    return "another C library";
+#endif
+}
+
+} // namespace
+
+std::string buildId() {
+    return std::string(SPARKOUT_SOURCE_DIGEST) + ", " + compiler() + ", " + libraryOfC() + ", "
+           + SPARKOUT_BUILD_FLAGS;
 }
 
 } // namespace sparkout

@@ -78,4 +78,19 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+bool readsAsFormula(std::string_view text) {
+    return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != text.npos;
+}
+
+std::string csvCell(std::string_view text, char separator) {
+    std::string cell = (readsAsFormula(text) ? "'" : "") + printable(text);
+    if (cell.find('"') == cell.npos && cell.find(separator) == cell.npos) {
+        return cell;
+    }
+    for (std::size_t at = 0; (at = cell.find('"', at)) != cell.npos; at += 2) {
+        cell.insert(at, 1, '"');
+    }
+    return '"' + cell + '"';
+}
+
 } // namespace sparkout

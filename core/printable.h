@@ -11,4 +11,12 @@ namespace sparkout {
 /// they stand in a message of one line.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// Whether a spreadsheet would take a cell of this text for a formula: it begins with = + - @, a
+/// tab or a carriage return.
+[[nodiscard]] bool readsAsFormula(std::string_view text);
+
+/// A text as a cell of a CSV file: printable, in quotation marks if need be, and with an apostrophe
+/// in front of what a spreadsheet would take for a formula. Numbers are no texts.
+[[nodiscard]] std::string csvCell(std::string_view text, char separator = ',');
+
 } // namespace sparkout

@@ -7,7 +7,7 @@
 #include "core/batch/permutation.h"
 #include "core/batch/worker_pool.h"
 #include "core/build_id.h"
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -72,7 +72,7 @@ private:
         }
         if (m_options.sink
             && !queue.put(place, {part, std::move(values), std::move(outcome),
-                                  leavesStrips(result.project)})) {
+                                  !FinishedSurface(result.project).isWhole()})) {
             m_over = true;
             return false;
         }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
 
+#include "core/batch/state_seal.h"
 #include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 
 #include <nlohmann/json.hpp>
 
-#include <boost/crc.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -19,8 +17,6 @@ namespace sparkout {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* checksumKey = "checksum";
 
 Json partValueJson(const PartValue& value) {
     return Json::array({value.value, value.part});
@@ -75,30 +71,6 @@ Json statisticsJson(const BatchStatistics& statistics, std::size_t factors) {
             {"bad", statistics.bad},         {"worst", partValueJson(statistics.worst)},
             {"rejects", statistics.rejects}, {"values", std::move(values)},
             {"rows", std::move(rows)}};
-}
-
-std::string hexOf(std::uint64_t number) {
-    constexpr int digits = 16;
-    std::string text(digits, '0');
-    for (int i = digits; i-- > 0; number >>= 4) {
-        text[static_cast<std::size_t>(i)] = "0123456789abcdef"[number & 15];
-    }
-    return text;
-}
-
-/// CRC-64 of a text (ECMA-182, reflected): against accidents (it misses one in 2^64), not against a forger.
-std::string checksumOf(std::string_view text) {
-    constexpr std::uint64_t all = ~std::uint64_t{0};
-    boost::crc_optimal<64, 0x42F0E1EBA9EA3693, all, all, true, true> crc;
-    crc.process_bytes(text.data(), text.size());
-    return hexOf(crc.checksum());
-}
-
-std::string sealed(Json state) {
-    state.erase(checksumKey);
-    const std::string checksum = checksumOf(state.dump());
-    state[checksumKey] = checksum;
-    return state.dump() + '\n';
 }
 
 /// What shards of one batch have in common.
@@ -210,8 +182,9 @@ std::string writeBatchState(const BatchResult& result) {
                    {"statistics", statisticsJson(result.statistics, factors)}});
 }
 
-std::string sealBatchState(std::string_view text) {
-    return sealed(Json::parse(text));
+std::optional<std::string> sealBatchState(std::string_view text) {
+    std::optional<Json> state = parseState(text);
+    return state ? std::optional(sealed(std::move(*state))) : std::nullopt;
 }
 
 std::string projectDigest(const Project& project) {

@@ -17,8 +17,9 @@ inline constexpr int batchStateVersion = 2;
 /// One UTF-8 JSON text with everything, bit for bit: equal results, equal bytes.
 [[nodiscard]] std::string writeBatchState(const BatchResult& result);
 
-/// The JSON text of a state with the checksum that belongs to it, in place of any it had.
-[[nodiscard]] std::string sealBatchState(std::string_view text);
+/// The JSON text of a state with the checksum that belongs to it, in place of any it had. Nothing
+/// for a text that nests deeper than limits::depth or is no JSON object.
+[[nodiscard]] std::optional<std::string> sealBatchState(std::string_view text);
 
 /// Digest of a project as it is written: names what a shard is of. The kept runs of the file are no
 /// part of it, for runBatch() leaves them out.
@@ -28,6 +29,7 @@ inline constexpr int batchStateVersion = 2;
 enum class StateFault {
     none,
     otherFormat,  ///< not of this kind at all
+    tooDeep,      ///< nested deeper than limits::depth, as no state is
     otherVersion, ///< of a version that this one does not read
     changed,      ///< its checksum is not that of its contents
     impossible    ///< contents no batch writes

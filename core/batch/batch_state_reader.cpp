@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_state.h"
+#include "core/batch/state_seal.h"
 #include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 
@@ -186,22 +187,20 @@ ReadBatchState contentsOf(const json& state) {
 } // namespace
 
 ReadBatchState readBatchState(std::string_view text) {
-    try {
-        const json state = json::parse(text);
-        if (state.at("format") != batchStateFormat) {
-            return {StateFault::otherFormat, {}};
-        }
-        if (state.at("version") != batchStateVersion) {
-            return {StateFault::otherVersion, {}};
-        }
-        if (!state.contains("checksum")
-            || json::parse(sealBatchState(text)).at("checksum") != state.at("checksum")) {
-            return {StateFault::changed, {}};
-        }
-        return contentsOf(state);
-    } catch (const json::exception&) {
+    if (nestingOf(text) > limits::depth) {
+        return {StateFault::tooDeep, {}};
+    }
+    std::optional<json> state = parseState(text);
+    if (!state || !state->contains("format") || state->at("format") != batchStateFormat) {
         return {StateFault::otherFormat, {}};
     }
+    if (!state->contains("version") || state->at("version") != batchStateVersion) {
+        return {StateFault::otherVersion, {}};
+    }
+    if (!unseal(*state)) {
+        return {StateFault::changed, {}};
+    }
+    return contentsOf(*state);
 }
 
 } // namespace sparkout

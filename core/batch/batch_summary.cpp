@@ -28,6 +28,11 @@ Share shareOf(std::int64_t count, std::int64_t parts, bool isSample) {
     return share;
 }
 
+/// How many parts have strips uncut.
+std::int64_t strippedOf(const BatchStatistics& statistics) {
+    return statistics.rejects[static_cast<std::size_t>(ConstraintKind::overlap)];
+}
+
 class Summariser {
 public:
     Summariser(const BatchResult& result, bool isSample)
@@ -40,6 +45,7 @@ public:
         CharacteristicSummary summary;
         summary.characteristic = characteristic;
         summary.count = values.count;
+        summary.unstated = isOfSurface(characteristic) ? strippedOf(m_statistics) : 0;
         summary.least = values.least;
         summary.most = values.most;
         summary.moments = momentsOf(values);
@@ -145,7 +151,7 @@ private:
                     ? shapiroWilk(m_sorted)
                     : andersonDarling(values.bins, of.resolution, summary.count, mean, s);
         }
-        if (!hasCapability(of)) {
+        if (!hasCapability(of) || summary.unstated > 0) {
             return;
         }
         const double above = of.high ? *of.high - mean : std::numeric_limits<double>::max();
@@ -193,6 +199,7 @@ BatchSummary summarise(const BatchResult& result) {
     summary.isSample = source.isSample();
     summary.parts = statistics.parts;
     summary.failed = statistics.failed;
+    summary.stripped = strippedOf(statistics);
     summary.bad = shareOf(statistics.bad, statistics.parts, source.isSample());
     summary.causes = causesOf(statistics);
     summary.worstPart = statistics.worst.part;

@@ -46,6 +46,7 @@ struct RejectCause {
 struct CharacteristicSummary {
     Characteristic characteristic;
     std::int64_t count = 0;
+    std::int64_t unstated = 0; ///< parts that have no value for strips stay uncut
     PartValue least, most;
     Moments moments;
     std::optional<Interval> mean95; ///< Student's
@@ -54,7 +55,7 @@ struct CharacteristicSummary {
     std::optional<Normality> normality; ///< of 20 values or more
     /// Performance indices [ISO22514]: s is that of all parts, drift and all. Of what
     /// hasCapability() names; not where the scatter is nothing beside the field, which would be an
-    /// index above 99.
+    /// index above 99, nor where parts have no value for strips stay uncut.
     std::optional<Capability> pp, ppk;
     std::optional<double> expectedOutside; ///< share of a normal law of this mean and s; as ppk
     Share outside;                         ///< its limits
@@ -64,6 +65,7 @@ struct CharacteristicSummary {
 struct BatchSummary {
     bool isSample = true;
     std::int64_t parts = 0, failed = 0;
+    std::int64_t stripped = 0; ///< parts with strips uncut: of no size, form or roughness
     Share bad;
     std::vector<RejectCause> causes; ///< that any part failed, the most frequent first
     std::int64_t worstPart = -1;

@@ -2,6 +2,7 @@
 #include "core/batch/characteristics.h"
 
 #include "core/quality/constraints.h"
+#include "core/quality/finished_surface.h"
 #include "core/quality/self_sharpening.h"
 #include "core/units.h"
 
@@ -133,6 +134,16 @@ bool hasCapability(const Characteristic& characteristic) {
            && std::string_view(characteristic.name) != constraintName(ConstraintKind::roughness);
 }
 
+bool isOfSurface(const Characteristic& characteristic) {
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (std::string_view(characteristic.name) == constraintName(kind)) {
+            return FinishedSurface::isMeantBy(kind);
+        }
+    }
+    return std::string_view(characteristic.name) == diameterName;
+}
+
 double meanDeviation_um(const SectionResult& section, double nominal_mm) {
     const double sum =
         std::accumulate(section.radii_mm.begin(), section.radii_mm.end(), 0.0,
@@ -157,15 +168,22 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
     for (const ConstraintResult& constraint : constraints) {
         outcome.good = outcome.good && constraint.holds;
         outcome.asked[static_cast<std::size_t>(constraint.kind)] = true;
+        if (!constraint.isWhole) {
+            continue; // not known: the overlap fails instead
+        }
         if (!constraint.holds) {
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
         }
-        if (scopeOf(constraint.kind) != ConstraintScope::setting) {
+        const bool strips = constraint.kind == ConstraintKind::overlap && !constraint.holds;
+        if (scopeOf(constraint.kind) != ConstraintScope::setting || strips) {
             outcome.margin = std::min(outcome.margin, constraint.relativeMargin);
         }
     }
+    const FinishedSurface surface(result.project);
     for (const Characteristic& characteristic : characteristics) {
-        outcome.values.push_back(valueOf(characteristic, result, constraints));
+        outcome.values.push_back(surface.isWhole() || !isOfSurface(characteristic)
+                                     ? valueOf(characteristic, result, constraints)
+                                     : std::numeric_limits<double>::quiet_NaN());
     }
 }
 

@@ -30,6 +30,9 @@ struct Characteristic {
 /// depth alone and not the wheel's face.
 [[nodiscard]] bool hasCapability(const Characteristic& characteristic);
 
+/// Whether it is of the finished surface, of which nothing is stated where strips stay uncut.
+[[nodiscard]] bool isOfSurface(const Characteristic& characteristic);
+
 /// Mean diameter of a zone or section less the nominal one [µm].
 [[nodiscard]] double meanDeviation_um(const SectionResult& section, double nominal_mm);
 
@@ -38,9 +41,13 @@ struct PartOutcome {
     bool completed = false; ///< the cycle reached size; else nothing was measured
     bool good = false;      ///< and every requirement holds
     double margin = 0;      ///< least relative margin of its requirements
-    std::array<bool, constraintKinds> fails{}; ///< by kind: somewhere on the part
+    /// By kind: somewhere on the part. Where strips stay uncut it fails by the overlap, and by
+    /// nothing that is of the finished surface.
+    std::array<bool, constraintKinds> fails{};
     std::array<bool, constraintKinds> asked{}; ///< by kind: held against anything at all
-    std::vector<double> values; ///< of the characteristics; NaN: none, as the roughness of no cut
+    /// Of the characteristics; NaN: none, as the roughness of no cut, and where strips stay uncut
+    /// all that is of the finished surface.
+    std::vector<double> values;
 };
 
 /// Measures a result into `outcome`, for the characteristics of its project.

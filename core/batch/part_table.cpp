@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/part_table.h"
 
+#include "core/printable.h"
 #include "core/project/validate.h"
+#include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
@@ -15,23 +17,6 @@ namespace {
 
 bool names(const Characteristic& characteristic, ConstraintKind kind) {
     return std::string_view(characteristic.name) == constraintName(kind);
-}
-
-/// Whether it is told of the finished surface, and so not where strips of it stay uncut.
-bool isOfSurface(const Characteristic& characteristic) {
-    return characteristic.section >= 0 || names(characteristic, ConstraintKind::cylindricity)
-           || names(characteristic, ConstraintKind::totalRunout);
-}
-
-std::string quoted(const std::string& text, char separator) {
-    if (text.find_first_of(std::string("\"\r\n") + separator) == std::string::npos) {
-        return text;
-    }
-    std::string inside;
-    for (const char c : text) {
-        inside += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return '"' + inside + '"';
 }
 
 } // namespace
@@ -85,7 +70,7 @@ std::string PartTable::head(const std::vector<std::string>& names) const {
     std::string line = m_dialect.begin;
     for (std::size_t i = 0; i < names.size(); ++i) {
         line += (i > 0 ? std::string(1, m_dialect.separator) : std::string())
-                + quoted(names[i], m_dialect.separator);
+                + csvCell(names[i], m_dialect.separator);
     }
     return line + m_dialect.lineEnd;
 }
@@ -122,7 +107,8 @@ std::string PartTable::line(const PartRecord& record) const {
     for (const ConstraintKind kind : m_columns.requirements) {
         const auto at = static_cast<std::size_t>(kind);
         line += m_dialect.separator;
-        line += done && outcome.asked[at] ? word(!outcome.fails[at]) : std::string();
+        const bool known = whole || !FinishedSurface::isMeantBy(kind); // else it does not hold
+        line += done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string();
     }
     return line + m_dialect.lineEnd;
 }

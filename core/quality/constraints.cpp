@@ -3,7 +3,7 @@
 
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/drawing_constraints.h"
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 
 #include <algorithm>
 #include <array>
@@ -63,10 +63,10 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                   const PartAccuracy& accuracy) {
     std::vector<ConstraintResult> found = drawingConstraints(result, accuracy);
-    if (leavesStrips(result.project)) {
-        for (ConstraintResult& constraint : found) {
-            constraint.isWhole = constraint.holds = false;
-        }
+    const FinishedSurface surface(result.project);
+    for (ConstraintResult& constraint : found) {
+        constraint.isWhole = surface.tells(constraint.kind);
+        constraint.holds = constraint.holds && constraint.isWhole;
     }
     const std::vector<ConstraintResult> cycle = cycleConstraints(result);
     found.insert(found.end(), cycle.begin(), cycle.end());

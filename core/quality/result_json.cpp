@@ -3,7 +3,7 @@
 
 #include "core/project/strict_json.h"
 #include "core/quality/cycle_constraints.h"
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
 #include "core/quality/roughness.h"
 #include "core/quality/shop_numbers.h"
@@ -19,6 +19,11 @@ bool isTraverse(const SimulationResult& result) {
     return result.project.operation == Operation::traverse;
 }
 
+/// Of the finished surface: null where it is not whole.
+ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
+    return surface.isWhole() ? std::move(value) : ordered_json(nullptr);
+}
+
 ordered_json zoneJson(const SimulationResult& result, const SectionResult& section,
                       const SectionAccuracy& accuracy) {
     const double nominal = result.project.part.diameter_mm / 2;
@@ -27,25 +32,28 @@ ordered_json zoneJson(const SimulationResult& result, const SectionResult& secti
         radii.push_back((radius - nominal) * units::umPerMm);
     }
     ordered_json roughness; // null where none is required
-    const bool strips = leavesStrips(result.project);
-    if (section.lastCut && !strips) {
+    if (section.lastCut) {
         roughness =
             RoughnessModel(result.project).roughness(section.lastCut->depth_mm) * units::umPerMm;
     }
-    ordered_json deviation; // null where strips stay uncut
-    if (!strips) {
-        deviation = {section.diameterDeviationMin_mm * units::umPerMm,
-                     section.diameterDeviationMax_mm * units::umPerMm};
-    }
-    return {{"diameter_deviation_um", std::move(deviation)},
-            {"radial_runout_um", section.radialRunout_mm * units::umPerMm},
-            {"roundness_um", accuracy.minimumZone.deviation() * units::umPerMm},
-            {"roundness_least_squares_um", accuracy.leastSquares.deviation() * units::umPerMm},
-            {"roughness_ra_um", std::move(roughness)},
-            {"peak_normal_force_n", section.peakNormalForce_n},
-            {"position_mm", section.position_mm},
-            {"compliance_mm_per_n", section.compliance_mm_per_n},
-            {"radii_um", std::move(radii)}};
+    const FinishedSurface surface(result.project);
+    const auto stated = [&surface](ordered_json value) {
+        return statedJson(surface, std::move(value));
+    };
+    roughness = stated(std::move(roughness));
+    radii = stated(std::move(radii));
+    return {
+        {"diameter_deviation_um",
+         stated(ordered_json::array({section.diameterDeviationMin_mm * units::umPerMm,
+                                     section.diameterDeviationMax_mm * units::umPerMm}))},
+        {"radial_runout_um", stated(section.radialRunout_mm * units::umPerMm)},
+        {"roundness_um", stated(accuracy.minimumZone.deviation() * units::umPerMm)},
+        {"roundness_least_squares_um", stated(accuracy.leastSquares.deviation() * units::umPerMm)},
+        {"roughness_ra_um", std::move(roughness)},
+        {"peak_normal_force_n", section.peakNormalForce_n},
+        {"position_mm", section.position_mm},
+        {"compliance_mm_per_n", section.compliance_mm_per_n},
+        {"radii_um", std::move(radii)}};
 }
 
 ordered_json constraintJson(const ConstraintResult& constraint) {
@@ -62,16 +70,16 @@ ordered_json constraintJson(const ConstraintResult& constraint) {
             {"ok", constraint.holds}};
 }
 
-ordered_json partJson(const PartAccuracy& accuracy, bool strips) {
-    const auto whole = [strips](double value_mm) {
-        return strips ? ordered_json(nullptr) : ordered_json(value_mm * units::umPerMm);
+ordered_json partJson(const PartAccuracy& accuracy, const FinishedSurface& surface) {
+    const auto stated = [&surface](double value_mm) {
+        return statedJson(surface, value_mm * units::umPerMm);
     };
-    return {{"cylindricity_um", whole(accuracy.minimumZone.deviation())},
-            {"cylindricity_least_squares_um", whole(accuracy.leastSquares.deviation())},
-            {"total_runout_um", whole(accuracy.totalRunout_mm)},
-            {"taper_um", accuracy.profile.taper_mm * units::umPerMm},
-            {"crown_um", accuracy.profile.crown_mm * units::umPerMm},
-            {"form", formKey(accuracy.profile.form)}};
+    return {{"cylindricity_um", stated(accuracy.minimumZone.deviation())},
+            {"cylindricity_least_squares_um", stated(accuracy.leastSquares.deviation())},
+            {"total_runout_um", stated(accuracy.totalRunout_mm)},
+            {"taper_um", stated(accuracy.profile.taper_mm)},
+            {"crown_um", stated(accuracy.profile.crown_mm)},
+            {"form", statedJson(surface, formKey(accuracy.profile.form))}};
 }
 
 ordered_json burnJson(const BurnState& burn) {
@@ -167,12 +175,13 @@ std::string resultJson(const SimulationResult& result,
     root["cycle_time_min_by_stage"] = std::move(stageTimes);
     root["gauge"] = {{"reading_mm", result.gaugeReading_mm},
                      {"remaining_stock_mm", result.remainingStock_mm}};
-    if (leavesStrips(result.project)) {
+    const FinishedSurface surface(result.project);
+    if (!surface.isWhole()) {
         root["strips_uncut"] = true;
     }
     const PartAccuracy accuracy = accuracyOf(result);
     root[isTraverse(result) ? "zones" : "sections"] = sectionsJson(result, accuracy);
-    root["part"] = partJson(accuracy, leavesStrips(result.project));
+    root["part"] = partJson(accuracy, surface);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},
                     {"power_w", result.peakPower_w},

@@ -3,7 +3,7 @@
 
 #include "core/batch/characteristics.h"
 #include "core/quality/constraints.h"
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/quality/roundness.h"
 #include "core/units.h"
 
@@ -83,7 +83,7 @@ private:
         const auto addHere = [&](const char* name, const SweepValue& value) {
             add(name, "µm", value, section.zone, index);
         };
-        if (leavesStrips(m_result.project)) {
+        if (!FinishedSurface(m_result.project).isWhole()) {
             return;
         }
         SweepValue diameter{meanDeviation_um(section, part.diameter_mm)};

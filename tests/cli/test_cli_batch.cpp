@@ -280,6 +280,18 @@ private slots:
         QCOMPARE(run({"batch-merge", second, first}).status, 0);
     }
 
+    void aShardOf200000LevelsIsRefusedInWords() {
+        const std::string levels(200'000, '[');
+        const QString deep =
+            save("deep.json", R"({"format":"sparkout-batch","version":2,"checksum":"0","project":)"
+                                  + levels + std::string(levels.size(), ']') + "}");
+        const Outcome outcome = run({"batch-merge", deep});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY(outcome.out.empty());
+        QCOMPARE(outcome.err,
+                 deep.toStdString() + ": not a shard of a batch: nested deeper than 64 levels\n");
+    }
+
     /// The script of a cluster, run as Slurm runs it: a shard a job of the array, then the merge.
     void theClusterScriptTakesTheNumberOfShardsFromTheArray() {
         const QTemporaryDir folder;

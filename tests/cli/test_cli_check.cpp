@@ -108,6 +108,10 @@ private slots:
                 const std::string text = run({"simulate", saved}).out;
                 QVERIFY(text.find("strips stay uncut") != std::string::npos);
                 QVERIFY(text.find("not known: strips uncut") != std::string::npos);
+                for (const char* word :
+                     {"deviations", "cylindricity, µm", "taper", "total runout, µm"}) {
+                    QVERIFY2(text.find(word) == std::string::npos, word);
+                }
             }
         }
     }

@@ -144,7 +144,7 @@ private slots:
             }
             json state = good;
             state[json::json_pointer(path)] = wrong[tried++ % wrong.size()];
-            const auto read = readBatchState(sealBatchState(state.dump()));
+            const auto read = readBatchState(*sealBatchState(state.dump()));
             QVERIFY(read.fault != StateFault::changed);
             refused += read ? 0 : 1;
             if (read) {
@@ -154,6 +154,32 @@ private slots:
             }
         }
         QVERIFY(tried > 300 && refused > tried / 2);
+    }
+
+    /// Whatever walks a state by recursion would need a stack as deep as its text.
+    void aStateOfAnyDepthIsRefused() {
+        constexpr std::size_t levels = 200'000;
+        const std::string deep = std::string(levels, '[') + std::string(levels, ']');
+        const json good = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
+        std::string state = good.dump();
+        const json brackets = {{"a[[{\\\"[", "]]"}};
+        state = brackets.dump().substr(0, brackets.dump().size() - 1) + ",\"deep\":" + deep + ","
+                + state.substr(1);
+        QVERIFY(json::accept(state));
+        QVERIFY(readBatchState(state).fault == StateFault::tooDeep);
+        QVERIFY(readBatchState(deep).fault == StateFault::tooDeep);
+        QVERIFY(!sealBatchState(state) && !sealBatchState(deep) && !sealBatchState("[1"));
+        // As deep as a project may be is read, brackets of texts not counted.
+        json known = good;
+        known["project"]["title"] = std::string(limits::depth + 1, '[');
+        QVERIFY(readBatchState(known.dump()).fault == StateFault::changed);
+        for (const std::size_t more : {0, 1}) {
+            json edge = good;
+            edge["deep"] = json::parse(std::string(limits::depth - 1 + more, '[')
+                                       + std::string(limits::depth - 1 + more, ']'));
+            QVERIFY(readBatchState(edge.dump()).fault
+                    == (more == 0 ? StateFault::changed : StateFault::tooDeep));
+        }
     }
 
     void aShardThatContradictsItselfIsRefused_data() {
@@ -190,10 +216,10 @@ private slots:
         QFETCH(QByteArray, path);
         QFETCH(double, value);
         json state = json::parse(writeBatchState(runShard(shaftBatch(12), 1, 2)));
-        QVERIFY(readBatchState(sealBatchState(state.dump())).result.has_value());
+        QVERIFY(readBatchState(*sealBatchState(state.dump())).result.has_value());
         state[json::json_pointer(path.toStdString())] =
             path.endsWith("least/0") ? json(value) : json(static_cast<std::int64_t>(value));
-        QVERIFY(readBatchState(sealBatchState(state.dump())).fault == StateFault::impossible);
+        QVERIFY(readBatchState(*sealBatchState(state.dump())).fault == StateFault::impossible);
     }
 
     /// Numbers that are as possible as the right ones: only the checksum tells.
@@ -223,7 +249,7 @@ private slots:
         QVERIFY(readBatchState(bare.dump()).fault == StateFault::otherVersion);
         nlohmann::ordered_json mixed = good;
         mixed["project_digest"] = "0123456789abcdef";
-        QVERIFY(readBatchState(sealBatchState(mixed.dump())).fault == StateFault::impossible);
+        QVERIFY(readBatchState(*sealBatchState(mixed.dump())).fault == StateFault::impossible);
     }
 
     void shardsHoldEveryPartOnce() {
