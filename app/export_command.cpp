@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export_command.h"
 
+#include "app/study_command.h"
 #include "app/window_io.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/export/export_file.h"
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
@@ -37,20 +37,24 @@ std::optional<ExportChoice> choiceOf(const ExportRequest& request) {
 } // namespace
 
 bool canExport(const ExportRequest& request) {
+    if (asksForStudy(request)) {
+        const QString suffix = QFileInfo(request.output).suffix().toLower();
+        return suffix == u"xlsx" || suffix == u"csv";
+    }
     return choiceOf(request).has_value();
 }
 
 int writeExport(const ExportRequest& request) {
+    if (asksForStudy(request)) {
+        return writeStudy(request);
+    }
     Document document;
     if (!openOrSay(document, request.file)) {
         return exitRefused;
     }
     const OutcomePtr outcome = runProject(document.project(), {});
     if (!outcome->ran()) {
-        for (const QString& line : FaultsDialog::lines(outcome->issues)) {
-            say(stderr, QStringLiteral("sparkout: %1").arg(line));
-        }
-        return exitRefused;
+        return refuse(outcome->issues);
     }
     const ExportChoice choice = *choiceOf(request);
     if (const QString obstacle = exportObstacle(outcome, choice); !obstacle.isEmpty()) {

@@ -7,7 +7,7 @@ namespace sparkout {
 
 /// What the command line asks for.
 struct ExportRequest {
-    QString part; ///< "all", or a part of the result
+    QString part; ///< "all", a part of the result, "batch", "sweep" or "search"
     QString file;
     QString output;
 };

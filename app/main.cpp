@@ -55,9 +55,10 @@ constexpr const char* usageText =
     "  --report KIND      write a report of FILE into OUT, show nothing; KIND is\n"
     "%1"
     "  --export PART      write results of FILE as tables into OUT, show nothing: all, inputs,\n"
-    "                     cycle, stages, zones, profiles, requirements or trace\n"
+    "                     cycle, stages, zones, profiles, requirements or trace; or run its\n"
+    "                     batch, sweep or search and write that\n"
     "  -o OUT             the file of the report or the tables; its ending says as what it is\n"
-    "                     written: .pdf, .html or .md (Markdown); .xlsx, .csv (one part; with\n"
+    "                     written: .pdf, .html or .md (Markdown); .xlsx, .csv (one table; with\n"
     "                     --lang ru semicolons and decimal commas, as Russian Excel has them) or\n"
     "                     .json (all: the object of sparkout-cli simulate --json)\n"
     "  --at STEP          the step that a hand-out works out: double stroke (plunge: revolution),\n"
@@ -77,8 +78,9 @@ constexpr const char* usageText =
     "  --help             print this text\n"
     "\n"
     "Exit status: 0 done, 1 the file is refused or the output cannot be written, 2 wrong usage or\n"
-    "no display, 3 the cycle cannot reach size (report or tables are written), 130 ended by\n"
-    "Ctrl+C (nothing is written). sparkout-cli does without a display.\n";
+    "no display, 3 the cycle cannot reach size (report or tables are written), 5 no cycle of the\n"
+    "search is feasible (nothing is written), 130 ended by Ctrl+C (nothing is written).\n"
+    "sparkout-cli does without a display.\n";
 
 QString usage() {
     return QString::fromUtf8(usageText).arg(reportUsage());
@@ -190,7 +192,7 @@ QString outputFault(const Options& options) {
     if (exported && !canExport(options.exported)) {
         return QStringLiteral(
             "--export is all (into .xlsx or .json), inputs, cycle, stages, zones, "
-            "profiles, requirements or trace (into .xlsx or .csv)");
+            "profiles, requirements, trace, batch, sweep or search (into .xlsx or .csv)");
     }
     const QString target = QFileInfo(options.output).canonicalFilePath();
     return !target.isEmpty() && target == QFileInfo(options.file).canonicalFilePath()

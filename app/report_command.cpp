@@ -4,7 +4,6 @@
 #include "app/batch_watch.h"
 #include "app/stop_signals.h"
 #include "app/window_io.h"
-#include "ui/dialogs/faults_dialog.h"
 #include "ui/report/report_text.h"
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
@@ -12,13 +11,6 @@
 namespace sparkout {
 
 namespace {
-
-int refuse(const Issues& issues) {
-    for (const QString& line : FaultsDialog::lines(issues)) {
-        say(stderr, QStringLiteral("sparkout: %1").arg(line));
-    }
-    return exitRefused;
-}
 
 BatchOutcomePtr runWatched(const Project& project) {
     cli::BatchWatch watch(partsOf(project), true);

@@ -31,6 +31,13 @@ void say(std::FILE* stream, const QString& text) {
     std::fputs((text + u'\n').toLocal8Bit().constData(), stream);
 }
 
+int refuse(const Issues& issues) {
+    for (const QString& line : FaultsDialog::lines(issues)) {
+        say(stderr, QStringLiteral("sparkout: %1").arg(line));
+    }
+    return exitRefused;
+}
+
 bool writeBytes(const QByteArray& bytes, const QString& path) {
     const auto error = writeFileSafely(QFile::encodeName(path).toStdString(),
                                        {bytes.constData(), static_cast<std::size_t>(bytes.size())});

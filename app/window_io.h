@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/issue.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -11,13 +13,17 @@ namespace sparkout {
 class Document;
 
 /// Exit status of the program; `exitInterrupted` plus the signal, as a shell tells Ctrl+C.
-inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3, exitInterrupted = 128;
+inline constexpr int exitRefused = 1, exitUsage = 2, exitCannotReachSize = 3,
+                     exitNothingFeasible = 5, exitInterrupted = 128;
 
 void say(std::FILE* stream, const QString& text); ///< a line
 
 /// From now on two notices of Qt about where it runs are not printed: that the platform without a
 /// display takes no size hints, and that XDG_RUNTIME_DIR is not set. The rest goes where it went.
 void passOverPlatformNotices();
+
+/// Says what is wrong with a project; returns the exit status of it.
+[[nodiscard]] int refuse(const Issues& issues);
 
 /// Writes a file safely; a failure is said.
 [[nodiscard]] bool writeBytes(const QByteArray& bytes, const QString& path);

@@ -4242,6 +4242,54 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>PartRows</name>
+        <message>
+            <source>done</source>
+            <translation>готово</translation>
+        </message>
+        <message>
+            <source>does not reach size</source>
+            <translation>размер не достигнут</translation>
+        </message>
+        <message>
+            <source>strips stay uncut</source>
+            <translation>остались полосы</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>Part</source>
+            <translation>Деталь</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>Good</source>
+            <translation>Годна</translation>
+        </message>
+        <message>
+            <source>Least margin, of its limit</source>
+            <translation>Наименьший запас, от предела</translation>
+        </message>
+        <message>
+            <source>%1: holds</source>
+            <comment>a requirement</comment>
+            <translation>%1: выполнено</translation>
+        </message>
+        <message>
+            <source>All parts of the batch</source>
+            <translation>Все детали партии</translation>
+        </message>
+    </context>
+    <context>
         <name>PartSketch</name>
         <message>
             <source>%1 mm</source>
@@ -5665,6 +5713,257 @@ target, µm</source>
         <message>
             <source>Cost of a part</source>
             <translation>Стоимость детали</translation>
+        </message>
+    </context>
+    <context>
+        <name>StudiesShown</name>
+        <message>
+            <source>It is of the inputs before the last edit. Run it for those of now in the view “%1”.</source>
+            <translation>Это расчёт для данных до последней правки. Выполните его для нынешних в виде «%1».</translation>
+        </message>
+        <message>
+            <source>It is being run: wait for it, or stop it.</source>
+            <translation>Расчёт ещё идёт: дождитесь его или остановите.</translation>
+        </message>
+    </context>
+    <context>
+        <name>StudyBook</name>
+        <message>
+            <source>What</source>
+            <translation>Показатель</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Project</source>
+            <translation>Проект</translation>
+        </message>
+        <message>
+            <source>Engine</source>
+            <translation>Версия расчёта</translation>
+        </message>
+        <message>
+            <source>Parts run</source>
+            <translation>Рассчитано деталей</translation>
+        </message>
+        <message>
+            <source>Parts of the batch</source>
+            <translation>Деталей в партии</translation>
+        </message>
+        <message>
+            <source>Scenarios</source>
+            <translation>Сценарии</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Начальное число</translation>
+        </message>
+        <message>
+            <source>What was run</source>
+            <translation>Что рассчитано</translation>
+        </message>
+        <message>
+            <source>Verdict: the cycle</source>
+            <translation>Заключение: цикл</translation>
+        </message>
+        <message>
+            <source>What decided</source>
+            <translation>Чем определено</translation>
+        </message>
+        <message>
+            <source>Parts that are not good</source>
+            <translation>Негодных деталей</translation>
+        </message>
+        <message>
+            <source>Share of parts that are not good</source>
+            <translation>Доля негодных деталей</translation>
+        </message>
+        <message>
+            <source>Share that is not good, 95 % from</source>
+            <translation>Доля негодных, 95 % от</translation>
+        </message>
+        <message>
+            <source>Share that is not good, 95 % to</source>
+            <translation>Доля негодных, 95 % до</translation>
+        </message>
+        <message>
+            <source>Parts that did not reach size</source>
+            <translation>Деталей, не достигших размера</translation>
+        </message>
+        <message>
+            <source>Factor: %1</source>
+            <translation>Фактор: %1</translation>
+        </message>
+        <message>
+            <source>Number of the part, the first is 0</source>
+            <translation>Номер детали, первая — 0</translation>
+        </message>
+        <message>
+            <source>Factor</source>
+            <translation>Фактор</translation>
+        </message>
+        <message>
+            <source>Batch</source>
+            <comment>of parts</comment>
+            <translation>Партия</translation>
+        </message>
+        <message>
+            <source>Statistics</source>
+            <translation>Статистика</translation>
+        </message>
+        <message>
+            <source>Rejects by cause</source>
+            <translation>Брак по причинам</translation>
+        </message>
+        <message>
+            <source>Correlation</source>
+            <translation>Корреляция</translation>
+        </message>
+        <message>
+            <source>Rank regression</source>
+            <translation>Ранговая регрессия</translation>
+        </message>
+        <message>
+            <source>Sobol indices</source>
+            <translation>Индексы Соболя</translation>
+        </message>
+        <message>
+            <source>Histograms</source>
+            <translation>Гистограммы</translation>
+        </message>
+        <message>
+            <source>Worst part</source>
+            <translation>Худшая деталь</translation>
+        </message>
+        <message>
+            <source>What came out</source>
+            <translation>Что получилось</translation>
+        </message>
+        <message>
+            <source>%1: of the project</source>
+            <translation>%1: в проекте</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <translation>%1: от</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <translation>%1: до</translation>
+        </message>
+        <message>
+            <source>%1: values</source>
+            <translation>%1: число значений</translation>
+        </message>
+        <message>
+            <source>Sweep</source>
+            <translation>Варьирование</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>Точки</translation>
+        </message>
+        <message>
+            <source>Time of the cycle found</source>
+            <translation>Время найденного цикла</translation>
+        </message>
+        <message>
+            <source>Least margin of all requirements, of its limit</source>
+            <translation>Наименьший запас по всем требованиям, от предела</translation>
+        </message>
+        <message>
+            <source>Gap to the stepless limit</source>
+            <translation>Разрыв до предела бесступенчатого цикла</translation>
+        </message>
+        <message>
+            <source>Time of your cycle</source>
+            <translation>Время исходного цикла</translation>
+        </message>
+        <message>
+            <source>No cycle of the grid is quicker than</source>
+            <translation>Ни один цикл сетки не быстрее</translation>
+        </message>
+        <message>
+            <source>Stepless limit</source>
+            <translation>Предел бесступенчатого цикла</translation>
+        </message>
+        <message>
+            <source>Size of the grid</source>
+            <translation>Размер сетки</translation>
+        </message>
+        <message>
+            <source>Scenarios added to hold in</source>
+            <translation>Добавлено сценариев</translation>
+        </message>
+        <message>
+            <source>Time of the quickest for the part alone</source>
+            <translation>Время самого быстрого цикла для одной номинальной детали</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Binds</source>
+            <translation>Ограничивает</translation>
+        </message>
+        <message>
+            <source>Times it cut</source>
+            <translation>Сколько раз отсекло</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <translation>да</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <translation>нет</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Поиск</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Настройки</translation>
+        </message>
+        <message>
+            <source>Cycle found</source>
+            <translation>Найденный цикл</translation>
+        </message>
+        <message>
+            <source>Best cycles</source>
+            <translation>Лучшие циклы</translation>
+        </message>
+        <message>
+            <source>Time by stages</source>
+            <translation>Время по числу ступеней</translation>
+        </message>
+        <message>
+            <source>What binds</source>
+            <translation>Что ограничивает</translation>
+        </message>
+        <message>
+            <source>Factors and verdict, statistics, rejects by cause, what matters most, histograms and the worst part, each on a sheet of its own.</source>
+            <translation>Факторы и заключение, статистика, брак по причинам, влияние факторов, гистограммы и худшая деталь — каждое на отдельном листе.</translation>
+        </message>
+        <message>
+            <source>The inputs varied and every point; over two inputs every quantity on a sheet of its own, too.</source>
+            <translation>Варьируемые данные и все точки; по двум данным — ещё и каждая величина на отдельном листе.</translation>
+        </message>
+        <message>
+            <source>The answer, the settings, the cycle found, the best cycles, the time by stages and what binds, each on a sheet of its own.</source>
+            <translation>Ответ, настройки, найденный цикл, лучшие циклы, время по числу ступеней и что ограничивает — каждое на отдельном листе.</translation>
+        </message>
+        <message>
+            <source>not known, it was stopped</source>
+            <translation>не известно: поиск остановлен</translation>
         </message>
     </context>
     <context>
@@ -7104,6 +7403,14 @@ target, µm</source>
         <message>
             <source>Worst part, no. %1</source>
             <translation>Худшая деталь, № %1</translation>
+        </message>
+        <message>
+            <source>All parts as CSV</source>
+            <translation>Все детали в CSV</translation>
+        </message>
+        <message>
+            <source>Run the batch again and save a row for every part: its factors, every quantity, every requirement held or not</source>
+            <translation>Рассчитать партию ещё раз и сохранить по строке на деталь: её факторы, все величины и выполнение каждого требования</translation>
         </message>
     </context>
     <context>
@@ -9100,6 +9407,10 @@ mm/min</source>
                 <numerusform>%1: %2 %3, %n деталей</numerusform>
             </translation>
         </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
     </context>
     <context>
         <name>sparkout::InputsPanel</name>
@@ -10932,6 +11243,10 @@ target, µm</source>
         <message>
             <source>Share of the variance: full alone, pale with interactions</source>
             <translation>Доля дисперсии: ярко — сам фактор, бледно — со взаимодействиями</translation>
+        </message>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
         </message>
     </context>
     <context>

@@ -4,6 +4,7 @@
 
 #include "ui/actions.h"
 #include "ui/export/export_commands.h"
+#include "ui/export/studies_shown.h"
 #include "ui/file_commands.h"
 #include "ui/font_size.h"
 #include "ui/inputs/inputs_panel.h"
@@ -72,7 +73,8 @@ void MainWindow::connectReports() {
             return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
         },
         m_settings, this);
-    auto* exports = new ExportCommands(outcomeOfNow, m_settings, this);
+    const auto studies = [this] { return studiesShown(views(), m_document.project()); };
+    auto* exports = new ExportCommands(outcomeOfNow, studies, m_settings, this);
     const auto on = [this](QAction* action, const std::function<void()>& command) {
         connect(action, &QAction::triggered, this, [this, command] {
             m_inputs->endTyping(); // first

@@ -68,7 +68,19 @@ std::optional<QString> save(QWidget* window, const QString& path, const SaveRequ
                                     {bytes.constData(), static_cast<std::size_t>(bytes.size())});
         }
     };
-    if (request.longWork) {
+    if (request.stream) {
+        const std::stop_source stop;
+        runWatched(
+            window, request.title,
+            [&](const KeepGoing& keepGoing) {
+                made = request.stream(target, keepGoing, stop.get_token(), error);
+            },
+            stop);
+        if (!made && !error) {
+            return std::nullopt; // stopped
+        }
+        made = true;
+    } else if (request.longWork) {
         const bool whole = runWatched(window, request.title, [&](const KeepGoing& keepGoing) {
             write(request.longWork(keepGoing));
         });

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/project/safe_file.h"
 #include "ui/session/sheet.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
 
 class QWidget;
 
@@ -26,6 +30,12 @@ struct SaveRequest {
     /// In its place, for what may take long: the bytes are made in a thread of their own, it is
     /// shown how far that is, and it can be stopped.
     std::function<QByteArray(const KeepGoing&)> longWork = {};
+    /// In place of both, for more than the memory may hold: it writes the file itself, safely, in a
+    /// thread of its own, and says whether it has, or why not. Stopped by what keepGoing says or by
+    /// the token, it leaves none.
+    std::function<bool(const std::string& path, const KeepGoing&, const std::stop_token&,
+                       std::optional<FileError>& error)>
+        stream = {};
 };
 
 /// Asks for a place, from the last folder on, and writes the bytes there safely. A failure is shown

@@ -11,9 +11,14 @@
 
 namespace sparkout {
 
-ExportCommands::ExportCommands(std::function<OutcomePtr()> outcome, Settings& settings,
+ExportCommands::ExportCommands(std::function<OutcomePtr()> outcome,
+                               std::function<std::vector<StudyOffer>()> studies, Settings& settings,
                                QWidget* window)
-    : QObject(window), m_outcome(std::move(outcome)), m_settings(settings), m_window(window) {}
+    : QObject(window)
+    , m_outcome(std::move(outcome))
+    , m_studies(std::move(studies))
+    , m_settings(settings)
+    , m_window(window) {}
 
 void ExportCommands::exportResults() {
     const OutcomePtr outcome = m_outcome();
@@ -26,22 +31,26 @@ void ExportCommands::exportResults() {
         box.exec();
         return;
     }
-    ExportDialog dialog(outcome, m_format, m_window);
+    ExportDialog dialog(outcome, m_format, m_window, m_studies());
     if (dialog.exec() != QDialog::Accepted) {
         return;
     }
     const ExportChoice choice = dialog.choice();
     m_format = choice.format;
     const Project& project = outcome->result.project;
-    const QString content = choice.parts.size() == 1
+    const Study* study = dialog.study();
+    const QString content = study ? studyName(study->kind())
+                            : choice.parts.size() == 1
                                 ? partName(choice.parts.front(), project.operation)
                                 : tr("Results");
+    const QDateTime made = QDateTime::currentDateTime();
     const SaveRequest request{tr("Export results"),
                               fileNameOf({exampleTitle(project.title), content}),
                               exportSuffix(choice.format),
                               exportFilter(choice.format),
                               {},
-                              exportWork(outcome, choice, QDateTime::currentDateTime())};
+                              study ? studyWork(*study, choice.format, made)
+                                    : exportWork(outcome, choice, made)};
     (void)saveWithDialog(m_window, &m_settings, request);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/export/export_file.h"
+#include "ui/export/export_dialog.h"
 
 #include <QObject>
 
@@ -16,13 +16,16 @@ class ExportCommands : public QObject {
     Q_OBJECT
 
 public:
-    /// `outcome` gives that of the inputs of now.
-    ExportCommands(std::function<OutcomePtr()> outcome, Settings& settings, QWidget* window);
+    /// `outcome` gives that of the inputs of now, `studies` what the views show beside it.
+    ExportCommands(std::function<OutcomePtr()> outcome,
+                   std::function<std::vector<StudyOffer>()> studies, Settings& settings,
+                   QWidget* window);
 
     void exportResults();
 
 private:
     std::function<OutcomePtr()> m_outcome;
+    std::function<std::vector<StudyOffer>()> m_studies;
     Settings& m_settings;
     QWidget* m_window;
     ExportFormat m_format = ExportFormat::xlsx; ///< the last one chosen

@@ -24,9 +24,11 @@ constexpr int noteLines = 3;
 
 } // namespace
 
-ExportDialog::ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* parent)
+ExportDialog::ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* parent,
+                           std::vector<StudyOffer> studies)
     : QDialog(parent)
     , m_outcome(std::move(outcome))
+    , m_studies(std::move(studies))
     , m_format(new QComboBox(this))
     , m_content(new QComboBox(this))
     , m_note(new QLabel(this)) {
@@ -71,7 +73,18 @@ ExportFormat ExportDialog::format() const {
 }
 
 ExportChoice ExportDialog::choice() const {
-    return {format(), m_contents.at(static_cast<std::size_t>(m_content->currentIndex()))};
+    const auto at = static_cast<std::size_t>(m_content->currentIndex());
+    return {format(), at < m_contents.size() ? m_contents[at] : std::vector<ResultPart>()};
+}
+
+const StudyOffer* ExportDialog::offered() const {
+    const auto at = static_cast<std::size_t>(m_content->currentIndex());
+    return at < m_contents.size() ? nullptr : &m_studies.at(at - m_contents.size());
+}
+
+const Study* ExportDialog::study() const {
+    const StudyOffer* offer = offered();
+    return offer ? &offer->study : nullptr;
 }
 
 void ExportDialog::offerContents() {
@@ -96,6 +109,11 @@ void ExportDialog::offerContents() {
         offer(partName(ResultPart::trace, operation), {ResultPart::trace});
         for (const ResultPart part : withoutTrace) {
             offer(partName(part, operation), {part});
+        }
+    }
+    if (format() != ExportFormat::json) {
+        for (const StudyOffer& each : m_studies) {
+            names << studyName(each.study.kind());
         }
     }
     const QSignalBlocker quiet(m_content);
@@ -127,6 +145,13 @@ QString ExportDialog::note(const ExportChoice& choice) const {
 }
 
 void ExportDialog::judge() {
+    if (const StudyOffer* offer = offered()) {
+        m_note->setText(!offer->obstacle.isEmpty()       ? offer->obstacle
+                        : format() == ExportFormat::xlsx ? studyNote(offer->study.kind())
+                                                         : tr("One table."));
+        m_go->setEnabled(offer->obstacle.isEmpty());
+        return;
+    }
     const ExportChoice chosen = choice();
     const QString obstacle = exportObstacle(m_outcome, chosen);
     m_note->setText(obstacle.isEmpty() ? note(chosen) : obstacle);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/export/export_file.h"
+#include "ui/export/study_book.h"
 
 #include <QDialog>
 
@@ -11,23 +12,33 @@ class QPushButton;
 
 namespace sparkout {
 
+/// A batch, sweep or search that a view shows.
+struct StudyOffer {
+    Study study;
+    QString obstacle = {}; ///< why it is not what the inputs of now come to; empty: it is
+};
+
 /// Asks what of a result is exported and as what; what would not fit is said here, before a place
 /// is chosen.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* parent);
+    ExportDialog(OutcomePtr outcome, ExportFormat format, QWidget* parent,
+                 std::vector<StudyOffer> studies = {});
 
-    [[nodiscard]] ExportChoice choice() const;
+    [[nodiscard]] ExportChoice choice() const; ///< without parts: a study is chosen
+    [[nodiscard]] const Study* study() const;  ///< null: parts of the result are chosen
 
 private:
     void offerContents();
     void judge();
+    [[nodiscard]] const StudyOffer* offered() const;
     [[nodiscard]] QString note(const ExportChoice& choice) const;
     [[nodiscard]] ExportFormat format() const;
 
     OutcomePtr m_outcome;
+    std::vector<StudyOffer> m_studies; ///< behind the last entries of m_content
     QComboBox* m_format;
     QComboBox* m_content;
     std::vector<std::vector<ResultPart>> m_contents; ///< behind the entries of m_content

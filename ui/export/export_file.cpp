@@ -58,6 +58,17 @@ QString exportObstacle(const OutcomePtr& outcome, const ExportChoice& choice) {
     return sheet ? tooLongText(sheet->name, sheet->rows) : QString();
 }
 
+std::function<QByteArray(const KeepGoing&)> studyWork(const Study& study, ExportFormat format,
+                                                      const QDateTime& made) {
+    if (format == ExportFormat::xlsx) {
+        return [book = studyBook(study, made)](const KeepGoing& keepGoing) {
+            return xlsxBytes(book, keepGoing);
+        };
+    }
+    return [sheet = studyMainSheet(study), dialect = dialectOf(tableFormatOf(format))](
+               const KeepGoing& keepGoing) { return csvBytes(sheet, dialect, keepGoing); };
+}
+
 std::function<QByteArray(const KeepGoing&)>
 exportWork(const OutcomePtr& outcome, const ExportChoice& choice, const QDateTime& made) {
     switch (choice.format) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/export/result_parts.h"
+#include "ui/export/study_book.h"
 
 #include <optional>
 
@@ -29,5 +30,9 @@ struct ExportChoice {
 /// Makes the bytes, in any thread; the words are those of the language of now.
 [[nodiscard]] std::function<QByteArray(const KeepGoing&)>
 exportWork(const OutcomePtr& outcome, const ExportChoice& choice, const QDateTime& made);
+
+/// The same of a batch, sweep or search; JSON has none.
+[[nodiscard]] std::function<QByteArray(const KeepGoing&)>
+studyWork(const Study& study, ExportFormat format, const QDateTime& made);
 
 } // namespace sparkout

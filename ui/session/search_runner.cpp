@@ -284,6 +284,11 @@ double SearchOutcome::nominal_s() const {
     return least_s;
 }
 
+SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::stop_token stop,
+                                std::function<void(const SearchState&)> note) {
+    return Search(project, wish, std::move(stop), std::move(note)).run();
+}
+
 SearchRunner::SearchRunner(QObject* parent) : QObject(parent) {
     constexpr int tick_ms = 100;
     m_progress.setInterval(tick_ms);

@@ -12,6 +12,7 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -92,6 +93,11 @@ struct SearchState {
     long long evaluations = 0;         ///< of these
     double took_s = 0;
 };
+
+/// Searches a project's grid in this thread; `note` is told how far that is, in any thread.
+[[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish,
+                                              std::stop_token stop,
+                                              std::function<void(const SearchState&)> note);
 
 /// Searches a project's grid off the window's thread, one search at a time: a newer one drops the
 /// older. Destroying it ends what runs and waits for it.

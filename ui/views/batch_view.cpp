@@ -166,6 +166,7 @@ void BatchView::showState() {
     m_state->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
                              : QString());
     m_worst->setEnabled(!faint && m_batch && m_batch->summary.worstPart >= 0 && !runs);
+    m_rows->setEnabled(!faint && m_batch && !runs);
     const bool drawn = m_batch && contentNotice().isEmpty();
     for (QWidget* part : std::initializer_list<QWidget*>{m_splitter, m_legend, m_values}) {
         part->setVisible(drawn);
@@ -299,6 +300,7 @@ void BatchView::retranslate() {
     name(*m_worst, tr("Worst part"),
          tr("Keep the part with the least margin as a run beside this project and compare the two; "
             "the project stays as it is"));
+    nameRows();
     name(*m_add, tr("Add a usual batch"),
          tr("50 parts whose stock, runout and dullness scatter about the present inputs; can be "
             "undone and changed on the page Batch"));

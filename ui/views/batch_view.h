@@ -84,6 +84,7 @@ private:
     [[nodiscard]] bool quick() const; ///< so few parts that it runs by itself
     void takeBatch(const BatchOutcomePtr& outcome);
     void takeWorst();
+    void nameRows();
     [[nodiscard]] bool wantsIndices() const; ///< Sobol's are chosen, but not there yet
     void runIndices();
     void takeIndices(const SobolIndicesPtr& indices);
@@ -114,11 +115,13 @@ private:
     QPushButton* m_run;
     QPushButton* m_stop;
     QPushButton* m_worst;
+    QPushButton* m_rows; ///< of all parts, into a file
     QPushButton* m_add;
     QProgressBar* m_progress;
     QLabel* m_state;
     QLabel* m_notice;
     QLabel* m_values;
+    Settings* m_settings;
     QWidget* m_runBar = nullptr;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
     OutcomePtr m_good;                 ///< the inputs that were accepted last

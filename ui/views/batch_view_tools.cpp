@@ -10,6 +10,7 @@
 #include "ui/views/histogram_plot.h"
 #include "ui/views/legend_strip.h"
 #include "ui/views/pareto_plot.h"
+#include "ui/views/part_rows.h"
 #include "ui/views/plot_pages.h"
 #include "ui/views/scatter_plot.h"
 #include "ui/views/sensitivity_plot.h"
@@ -17,6 +18,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
@@ -51,11 +53,13 @@ BatchView::BatchView(QWidget* parent, Settings* settings)
     , m_run(new QPushButton(this))
     , m_stop(new QPushButton(this))
     , m_worst(new QPushButton(this))
+    , m_rows(new QPushButton(this))
     , m_add(new QPushButton(this))
     , m_progress(new QProgressBar(this))
     , m_state(new QLabel(this))
     , m_notice(new QLabel(this))
     , m_values(new QLabel(this))
+    , m_settings(settings)
     , m_runner(new BatchRunner(this))
     , m_indexRunner(new BatchRunner(this)) {
     setObjectName(QStringLiteral("batch"));
@@ -101,6 +105,7 @@ void BatchView::build(Settings* settings) {
         {m_run, "batchRun"},
         {m_stop, "batchStop"},
         {m_worst, "batchWorst"},
+        {m_rows, "batchRows"},
         {m_add, "batchAdd"},
         {m_progress, "batchProgress"},
         {m_state, "batchState"},
@@ -130,6 +135,7 @@ QWidget* BatchView::buildRunBar() {
     row->addWidget(m_run);
     row->addWidget(m_stop);
     row->addWidget(m_worst);
+    row->addWidget(m_rows);
     row->addText(m_state, stateLetters, 1);
     row->addWidget(m_progress, 1);
     return bar;
@@ -170,6 +176,27 @@ QWidget* BatchView::buildFigures() {
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->verticalHeader()->setHighlightSections(false);
     return m_table;
+}
+
+/// A menu of the two kinds of CSV.
+void BatchView::nameRows() {
+    if (!m_rows->menu()) {
+        auto* menu = new QMenu(m_rows);
+        for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
+            connect(menu->addAction(QString()), &QAction::triggered, this, [this, format] {
+                const BatchOutcomePtr batch = m_batch; // may be another one by the end
+                (void)savePartRows(window(), m_settings, batch->result.project, format);
+            });
+        }
+        m_rows->setMenu(menu);
+    }
+    m_rows->menu()->actions()[0]->setText(tableFormatText(TableFormat::csvRussian));
+    m_rows->menu()->actions()[1]->setText(tableFormatText(TableFormat::csvEnglish));
+    m_rows->setText(tr("All parts as CSV"));
+    m_rows->setAccessibleName(m_rows->text());
+    m_rows->setToolTip(tr("Run the batch again and save a row for every part: its factors, every "
+                          "quantity, every requirement held or not"));
+    m_rows->setAccessibleDescription(m_rows->toolTip());
 }
 
 void BatchView::connectParts() {

@@ -214,6 +214,21 @@ CsvTable HistogramPlot::table() const {
     return table;
 }
 
+CsvTable HistogramPlot::tableOf(const BatchSummary& summary) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << tr("Where") << tr("Characteristic") << tr("From") << tr("To") << tr("Unit")
+                 << tr("Parts");
+    for (const CharacteristicSummary& each : summary.characteristics) {
+        const Characteristic& of = each.characteristic;
+        for (const HistogramBar& bar : each.histogram) {
+            table.rows.push_back({BatchText::where(of), BatchText::name(of), bar.low, bar.high,
+                                  unitText(of.unit), static_cast<double>(bar.count)});
+        }
+    }
+    return table;
+}
+
 void HistogramPlot::onMouse(QMouseEvent* event) {
     for (const Cell& cell : m_cells) {
         if (!cell.rect->rect().contains(event->pos())) {

@@ -39,7 +39,8 @@ public:
     }
     [[nodiscard]] QString heading(int cell) const { return at(cell).header->text(); }
     [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const; ///< the bars in sight
+    [[nodiscard]] CsvTable table() const;                               ///< the bars in sight
+    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary); ///< of every characteristic
 
 private:
     void setTexts() override;

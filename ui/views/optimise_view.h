@@ -42,6 +42,8 @@ public:
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
     [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
+    /// The time of the cycle that is compared with, if it ends by itself.
+    [[nodiscard]] std::optional<double> before_s() const;
     [[nodiscard]] bool busy() const override { return m_runner->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
     [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
@@ -81,7 +83,6 @@ private:
     void takeCycle(); ///< into the document
     void noteStale();
     [[nodiscard]] const FoundCycle* chosen() const;
-    [[nodiscard]] std::optional<double> before_s() const;
     [[nodiscard]] bool isTaken() const;
 
     void showSearch();

@@ -14,10 +14,10 @@ namespace sparkout {
 
 namespace {
 
-constexpr double barShare = 0.7;   ///< of a row
-constexpr double countRoom = 1.05; ///< beside the longest bar
-constexpr double pointSize = 6;    ///< [px]
-constexpr double whole = 100;      ///< [%]
+constexpr double barShare = 0.7;     ///< of a row
+constexpr double countRoom = 1.05;   ///< beside the longest bar
+constexpr double pointSize = 6;      ///< [px]
+constexpr double whole = 100;        ///< [%]
 constexpr std::size_t leastRows = 5; ///< a single cause is no wall
 
 } // namespace
@@ -129,7 +129,7 @@ LegendEntries ParetoPlot::legendEntries() const {
              m_choice.shows(sumKey)}};
 }
 
-QString ParetoPlot::nameOf(const RejectCause& cause) const {
+QString ParetoPlot::nameOf(const RejectCause& cause) {
     return cause.kind ? Names::constraint(*cause.kind) : tr("Size not reached");
 }
 
@@ -142,14 +142,23 @@ QStringList ParetoPlot::names() const {
 }
 
 CsvTable ParetoPlot::table() const {
+    return m_outcome ? tableOf(m_outcome->summary) : CsvTable();
+}
+
+CsvTable ParetoPlot::tableOf(const BatchSummary& summary) {
     CsvTable table;
     table.header << tr("Cause") << tr("Parts") << tr("Share of the parts, %")
                  << tr("Share of all failures, summed up, %");
-    for (std::size_t i = 0; i < causes().size(); ++i) {
-        const auto count = static_cast<double>(causes()[i].count);
-        table.rows.push_back({nameOf(causes()[i]), count,
-                              whole * count / static_cast<double>(m_outcome->summary.parts),
-                              sumAt(i)});
+    double all = 0, upTo = 0;
+    for (const RejectCause& cause : summary.causes) {
+        all += static_cast<double>(cause.count);
+    }
+    for (const RejectCause& cause : summary.causes) {
+        const auto count = static_cast<double>(cause.count);
+        upTo += count;
+        table.rows.push_back({nameOf(cause), count,
+                              whole * count / static_cast<double>(summary.parts),
+                              whole * upTo / all});
     }
     return table;
 }

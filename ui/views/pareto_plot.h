@@ -28,6 +28,7 @@ public:
     [[nodiscard]] bool empty() const { return causes().empty(); } ///< no part fails
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary);
     [[nodiscard]] QCPBars* bars() const { return m_bars; }
     [[nodiscard]] QCPGraph* sum() const { return m_sum; } ///< of the shares [%]
     [[nodiscard]] QStringList names() const;              ///< of the rows, from the top
@@ -38,7 +39,7 @@ private:
     void onMouse(QMouseEvent* event);
     [[nodiscard]] const std::vector<RejectCause>& causes() const;
     [[nodiscard]] double sumAt(std::size_t row) const; ///< [%]
-    [[nodiscard]] QString nameOf(const RejectCause& cause) const;
+    [[nodiscard]] static QString nameOf(const RejectCause& cause);
 
     BatchOutcomePtr m_outcome;
     CurveChoice m_choice;

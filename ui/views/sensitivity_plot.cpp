@@ -201,6 +201,38 @@ LegendEntries SensitivityPlot::legendEntries() const {
     return entries;
 }
 
+CsvTable SensitivityPlot::ranksTable(const BatchOutcome& outcome) {
+    CsvTable table;
+    table.header << tr("Where") << tr("Characteristic") << tr("Factor")
+                 << tr("Standardised rank regression") << tr("R²");
+    for (std::size_t i = 0; i < outcome.regressions.size(); ++i) {
+        const Characteristic& of = outcome.summary.characteristics[i].characteristic;
+        for (std::size_t f = 0; outcome.regressions[i] && f < outcome.factors.size(); ++f) {
+            table.rows.push_back({BatchText::where(of), BatchText::name(of),
+                                  BatchText::factor(outcome.factors[f].kind),
+                                  outcome.regressions[i]->coefficients[f],
+                                  outcome.regressions[i]->determination});
+        }
+    }
+    return table;
+}
+
+CsvTable SensitivityPlot::sobolTable(const BatchOutcome& outcome, const SobolIndices& indices) {
+    CsvTable table;
+    table.header << tr("Where") << tr("Characteristic") << tr("Factor")
+                 << tr("Sobol index, first order") << tr("Sobol index, total");
+    for (std::size_t i = 0; i < indices.byCharacteristic.size(); ++i) {
+        const Characteristic& of = outcome.summary.characteristics[i].characteristic;
+        const std::vector<SobolIndex>& byFactor = indices.byCharacteristic[i];
+        for (std::size_t f = 0; f < byFactor.size(); ++f) {
+            table.rows.push_back({BatchText::where(of), BatchText::name(of),
+                                  BatchText::factor(outcome.factors[f].kind), byFactor[f].first,
+                                  byFactor[f].total});
+        }
+    }
+    return table;
+}
+
 CsvTable SensitivityPlot::table() const {
     const bool ranks = m_kind == SensitivityKind::ranks;
     CsvTable table;

@@ -34,6 +34,10 @@ public:
     [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be told
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const;
+    /// Of every characteristic that has them.
+    [[nodiscard]] static CsvTable ranksTable(const BatchOutcome& outcome);
+    [[nodiscard]] static CsvTable sobolTable(const BatchOutcome& outcome,
+                                             const SobolIndices& indices);
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     /// The weight that is drawn, of a place in the drawn order: the coefficient, or the total.
     [[nodiscard]] double weight(std::size_t place, std::size_t factor) const;

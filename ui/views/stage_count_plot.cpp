@@ -69,8 +69,7 @@ void StageCountPlot::fill() {
     }
     for (const SearchedNumber& number : m_outcome->numbers) {
         if (number.search.best && number.holds) {
-            m_curves[quickest]->addData(
-                number.stages, inMinutes(number.search.best->time_s));
+            m_curves[quickest]->addData(number.stages, inMinutes(number.search.best->time_s));
         }
         if (number.search.status == SearchStatus::stopped && number.search.bound_s > 0) {
             m_curves[proven]->addData(number.stages, inMinutes(number.search.bound_s));
@@ -149,17 +148,18 @@ LegendEntries StageCountPlot::legendEntries() const {
 }
 
 CsvTable StageCountPlot::table() const {
+    return tableOf(m_outcome ? *m_outcome : SearchOutcome());
+}
+
+CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
     CsvTable table;
     table.header << tr("Stages") << tr("Quickest cycle, min") << tr("None is below, min")
                  << tr("Stepless limit, min");
-    for (const SearchedNumber& number :
-         m_outcome ? m_outcome->numbers : std::vector<SearchedNumber>()) {
+    for (const SearchedNumber& number : outcome.numbers) {
         const bool found = number.search.best && number.holds;
-        table.rows.push_back(
-            {double(number.stages),
-             found ? CsvCell(inMinutes(number.search.best->time_s))
-                   : CsvCell(),
-             inMinutes(number.search.bound_s), inMinutes(m_outcome->limit_s)});
+        table.rows.push_back({double(number.stages),
+                              found ? CsvCell(inMinutes(number.search.best->time_s)) : CsvCell(),
+                              inMinutes(number.search.bound_s), inMinutes(outcome.limit_s)});
     }
     return table;
 }
@@ -175,9 +175,7 @@ void StageCountPlot::onMouse(QMouseEvent* event) {
             const QString who = tr("%n stage(s)", nullptr, stages);
             emit pointed(
                 number.search.best && number.holds
-                    ? tr("%1: %2 min")
-                          .arg(who, OptimiseText::minutes(
-                                        number.search.best->time_s))
+                    ? tr("%1: %2 min").arg(who, OptimiseText::minutes(number.search.best->time_s))
                     : tr("%1: no cycle was found that holds every requirement").arg(who));
             return;
         }

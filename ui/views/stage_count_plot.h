@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] LegendEntries legendEntries() const;
     [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] static CsvTable tableOf(const SearchOutcome& outcome);
     [[nodiscard]] QCPGraph* curve(Key key) const { return m_curves[key]; }
 
 private:

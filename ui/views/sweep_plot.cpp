@@ -175,32 +175,37 @@ void SweepPlot::onMouse(const QPointF& at) {
 // --- table, look and words ----------------------------------------------------------------------
 
 CsvTable SweepPlot::table() const {
-    CsvTable table;
     if (empty()) {
-        return table;
+        return {};
     }
-    for (const SweptInput& input : sweep().inputs) {
+    return tableOf(sweep(), m_entry.quantities, [this](std::size_t point) {
+        const std::vector<double> values = sweep().valuesAt(point);
+        return across()->range().contains(scaleOf(0).at(values[0]))
+               && (values.size() < 2 || up()->range().contains(scaleOf(1).at(values[1])));
+    });
+}
+
+CsvTable SweepPlot::tableOf(const SweepResult& sweep, const std::vector<std::size_t>& quantities,
+                            const std::function<bool(std::size_t)>& wanted) {
+    CsvTable table;
+    for (const SweptInput& input : sweep.inputs) {
         table.header << SweepText::inputAxis(input);
     }
     table.header << tr("State");
-    std::vector<std::size_t> shown = m_entry.quantities;
-    for (const std::size_t q : shown) {
-        const QString name = SweepText::column(sweep().quantities[q]);
+    for (const std::size_t q : quantities) {
+        const QString name = SweepText::column(sweep.quantities[q]);
         table.header << name << tr("%1: lower limit").arg(name) << tr("%1: upper limit").arg(name)
                      << tr("%1: margin").arg(name);
     }
-    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
-        const SweepPoint& point = sweep().points[i];
-        const std::vector<double> values = sweep().valuesAt(i);
-        const bool inSight =
-            across()->range().contains(scaleOf(0).at(values[0]))
-            && (values.size() < 2 || up()->range().contains(scaleOf(1).at(values[1])));
-        if (!inSight || point.status == SweepStatus::pending) {
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        const SweepPoint& point = sweep.points[i];
+        if (point.status == SweepStatus::pending || !wanted(i)) {
             continue;
         }
+        const std::vector<double> values = sweep.valuesAt(i);
         std::vector<CsvCell> row(values.begin(), values.end());
         row.emplace_back(SweepText::status(point));
-        for (const std::size_t q : shown) {
+        for (const std::size_t q : quantities) {
             const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
             row.insert(row.end(), {value.value, value.low, value.high, value.margin});
         }

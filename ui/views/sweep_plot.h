@@ -8,7 +8,9 @@
 #include "ui/views/sweep_text.h"
 #include "ui/views/view_plot.h"
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace sparkout {
 
@@ -34,6 +36,10 @@ public:
     [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its marks
     [[nodiscard]] virtual LegendEntries legendEntries() const = 0;
     [[nodiscard]] CsvTable table() const; ///< the points in sight
+    /// A row a point that was run and is wanted: its inputs, its state, the quantities.
+    [[nodiscard]] static CsvTable tableOf(const SweepResult& sweep,
+                                          const std::vector<std::size_t>& quantities,
+                                          const std::function<bool(std::size_t)>& wanted);
 
 signals:
     void pointChosen(std::size_t point); ///< by a click, of the right button too

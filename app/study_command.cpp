@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study_command.h"
+
+#include "app/batch_watch.h"
+#include "app/stop_signals.h"
+#include "app/window_io.h"
+#include "ui/export/export_file.h"
+#include "ui/session/document.h"
+#include "ui/session/run_controller.h"
+#include "ui/views/optimise_text.h"
+
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace sparkout {
+
+namespace {
+
+std::optional<StudyKind> kindOf(const ExportRequest& request) {
+    const auto found = std::ranges::find_if(allStudyKinds, [&request](StudyKind kind) {
+        return request.part == QLatin1StringView(studyKey(kind));
+    });
+    return found == allStudyKinds.end() ? std::nullopt : std::optional(*found);
+}
+
+int refuseFor(const QString& text) {
+    say(stderr, QStringLiteral("sparkout: %1").arg(text));
+    return exitRefused;
+}
+
+int ranBatch(const Project& project, Study& study) {
+    if (!project.batch) {
+        return refuseFor(QStringLiteral("the project has no batch (/batch)"));
+    }
+    cli::BatchWatch watch(partsOf(project), true);
+    BatchOptions options;
+    options.stop = watch.stop();
+    options.done = watch.done();
+    study.batch = runWholeBatch(project, options);
+    return study.batch->ran() ? 0 : refuse(study.batch->issues);
+}
+
+int ranSweep(const Project& project, Study& study) {
+    if (!project.sweep) {
+        return refuseFor(QStringLiteral("the project has no sweep (/sweep)"));
+    }
+    auto outcome = std::make_shared<SweepOutcome>();
+    outcome->issues = checkSweep(project);
+    if (!outcome->ran()) {
+        return refuse(outcome->issues);
+    }
+    cli::BatchWatch watch(pointsOf(project), true, "points");
+    outcome->result = runSweep(project, {0, watch.stop(), watch.done()});
+    study.sweep = std::move(outcome);
+    return 0;
+}
+
+/// A line a second; the search is stopped by Ctrl+C and SIGTERM.
+int ranSearch(const Project& project, Study& study) {
+    if (!project.optimisation) {
+        return refuseFor(QStringLiteral("the project has no search (/optimisation)"));
+    }
+    cli::catchStopSignals();
+    std::stop_source stop;
+    const std::jthread watch([&stop](const std::stop_token& over) {
+        constexpr auto look = std::chrono::milliseconds(20);
+        while (!over.stop_requested() && !stop.stop_requested()) {
+            std::this_thread::sleep_for(look);
+            if (cli::caughtSignal() != 0) {
+                stop.request_stop();
+            }
+        }
+    });
+    QElapsedTimer took;
+    took.start();
+    qint64 told_ms = 0;
+    const auto note = [&took, &told_ms](SearchState state) {
+        constexpr qint64 second_ms = 1000;
+        if (took.elapsed() - told_ms >= second_ms) {
+            told_ms = took.elapsed();
+            state.took_s = static_cast<double>(told_ms) / second_ms;
+            say(stderr, OptimiseText::state(state));
+        }
+    };
+    study.search = runWholeSearch(project, {}, stop.get_token(), note);
+    if (!study.search->ran()) {
+        return refuseFor(OptimiseText::fault(*study.search));
+    }
+    const OutcomePtr own = runProject(project, {});
+    if (own->ran() && own->result.status == RunStatus::completed) {
+        study.before_s = own->result.time_s;
+    }
+    if (cli::caughtSignal() == 0 && !study.search->best()) {
+        say(stderr, QStringLiteral("sparkout: %1")
+                        .arg(OptimiseText::answer(*study.search, study.before_s)));
+        return exitNothingFeasible;
+    }
+    return 0;
+}
+
+} // namespace
+
+bool asksForStudy(const ExportRequest& request) {
+    return kindOf(request).has_value();
+}
+
+int writeStudy(const ExportRequest& request) {
+    Document document;
+    if (!openOrSay(document, request.file)) {
+        return exitRefused;
+    }
+    const Project& project = document.project();
+    const StudyKind kind = *kindOf(request);
+    Study study;
+    const int failed = kind == StudyKind::batch   ? ranBatch(project, study)
+                       : kind == StudyKind::sweep ? ranSweep(project, study)
+                                                  : ranSearch(project, study);
+    if (cli::caughtSignal() != 0) {
+        say(stderr, QStringLiteral("sparkout: ended, nothing was written"));
+        return exitInterrupted + cli::caughtSignal();
+    }
+    if (failed != 0) {
+        return failed;
+    }
+    const bool xlsx = QFileInfo(request.output).suffix().toLower() == u"xlsx";
+    const bool russian = QLocale().language() == QLocale::Russian;
+    const ExportFormat format = xlsx      ? ExportFormat::xlsx
+                                : russian ? ExportFormat::csvRussian
+                                          : ExportFormat::csvEnglish;
+    const QByteArray bytes = studyWork(study, format, QDateTime::currentDateTime())({});
+    if (bytes.isEmpty()) {
+        return refuseFor(QStringLiteral("the output could not be made"));
+    }
+    return writeBytes(bytes, request.output) ? 0 : exitRefused;
+}
+
+} // namespace sparkout
