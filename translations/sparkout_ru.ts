@@ -52,6 +52,10 @@
             <source>Not good: %1.</source>
             <translation>Не годны: %1.</translation>
         </message>
+        <message>
+            <source>%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is told.</source>
+            <translation>У %1 из %2 деталей нет размера, формы и Ra: остаются непрошлифованные полосы, поэтому Ppk не указан.</translation>
+        </message>
         <message numerus="yes">
             <source>%n did not reach size.</source>
             <translation>
@@ -4884,6 +4888,14 @@ target, µm</source>
         <message>
             <source>✓ Diameter %1 µm: in the field</source>
             <translation>✓ Диаметр %1 мкм: в поле допуска</translation>
+        </message>
+        <message>
+            <source>strips uncut</source>
+            <translation>полосы</translation>
+        </message>
+        <message>
+            <source>Strips stay uncut: size and form are not known</source>
+            <translation>Остаются непрошлифованные полосы: размер и форма неизвестны</translation>
         </message>
         <message>
             <source>Radial runout %1 µm</source>

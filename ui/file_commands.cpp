@@ -125,7 +125,7 @@ bool FileCommands::openFile(const QString& given) {
     std::stop_source stop;
     m_busy = true;
     const bool read = runWatched(
-        m_window, tr("Opening %1").arg(QFileInfo(path).fileName()),
+        m_window, tr("Opening %1").arg(printableText(QFileInfo(path).fileName())),
         [&](const KeepGoing&) { loaded = loadProject(path, stop.get_token()); }, stop);
     m_busy = false;
     if (!read) {
@@ -157,7 +157,7 @@ void FileCommands::take(LoadedProject loaded, const QString& path, Opening openi
         m_guard.unlock();
     }
     remember(path);
-    ProgramLog::note(tr("Opened: %1").arg(path));
+    ProgramLog::note(tr("Opened: %1").arg(printableText(path)));
     tellOpened(loaded.issues);
 }
 

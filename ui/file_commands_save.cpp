@@ -90,7 +90,7 @@ bool FileCommands::saveTo(const QString& path) {
         }
     }
     remember(path);
-    ProgramLog::note(tr("Saved: %1").arg(path));
+    ProgramLog::note(tr("Saved: %1").arg(printableText(path)));
     emit saved();
     return true;
 }

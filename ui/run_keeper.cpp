@@ -3,6 +3,7 @@
 
 #include "ui/notice_bar.h"
 #include "ui/session/kept_runs.h"
+#include "ui/session/texts.h"
 
 #include <QStringList>
 
@@ -137,7 +138,7 @@ void RunKeeper::tellChanged() {
              return tr("%n kept runs come out differently with this version of the program than "
                        "they were kept: %1.",
                        nullptr, count)
-                 .arg(names.mid(0, 3).join(QStringLiteral(", "))
+                 .arg(printableText(names.mid(0, 3).join(QStringLiteral(", ")))
                       + (count > 3 ? QStringLiteral(", …") : QString()));
          },
          {{[] { return tr("Show what differs"); }, [this] { emit compareWanted(); }}}});

@@ -196,6 +196,28 @@ private slots:
         QVERIFY(!QFile::exists(path));
     }
 
+    void aLongWorkNamesItsFileWithoutControlCharacters() {
+        QString title;
+        std::atomic<bool> seen = false;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, &watch, [&] {
+            if (const QWidget* shown = QApplication::activeModalWidget()) {
+                title = shown->windowTitle() + u'|' + shown->findChild<QLabel*>()->text();
+                seen = true;
+            }
+        });
+        watch.start(10);
+        const QDeadlineTimer tooLong(10'000);
+        QVERIFY(runWatched(nullptr, QStringLiteral("Opening a\u202Eb\x1b.sparkout"),
+                           [&](const KeepGoing&) {
+                               while (!seen && !tooLong.hasExpired()) {
+                                   QThread::msleep(10);
+                               }
+                           }));
+        QCOMPARE(title, QStringLiteral("Opening a\\u202Eb\\u001B.sparkout|"
+                                       "Opening a\\u202Eb\\u001B.sparkout"));
+    }
+
     /// Its progress is shown, and asks nothing: the question after it gets the answer.
     void aLongWorkEndsByItself() {
         const DialogAnswers answers({QStringLiteral("Escape")});

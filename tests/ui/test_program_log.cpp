@@ -40,6 +40,12 @@ private slots:
         QVERIFY(lines[0].when <= lines[1].when);
     }
 
+    void noLineSteersTheDisplay() {
+        const ProgramLog log;
+        ProgramLog::note(QStringLiteral("Opened: a\u202Eb\x1b[2J\x07"));
+        QCOMPARE(log.lines().front().text, QStringLiteral("Opened: a\uFFFDb\uFFFD[2J\uFFFD"));
+    }
+
     void itsSizeIsBounded() {
         const ProgramLog log;
         const QString line(ProgramLog::longestLine * 3, u'x');

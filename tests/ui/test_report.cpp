@@ -310,6 +310,8 @@ private slots:
         for (const QStringList& row : report::CycleCard::accuracy(*outcome).rows) {
             QCOMPARE(row.at(2), QStringLiteral("–"));
             QCOMPARE(row.at(3), QStringLiteral("–"));
+            QCOMPARE(row.at(4), QStringLiteral("–")); // runout
+            QCOMPARE(row.at(5), QStringLiteral("–")); // roundness
             QCOMPARE(row.back(), QStringLiteral("–"));
         }
         const QString text = textOf(made(outcome, Format::pdf)).simplified();

@@ -3,8 +3,12 @@
 #include "core/project/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/verdict_bench.h"
+#include "ui/views/batch_text.h"
 #include "ui/views/limit_names.h"
 #include "ui/views/names.h"
+#include "ui/views/profiles_series.h"
+#include "ui/views/profiles_text.h"
+#include "ui/views/result_tables.h"
 #include "ui/views/verdict_model.h"
 #include "ui/views/verdict_text.h"
 #include "ui/views/verdict_why.h"
@@ -178,6 +182,23 @@ private slots:
             surface += c->isWhole ? 0 : 1;
         }
         QVERIFY(surface >= 9); // three zones
+        for (const std::vector<CsvCell>& row : zoneTable(*outcome).rows) {
+            for (std::size_t column = 3; column <= 7; ++column) { // sizes, runout, roundness
+                QVERIFY(std::holds_alternative<std::monostate>(row.at(column)));
+            }
+            QVERIFY(std::holds_alternative<double>(row.at(8))); // the force
+            QVERIFY(row.size() == 9 || std::holds_alternative<std::monostate>(row.at(9)));
+        }
+        const ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
+        for (const Profile& profile : series.profiles) {
+            QVERIFY(ProfilesText::numbers(series, profile, false)
+                        .contains(QStringLiteral("size and form are not known")));
+        }
+        BatchSummary batch;
+        batch.parts = 10;
+        batch.stripped = 3;
+        QVERIFY(BatchText::counts(batch).contains(
+            QStringLiteral("3 of 10 parts have no size, form and Ra")));
     }
 
     void aRowThatHoldsIsExplainedWhenChosen() {

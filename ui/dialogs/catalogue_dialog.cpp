@@ -379,10 +379,10 @@ void CatalogueDialog::renameOwn() {
 
 void CatalogueDialog::removeOwn() {
     const QString name = entryName(chosen()->entry);
-    QMessageBox box(
-        QMessageBox::Question, windowTitle(),
-        tr("Delete “%1” from your catalogue? Projects that use it keep their values.").arg(name),
-        QMessageBox::Yes | QMessageBox::No, this);
+    QMessageBox box(QMessageBox::Question, windowTitle(),
+                    tr("Delete “%1” from your catalogue? Projects that use it keep their values.")
+                        .arg(printableText(name)),
+                    QMessageBox::Yes | QMessageBox::No, this);
     box.setTextFormat(Qt::PlainText);
     box.setDefaultButton(QMessageBox::No);
     if (box.exec() == QMessageBox::Yes) {

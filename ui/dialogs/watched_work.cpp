@@ -2,6 +2,7 @@
 #include "ui/dialogs/watched_work.h"
 
 #include "ui/metrics.h"
+#include "ui/session/texts.h"
 
 #include <QCoreApplication>
 #include <QDialog>
@@ -32,7 +33,8 @@ constexpr int barWidth = 360;
 class WatchDialog : public QDialog {
     Q_DECLARE_TR_FUNCTIONS(WatchDialog)
 public:
-    WatchDialog(QWidget* window, const QString& text) : QDialog(window), m_bar(new QProgressBar) {
+    WatchDialog(QWidget* window, const QString& told) : QDialog(window), m_bar(new QProgressBar) {
+        const QString text = printableText(told); // it may name a file
         setWindowTitle(text);
         auto* label = new QLabel(text);
         label->setTextFormat(Qt::PlainText);

@@ -2,7 +2,7 @@
 // What the part comes out as: the verdict, the accuracy and the requirements.
 #include "ui/report/cycle_card_parts.h"
 
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/units.h"
 #include "ui/report/report_values.h"
 #include "ui/session/texts.h"
@@ -62,7 +62,7 @@ Table CycleCard::accuracy(const Outcome& outcome) {
     if (!roughness) {
         table.head.removeLast();
     }
-    const bool whole = !leavesStrips(outcome.result.project);
+    const bool whole = FinishedSurface(outcome.result.project).isWhole();
     const auto& sections = outcome.result.sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const SectionResult& section = sections[i];
@@ -71,8 +71,8 @@ Table CycleCard::accuracy(const Outcome& outcome) {
                         Names::significant(section.position_mm),
                         whole ? deviation(section.diameterDeviationMin_mm) : cell({}),
                         whole ? deviation(section.diameterDeviationMax_mm) : cell({}),
-                        micrometres(section.radialRunout_mm),
-                        micrometres(form.minimumZone.deviation())};
+                        whole ? micrometres(section.radialRunout_mm) : cell({}),
+                        whole ? micrometres(form.minimumZone.deviation()) : cell({})};
         if (roughness) {
             const auto ra =
                 std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
@@ -93,8 +93,8 @@ Table CycleCard::requirements(const Outcome& outcome) {
     table.texts = {true, true, false, false, false, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
-                              Names::limit(c), Names::margin(c),
-                              requirementUnit(c.kind), lightName(c)});
+                              Names::limit(c), Names::margin(c), requirementUnit(c.kind),
+                              lightName(c)});
     }
     return table;
 }

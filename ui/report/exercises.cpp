@@ -2,6 +2,7 @@
 #include "ui/report/exercises.h"
 
 #include "core/project/validate.h"
+#include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "ui/report/report_values.h"
@@ -295,6 +296,7 @@ std::optional<Exercise> solved(const Change& change, const Outcome& outcome,
 } // namespace
 
 std::optional<double> askedValue(Asked asked, const SimulationResult& result, const Visit* visit) {
+    const FinishedSurface surface(result.project);
     switch (asked) {
     case Asked::stepFeed_um:
         return visit ? std::optional(visit->actual_mm * units::umPerMm) : std::nullopt;
@@ -305,12 +307,13 @@ std::optional<double> askedValue(Asked asked, const SimulationResult& result, co
         const auto& sections = result.sections;
         const auto least = std::ranges::min(sections, {}, &SectionResult::diameterDeviationMin_mm);
         const auto most = std::ranges::max(sections, {}, &SectionResult::diameterDeviationMax_mm);
-        return (most.diameterDeviationMax_mm - least.diameterDeviationMin_mm) * units::umPerMm;
+        return surface.stated((most.diameterDeviationMax_mm - least.diameterDeviationMin_mm)
+                              * units::umPerMm);
     }
     case Asked::runout_um:
-        return std::ranges::max(result.sections, {}, &SectionResult::radialRunout_mm)
-                   .radialRunout_mm
-               * units::umPerMm;
+        return surface.stated(
+            std::ranges::max(result.sections, {}, &SectionResult::radialRunout_mm).radialRunout_mm
+            * units::umPerMm);
     case Asked::peakForce_n: return result.peakNormalForce_n;
     case Asked::peakPower_kw: return result.peakPower_w / units::wPerKw;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/csv_table.h"
 
+#include "core/printable.h"
 #include "ui/session/texts.h"
 
 #include <cmath>
@@ -41,8 +42,7 @@ std::vector<CsvCell> headerCells(const CsvTable& table) {
 } // namespace
 
 QString harmlessCell(const QString& text) {
-    const bool formula = !text.isEmpty() && QStringView(u"=+-@\t\r").contains(text.front());
-    return formula ? u'\'' + text : text;
+    return readsAsFormula(text.left(1).toStdString()) ? u'\'' + text : text;
 }
 
 QByteArray csvBegin() {

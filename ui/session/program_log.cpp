@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/program_log.h"
 
+#include "ui/session/texts.h"
+
 #include <atomic>
 
 namespace sparkout {
@@ -43,7 +45,8 @@ void ProgramLog::receive(QtMsgType type, const QMessageLogContext& context, cons
 void ProgramLog::add(QtMsgType type, const QString& text) {
     {
         const std::lock_guard lock(m_mutex);
-        m_lines.push_back({QDateTime::currentDateTime(), type, text.left(longestLine)});
+        m_lines.push_back(
+            {QDateTime::currentDateTime(), type, harmlessText(text.left(longestLine))});
         if (m_lines.size() > mostLines) {
             m_lines.pop_front();
             ++m_dropped;

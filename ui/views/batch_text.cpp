@@ -203,6 +203,12 @@ QString BatchText::counts(const BatchSummary& summary) {
     if (summary.parts > 0) {
         texts << tr("Not good: %1.").arg(share(summary.bad));
     }
+    if (summary.stripped > 0) {
+        texts << tr("%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is "
+                    "told.")
+                     .arg(summary.stripped)
+                     .arg(summary.parts);
+    }
     if (summary.failed > 0) {
         texts << tr("%n did not reach size.", nullptr, static_cast<int>(summary.failed));
     }

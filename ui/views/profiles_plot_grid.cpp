@@ -172,7 +172,7 @@ void ProfilesPlot::setTexts() {
 
 QString ProfilesPlot::numbersOf(const Profile& p, bool brief) const {
     const QString numbers = ProfilesText::numbers(m_series, p, brief);
-    switch (m_circles) {
+    switch (m_series.isWhole ? m_circles : ReferenceCircles::none) {
     case ReferenceCircles::leastSquares:
         return numbers + u'\n' + ProfilesText::roundness(p.leastSquares, brief);
     case ReferenceCircles::minimumZone:

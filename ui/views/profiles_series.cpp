@@ -4,6 +4,7 @@
 #include "core/process/ground_stretch.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
+#include "core/quality/finished_surface.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.strokeCount = result.cycleCount;
     series.stroke = result.cycleCount;
     series.time_s = result.time_s;
+    series.isWhole = FinishedSurface(result.project).isWhole();
     const bool traverse = series.operation == Operation::traverse;
     const int gauge = gaugeProfile(result);
     for (std::size_t i = 0; i < result.sections.size(); ++i) {

@@ -57,6 +57,7 @@ struct ProfileSeries {
     bool strokeDone = true; ///< else the moment is within that stroke
     int stage = 0;          ///< of that stroke; 0: the blank, or not known
     double time_s = 0;      ///< from the start of the cycle
+    bool isWhole = true;    ///< else strips stay uncut: no size and form is told of the surface
 
     [[nodiscard]] int radii() const { return static_cast<int>(blank_mm.size()); }
     [[nodiscard]] bool atEnd() const { return stroke == strokeCount && strokeDone; }

@@ -40,6 +40,9 @@ QString ProfilesText::magnification(double value) {
 }
 
 QString ProfilesText::numbers(const ProfileSeries& series, const Profile& profile, bool brief) {
+    if (!series.isWhole) {
+        return brief ? tr("strips uncut") : tr("Strips stay uncut: size and form are not known");
+    }
     const int decimals = brief ? 2 : 3;
     const QString diameters = range(profile.diameterMin_mm, profile.diameterMax_mm, decimals);
     const QString runout = um(profile.radialRunout_mm, decimals);

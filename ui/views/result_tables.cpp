@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/result_tables.h"
 
-#include "core/quality/ranges.h"
+#include "core/quality/finished_surface.h"
 #include "core/quality/roughness.h"
 #include "core/units.h"
 #include "ui/session/texts.h"
@@ -96,23 +96,25 @@ CsvTable zoneTable(const Outcome& outcome) {
         table.header << ResultTables::tr("Roughness Ra, µm");
     }
     using units::umPerMm;
-    const bool whole = !leavesStrips(result.project);
+    const FinishedSurface surface(result.project);
+    const auto stated = [&surface](double value_mm) {
+        return surface.isWhole() ? CsvCell(value_mm * umPerMm) : CsvCell();
+    };
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         const SectionAccuracy& form = outcome.accuracy.sections.at(i);
-        std::vector<CsvCell> cells{
-            Names::zone(section.zone, static_cast<int>(i)),
-            section.position_mm,
-            section.compliance_mm_per_n,
-            whole ? CsvCell(section.diameterDeviationMin_mm * umPerMm) : CsvCell(),
-            whole ? CsvCell(section.diameterDeviationMax_mm * umPerMm) : CsvCell(),
-            section.radialRunout_mm * umPerMm,
-            form.minimumZone.deviation() * umPerMm,
-            form.leastSquares.deviation() * umPerMm,
-            section.peakNormalForce_n};
-        if (rough && whole && section.lastCut) {
-            cells.emplace_back(RoughnessModel(result.project).roughness(section.lastCut->depth_mm)
-                               * umPerMm);
+        std::vector<CsvCell> cells{Names::zone(section.zone, static_cast<int>(i)),
+                                   section.position_mm,
+                                   section.compliance_mm_per_n,
+                                   stated(section.diameterDeviationMin_mm),
+                                   stated(section.diameterDeviationMax_mm),
+                                   stated(section.radialRunout_mm),
+                                   stated(form.minimumZone.deviation()),
+                                   stated(form.leastSquares.deviation()),
+                                   section.peakNormalForce_n};
+        if (rough && section.lastCut) {
+            cells.push_back(
+                stated(RoughnessModel(result.project).roughness(section.lastCut->depth_mm)));
         }
         table.rows.push_back(std::move(cells));
     }

@@ -2,6 +2,7 @@
 #include "ui/views/run_table.h"
 
 #include "core/project/leaves.h"
+#include "core/quality/finished_surface.h"
 #include "ui/session/field_text.h"
 #include "ui/session/number_text.h"
 #include "ui/session/texts.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 
 namespace sparkout {
 
@@ -133,8 +135,7 @@ std::optional<ConstraintResult> constraintOf(const RequirementSummary& requireme
         constraint.margin = requirement.margin;
         constraint.relativeMargin = requirement.relative_margin;
         constraint.holds = requirement.ok;
-        constraint.isWhole = !strips || scopeOf(kind) == ConstraintScope::pass
-                             || scopeOf(kind) == ConstraintScope::setting;
+        constraint.isWhole = !strips || !FinishedSurface::isMeantBy(kind);
         return constraint;
     }
     return std::nullopt;
@@ -145,11 +146,21 @@ QString percentShown(double share) {
     return RunTable::tr("%1 %").arg(share > 0 ? u'+' + number : number);
 }
 
+bool leftStrips(const RunSummary& summary) {
+    return std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {
+        return requirement.name == constraintName(ConstraintKind::overlap) && !requirement.ok;
+    });
+}
+
+/// Whether a value of a summary is of the finished surface.
+bool isOfSurface(std::string_view key) {
+    return key.starts_with("diameter_deviation") || key == "radial_runout_um"
+           || key == "roundness_um" || key == "cylindricity_um" || key == "total_runout_um"
+           || key == "radii_um";
+}
+
 void addRequirements(const RunSummary& summary, RunValues& values) {
-    const bool strips =
-        std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {
-            return requirement.name == constraintName(ConstraintKind::overlap) && !requirement.ok;
-        });
+    const bool strips = leftStrips(summary);
     const RequirementSummary* worst = nullptr;
     for (const RequirementSummary& requirement : summary.requirements) {
         const std::optional<ConstraintResult> constraint = constraintOf(requirement, strips);
@@ -210,9 +221,11 @@ RunValue resultValue(const RunSummary& summary, const Leaf& leaf) {
 
 RunValues resultValues(const ReadSummary& read) {
     RunValues values;
+    const bool strips = leftStrips(read.summary);
     for (const Leaf& leaf : leavesOf(tableOf<RunSummary>(), &read.summary)) {
         const Field& field = *leaf.field;
-        if (read.missing.contains(leaf.path) || leaf.path.starts_with("/requirements")) {
+        if (read.missing.contains(leaf.path) || leaf.path.starts_with("/requirements")
+            || (strips && isOfSurface(field.key))) {
             continue;
         }
         if (leaf.path == "/counts_by_stage") {
