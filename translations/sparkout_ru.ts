@@ -1096,6 +1096,10 @@
             <translation>Технологическая система во всех зонах податливее в %1 раза.</translation>
         </message>
         <message>
+            <source>The technological system is %1 times as compliant in every section.</source>
+            <translation>Технологическая система во всех сечениях податливее в %1 раза.</translation>
+        </message>
+        <message>
             <source>a place differs in diameter from the one with the gauge by twice the difference of their deflections γ·Py at the end</source>
             <translation>диаметр отличается от диаметра под прибором активного контроля на удвоенную разность упругих отжатий γ·Py в конце цикла</translation>
         </message>

@@ -332,6 +332,17 @@ private slots:
         QCOMPARE(runs().back().name, name + " (2)");
     }
 
+    /// No share that is more than nothing reads as nothing, none short of all as all.
+    void sharesAreShownWithTheDigitsTheyNeed() {
+        const QString none = BatchText::share({0, 0.0, Interval{0.0, 0.000369}});
+        QVERIFY2(none.contains(QStringLiteral("0…0.04")), qPrintable(none));
+        const QString most = BatchText::share({9999, 0.9999, Interval{0.9994, 1.0}});
+        QVERIFY2(most.contains(QStringLiteral("99.99")), qPrintable(most));
+        QVERIFY2(most.contains(QStringLiteral("99.94…100")), qPrintable(most));
+        const QString some = BatchText::share({30, 0.03, Interval{0.021, 0.25}});
+        QVERIFY2(some.contains(QStringLiteral("2.1…25")), qPrintable(some));
+    }
+
     void rejectsAreShownByCauseTheMostFrequentFirst() {
         Project project = fixtures::shaftBatch(60);
         project.part.tolerance.roundness_um = 1e-6;

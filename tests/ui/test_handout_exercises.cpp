@@ -120,6 +120,25 @@ private slots:
                                        QStringLiteral("/wheel/dullness")}));
     }
 
+    /// A plunge has sections, a traverse zones.
+    void placesAreCalledByTheirNamesInTheOperation() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            const bool plunges = operation == Operation::plunge;
+            Project project = plunges ? fixtures::plungeProject(2) : fixtures::traverseProject();
+            if (plunges) {
+                project.machine.compliance_mm_per_n = std::vector<double>{6e-5, 9e-5};
+            }
+            const auto exercises = report::makeExercises(*fixtures::run(project), std::nullopt);
+            const auto told = [&](QLatin1StringView place) {
+                return std::ranges::any_of(exercises, [&](const report::Exercise& exercise) {
+                    return onOneLine(exercise.question).contains(place);
+                });
+            };
+            QCOMPARE(told(QLatin1StringView("in every zone")), !plunges);
+            QCOMPARE(told(QLatin1StringView("in every section")), plunges);
+        }
+    }
+
     /// What yields more is less stiff.
     void unitsThatYieldMoreAreLessStiff() {
         Project project = fixtures::traverseProject();

@@ -78,6 +78,16 @@ private slots:
                  QStringLiteral("0.0000002 mm/N is unusual; usual: 0.000001…0.001 mm/N"));
     }
 
+    void messagesShowAMinusAndKeepHyphens() {
+        QLocale::setDefault(locales[0]);
+        const Issue issue{IssueCode::unusual, Severity::warning, {}, "-9000 mm", "-5000…-0.5 mm"};
+        QCOMPARE(issueText(issue), QStringLiteral("−9000 mm is unusual; usual: −5000…−0.5 mm"));
+        const Issue tiny{IssueCode::unusual, Severity::warning, {}, "-2e-07 mm", "> -1 mm"};
+        QCOMPARE(issueText(tiny), QStringLiteral("−0.0000002 mm is unusual; usual: > −1 mm"));
+        const Issue quoted{IssueCode::unusual, Severity::warning, {}, "\"a -5\"", "F-80, 2026-11"};
+        QCOMPARE(issueText(quoted), QStringLiteral("\"a -5\" is unusual; usual: F-80, 2026-11"));
+    }
+
     void whatPeopleTypeIsRead_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("value");

@@ -222,7 +222,8 @@ QString FactorBox::measuredText(const Factor& law) const {
     }
     const auto [low, high] = std::ranges::minmax_element(*law.measured);
     return tr("%n values, %1…%2 %3", nullptr, static_cast<int>(law.measured->size()))
-        .arg(showNumber(*low, QLocale()), showNumber(*high, QLocale()), unitText(m_field.unit))
+        .arg(showNumber(*low, QLocale()).replace(u'-', u'−'),
+             showNumber(*high, QLocale()).replace(u'-', u'−'), unitText(m_field.unit))
         .trimmed();
 }
 

@@ -84,7 +84,10 @@ MadeChange duller(const Project& project) {
 MadeChange softer(const Project& project) {
     Change change{project, {Asked::spread_um, Asked::peakForce_n, Asked::time_min}, {}};
     change.told =
-        ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
+        (project.operation == Operation::plunge
+             ? ExerciseText::tr("The technological system is %1 times as compliant in every "
+                                "section.")
+             : ExerciseText::tr("The technological system is %1 times as compliant in every zone."))
             .arg(plainNumber(softening));
     change.why = {{Asked::spread_um, true,
                    ExerciseText::tr("a place differs in diameter from the one with the gauge by "

@@ -73,7 +73,7 @@ QString valueText(const Field& field, const void* owner) {
     if (!value) {
         return inputText(field.nullMeaning);
     }
-    const QString number = showNumber(*value, QLocale());
+    const QString number = showNumber(*value, QLocale()).replace(u'-', u'−');
     return *field.unit ? number + u'\u00a0' + unitText(field.unit) : number;
 }
 

@@ -132,7 +132,11 @@ std::string localised(const std::string& detail) {
         text.replace(unitPatterns[i], u' ' + translated("Unit", units[i]));
     }
     static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
-    text = withoutExponents(text).replace(point, QLocale().decimalPoint());
+    static const QRegularExpression minus(QStringLiteral("(?<![\\w./-])-(?=\\d)"),
+                                          QRegularExpression::UseUnicodePropertiesOption);
+    text = withoutExponents(text)
+               .replace(point, QLocale().decimalPoint())
+               .replace(minus, QStringLiteral("−"));
     return withSubscripts(withLabels(text)).toStdString();
 }
 
@@ -166,8 +170,8 @@ QString zoneText(const char* key) {
 QString rangeShown(const Range& range, const char* unit) {
     const bool below = std::isfinite(range.low);
     const bool above = std::isfinite(range.high);
-    const QString low = showNumber(range.low, QLocale());
-    const QString high = showNumber(range.high, QLocale());
+    const QString low = showNumber(range.low, QLocale()).replace(u'-', u'−');
+    const QString high = showNumber(range.high, QLocale()).replace(u'-', u'−');
     QString text;
     if (below && above) {
         text = range.lowOpen ? QCoreApplication::translate("Range", "above %1, up to %2")

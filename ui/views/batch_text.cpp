@@ -18,9 +18,15 @@ namespace {
 constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
 constexpr double minute_s = 60;
 
+/// Never nothing for a little, nor the whole for almost all.
 QString percent(double share) {
     const double hundredth = 100 * share;
-    return Names::fixed(hundredth, hundredth > 0 && hundredth < 10 ? 1 : 0);
+    const double toEnd = std::min(hundredth, 100 - hundredth);
+    int decimals = hundredth > 0 && hundredth < 10 ? 1 : 0;
+    if (toEnd > 1e-6 && toEnd < 1) {
+        decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(toEnd))));
+    }
+    return Names::fixed(hundredth, decimals);
 }
 
 /// Ppk, where it was made; else the greatest number.

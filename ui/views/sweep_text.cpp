@@ -108,7 +108,7 @@ QString SweepText::inputAxis(const SweptInput& input) {
 }
 
 QString SweepText::inputValue(double value, const std::string& unit) {
-    return withUnit(showNumber(value, QLocale()), unit, QStringLiteral(" "));
+    return withUnit(showNumber(value, QLocale()).replace(u'-', u'−'), unit, QStringLiteral(" "));
 }
 
 QString SweepText::name(const SweepQuantity& quantity) {
