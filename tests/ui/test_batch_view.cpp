@@ -369,6 +369,34 @@ private slots:
                 < 1e-9);
     }
 
+    void textsBelowNarrowCellsDoNotMeet() {
+        Bench bench(fixtures::shaftBatch(50));
+        QVERIFY(bench.settled());
+        HistogramPlot& plot = *bench.view.histograms();
+        QFont font = bench.view.font();
+        font.setPointSizeF(font.pointSizeF() * 1.3);
+        bench.view.setFont(font);
+        for (const int width : {450, 1600}) {
+            bench.view.resize(width, 640);
+            QTest::qWait(20);
+            plot.replot(); // the ticks follow the room found by the one before
+            plot.replot();
+            for (int i = 0; i < plot.cellCount(); ++i) {
+                const QCPAxis& axis = *plot.valueAxis(i);
+                const QFontMetrics text(axis.labelFont());
+                QVERIFY2(text.horizontalAdvance(axis.label()) <= plot.width() / plot.cellCount(),
+                         qPrintable(axis.label()));
+                QCOMPARE(axis.label().contains(u','), width == 1600); // else the unit alone
+                int taken = 0;
+                for (const QString& tick : axis.tickVectorLabels()) {
+                    taken += text.horizontalAdvance(tick + u' ');
+                }
+                QVERIFY2(taken <= axis.axisRect()->width(),
+                         qPrintable(axis.tickVectorLabels().join(u' ')));
+            }
+        }
+    }
+
     void theTextOnTheRunIsReadInANarrowViewAndInLargeType() {
         Bench bench(fixtures::shaftBatch(50));
         QVERIFY(bench.settled());

@@ -2,8 +2,8 @@
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
 #include "core/project/number_input.h"
-#include "tests/core/project_fixtures.h"
 #include "tests/check_line.h"
+#include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "ui/inputs/number_field.h"
@@ -404,6 +404,31 @@ private slots:
                     QVERIFY(isEnd(pieces[a]) && isEnd(pieces[b]));
                 }
             }
+        }
+    }
+
+    void aLongNameOfAnInputHasRoomBesideALowMap() {
+        Bench bench(swept(shaft(), {{dullness, 0.005, 0.08, 6},
+                                    {"/cycle/stages/0/radial_feed_mm", 0.001, 0.01, 6}}));
+        bench.click("sweepRun");
+        QVERIFY(bench.settled());
+        SweepMap& map = *bench.view.map();
+        const QCPAxisRect& rect = *map.axisRect(0);
+        const QCPAxis& axis = *rect.axis(QCPAxis::atLeft);
+        QVERIFY(QFontMetrics(map.font()).horizontalAdvance(axis.label()) > 260);
+        for (const int height : {620, 500}) {
+            bench.view.resize(640, height);
+            QTest::qWait(20);
+            map.replot();
+            map.replot();
+            const int taken = QFontMetrics(axis.labelFont()).horizontalAdvance(axis.label());
+            const double share = axis.labelFont().pointSizeF() / map.font().pointSizeF();
+            const bool inside =
+                taken <= 2 * rect.center().y() && taken <= 2 * (map.height() - rect.center().y());
+            QVERIFY2(
+                inside || share < 0.65, // smaller is not read
+                qPrintable(
+                    QStringLiteral("%1 of %2, type %3").arg(taken).arg(rect.height()).arg(share)));
         }
     }
 

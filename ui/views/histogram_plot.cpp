@@ -21,6 +21,7 @@ constexpr double barRoom = 0.05;     ///< beside the outermost bar or limit, of 
 constexpr double countRoom = 1.08;   ///< above the highest bar
 constexpr double leastOutlined = 6;  ///< width of a bar with an outline [px]
 constexpr int valueTicks = 3;        ///< have room below narrow cells
+constexpr double tickRoom = 1.6;     ///< of a value below the axis, of its width
 constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room for a name
 
 } // namespace
@@ -275,11 +276,24 @@ void HistogramPlot::restyle() {
     }
 }
 
+/// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
 /// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
 /// each at least a pixel wide.
 void HistogramPlot::outline() {
+    const QFontMetrics text(font());
     for (const Cell& cell : m_cells) {
-        const QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
+        QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
+        const Characteristic& of = cell.summary.characteristic;
+        const QString full = BatchText::axis(of);
+        const bool named = m_cells.size() <= mostNamed
+                           && text.horizontalAdvance(full) <= cell.rect->outerRect().width();
+        values.setLabel(named ? full : unitText(of.unit));
+        const int tick =
+            std::max(text.horizontalAdvance(BatchText::value(values.range().lower, of)),
+                     text.horizontalAdvance(BatchText::value(values.range().upper, of)));
+        values.ticker()->setTickCount(
+            std::clamp(static_cast<int>(cell.rect->width() / (tickRoom * tick)), 2, valueTicks));
+        style::fitValueAxes(*cell.rect, font());
         const double width = cell.bars->width() / values.range().size() * cell.rect->width();
         cell.bars->setPen(QPen(width < leastOutlined ? cell.bars->brush().color()
                                                      : palette().color(QPalette::Base),

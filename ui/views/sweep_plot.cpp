@@ -23,6 +23,8 @@ SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
     for (QCPAxis* axis : m_rect->axes()) {
         style::setUpAxis(*axis);
     }
+    connect(this, &QCustomPlot::afterLayout, this,
+            [this] { style::fitValueAxes(*m_rect, font()); });
     connect(this, &QCustomPlot::mouseMove, this,
             [this](QMouseEvent* event) { onMouse(event->position()); });
     const auto choose = [this](const QPointF& at) {
