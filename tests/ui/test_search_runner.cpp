@@ -258,6 +258,28 @@ private slots:
         }
     }
 
+    /// Also at the end of what a feed may be, and where the machine's range begins beyond it.
+    void aUsualSearchHasLevelsThatAFileMayHold() {
+        Project project = fixtures::plunge();
+        for (const auto& range :
+             {std::vector<double>{}, {50.0, 1000.0, 1.0}, {900.0, 1000.0, 1.0}}) {
+            for (const double feed : {0.5, 80.0, 100.0}) {
+                for (Stage& stage : project.cycle.stages) {
+                    stage.radial_feed_mm_min = feed;
+                }
+                project.machine.limits.plunge_feed_mm_min.reset();
+                if (!range.empty()) {
+                    project.machine.limits.plunge_feed_mm_min = range;
+                }
+                for (const Issue& issue : validate(withUsualSearch(project))) {
+                    QVERIFY2(issue.severity != Severity::error
+                                 || issue.path.find("/optimisation/radial_feed_mm_min/") != 0,
+                             issue.path.c_str());
+                }
+            }
+        }
+    }
+
     void onlyWhatTheAnswerRestsOnMakesAnotherSearch() {
         const Project project = fixtures::searchedShaft();
         Project other = project;

@@ -47,12 +47,19 @@ struct ColumnNeeds {
     std::vector<double> head;   ///< the same with the head
 };
 
-ColumnNeeds needsOf(const Table& table, double body, double head, bool wholeNumbers) {
+/// `goesOn` is asked row by row, here and below; what comes of a stop is not used.
+using GoesOn = std::function<bool()>;
+
+ColumnNeeds needsOf(const Table& table, double body, double head, bool wholeNumbers,
+                    const GoesOn& goesOn) {
     const auto columns = static_cast<std::size_t>(table.head.size());
     ColumnNeeds needs{std::vector<double>(columns), std::vector<double>(columns),
                       std::vector<double>(columns)};
     const auto raise = [](double& value, double to) { value = std::max(value, to); };
     for (const QStringList& row : table.rows) {
+        if (!goesOn()) {
+            break;
+        }
         const QFont font = reportFont(body, table.lastIsSum && &row == &table.rows.back());
         for (std::size_t c = 0; c < columns; ++c) {
             const QString& text = row[static_cast<qsizetype>(c)];
@@ -80,11 +87,14 @@ double sumOf(const std::vector<double>& widths) {
 /// The cells of a column as words, to tell how many lines they take at a width.
 class ColumnWords {
 public:
-    ColumnWords(const Table& table, std::size_t column, double body) {
+    ColumnWords(const Table& table, std::size_t column, double body, const GoesOn& goesOn) {
         const QFontMetricsF metrics(reportFont(body));
         m_space = metrics.horizontalAdvance(u' ');
         for (const QStringList& row : table.rows) {
             auto& lines = m_cells.emplace_back();
+            if (!goesOn()) {
+                continue;
+            }
             for (const QString& paragraph : row[static_cast<qsizetype>(column)].split(u'\n')) {
                 auto& words = lines.emplace_back();
                 for (const QString& word : paragraph.split(u' ', Qt::SkipEmptyParts)) {
@@ -134,7 +144,7 @@ void widen(std::vector<double>& widths, const std::vector<double>& wanted, doubl
 /// Shares the room among the columns so that the rows take as few lines as can be: the three that
 /// want most are tried in steps, the others get what they want.
 void share(std::vector<double>& widths, const std::vector<double>& wanted, double width,
-           const Table& table, double body) {
+           const Table& table, double body, const GoesOn& goesOn) {
     constexpr std::size_t tried = 3;
     constexpr int steps = 24;
     if (sumOf(wanted) <= width || widths.size() < tried) {
@@ -150,7 +160,7 @@ void share(std::vector<double>& widths, const std::vector<double>& wanted, doubl
     most.resize(tried);
     std::array<std::array<std::vector<int>, steps + 1>, tried> lines;
     for (std::size_t i = 0; i < tried; ++i) {
-        const ColumnWords words(table, most[i], body);
+        const ColumnWords words(table, most[i], body, goesOn);
         for (int k = 0; k <= steps; ++k) {
             lines[i][static_cast<std::size_t>(k)] =
                 words.lines(widths[most[i]] + spare * k / steps - cellRoom);
@@ -158,7 +168,7 @@ void share(std::vector<double>& widths, const std::vector<double>& wanted, doubl
     }
     std::array<int, tried> best{steps, 0, 0};
     std::pair<int, double> least{std::numeric_limits<int>::max(), 0};
-    for (int a = 0; a <= steps; ++a) {
+    for (int a = 0; a <= steps && goesOn(); ++a) {
         for (int b = 0; a + b <= steps; ++b) {
             const std::array<int, tried> given{a, b, steps - a - b};
             std::pair<int, double> cost{0, 0};
@@ -193,10 +203,11 @@ PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
     const auto headOf = [](double body) {
         return std::max(leastHead, smallSize - (bodySize - body));
     };
+    const GoesOn goesOn = [this] { return this->goesOn(); };
     Columns columns{{}, bodySize, smallSize};
-    ColumnNeeds needs = needsOf(table, bodySize, smallSize, true);
+    ColumnNeeds needs = needsOf(table, bodySize, smallSize, true, goesOn);
     for (double body = bodySize; body >= leastOneLine; body -= smallerBy) {
-        const ColumnNeeds smaller = needsOf(table, body, headOf(body), true);
+        const ColumnNeeds smaller = needsOf(table, body, headOf(body), true, goesOn);
         if (sumOf(smaller.wanted) <= width) {
             needs = smaller;
             columns.body = body;
@@ -205,14 +216,14 @@ PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
     }
     while (sumOf(needs.least) > width && columns.body > leastSize) {
         columns.body -= smallerBy;
-        needs = needsOf(table, columns.body, headOf(columns.body), true);
+        needs = needsOf(table, columns.body, headOf(columns.body), true, goesOn);
     }
     columns.head = headOf(columns.body);
     if (sumOf(needs.least) > width) {
-        needs = needsOf(table, columns.body, columns.head, false);
+        needs = needsOf(table, columns.body, columns.head, false, goesOn);
     }
     columns.widths = needs.least;
-    share(columns.widths, needs.wanted, width, table, columns.body);
+    share(columns.widths, needs.wanted, width, table, columns.body, goesOn);
     widen(columns.widths, needs.head, width);
     const double scale = width / sumOf(columns.widths); // spread what is over, or press together
     std::ranges::for_each(columns.widths, [scale](double& w) { w *= scale; });
@@ -243,10 +254,21 @@ PageFlow::Row PageFlow::headOf(const Table& table, const Columns& columns) const
 std::vector<PageFlow::Row> PageFlow::rowsOf(const Table& table, const Columns& columns) const {
     std::vector<Row> rows;
     for (const QStringList& cells : table.rows) {
+        if (!goesOn()) {
+            break;
+        }
         const bool sum = table.lastIsSum && &cells == &table.rows.back();
         rows.push_back(rowOf(cells, columns, table, reportFont(columns.body, sum)));
     }
     return rows;
+}
+
+const PageFlow::LaidOutTable& PageFlow::laidOut(const Table& table) const {
+    if (m_laidOut.table != &table) {
+        const Columns columns = columnsOf(table);
+        m_laidOut = {&table, columns, headOf(table, columns), rowsOf(table, columns)};
+    }
+    return m_laidOut;
 }
 
 std::vector<PageFlow::Row> PageFlow::rowsOf(const Facts& facts) const {
@@ -268,6 +290,7 @@ std::vector<PageFlow::Row> PageFlow::rowsOf(const Facts& facts) const {
 
 PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing)
     : m_report(report)
+    , m_keepGoing(keepGoing)
     , m_area(area)
     , m_top(2 * smallSize * 10 + gap / 2)
     , m_bottom(area.height() - 2 * smallSize * 10 - gap / 2) {
@@ -276,11 +299,16 @@ PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing
     for (m_block = 0; m_block < report.blocks.size(); ++m_block) {
         need(std::min(together(m_block), m_bottom - m_top));
         std::visit(*this, report.blocks[m_block]);
-        if (!keepGoing(double(m_block + 1) / double(report.blocks.size()))) {
+        if (!goesOn()) {
             break;
         }
     }
     addMargins();
+}
+
+bool PageFlow::goesOn() const {
+    m_stopped = m_stopped || !m_keepGoing(double(m_block) / double(m_report.blocks.size()));
+    return !m_stopped;
 }
 
 void PageFlow::newPage() {
@@ -449,11 +477,9 @@ void PageFlow::addLongRow(const Row& row, const Row& head, const Columns& column
 }
 
 void PageFlow::operator()(const Table& table) {
-    const Columns columns = columnsOf(table);
-    const Row head = headOf(table, columns);
-    const std::vector<Row> rows = rowsOf(table, columns);
+    const auto& [of, columns, head, rows] = laidOut(table);
     const double wholePage = m_bottom - m_top - head.height;
-    for (std::size_t r = 0, end = 0; r < rows.size(); ++r) {
+    for (std::size_t r = 0, end = 0; r < rows.size() && goesOn(); ++r) {
         const bool isLong = rows[r].height > wholePage;
         if (r == end) {
             const double least =
@@ -521,9 +547,8 @@ double PageFlow::together(std::size_t block) const {
         return rowsTogether(heights(rowsOf(*facts)), 0, noteBelow(block), page);
     }
     if (const auto* table = std::get_if<Table>(&of)) {
-        const Columns columns = columnsOf(*table);
-        return rowsTogether(heights(rowsOf(*table, columns)), headOf(*table, columns).height,
-                            noteBelow(block), page);
+        const LaidOutTable& all = laidOut(*table);
+        return rowsTogether(heights(all.rows), all.head.height, noteBelow(block), page);
     }
     if (const auto* figure = std::get_if<Figure>(&of)) {
         return heightOf(*figure);

@@ -42,7 +42,15 @@ private:
         std::vector<TextBox> boxes;
         double height;
     };
+    struct LaidOutTable {
+        const Table* table = nullptr;
+        Columns columns;
+        Row head;
+        std::vector<Row> rows; ///< not all of them where it was stopped
+    };
     [[nodiscard]] Columns columnsOf(const Table& table) const;
+    /// The last one asked for is kept: what stands above a table asks for it, too.
+    [[nodiscard]] const LaidOutTable& laidOut(const Table& table) const;
     [[nodiscard]] static Row rowOf(const QStringList& cells, const Columns& columns,
                                    const Table& table, const QFont& font);
     [[nodiscard]] Row headOf(const Table& table, const Columns& columns) const;
@@ -55,6 +63,8 @@ private:
     [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
     [[nodiscard]] double heightOf(const Formula& formula) const;
     [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
+    /// Asked row by row, for a table may fill hundreds of pages.
+    [[nodiscard]] bool goesOn() const;
     void newPage();
     /// Begins a page unless so much fits below what is there.
     void need(double height);
@@ -76,6 +86,9 @@ private:
     void addMargins(); ///< head and foot of every page
 
     const Report& m_report;
+    const KeepGoing& m_keepGoing;
+    mutable bool m_stopped = false;
+    mutable LaidOutTable m_laidOut;
     QSizeF m_area;
     double m_top, m_bottom;
     double m_y = 0;

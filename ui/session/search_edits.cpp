@@ -3,6 +3,7 @@
 
 #include "core/optimisation/variants.h"
 #include "core/project/project_file.h"
+#include "ui/session/member.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,28 +30,28 @@ double times(double step, double count) {
     return step < 1 ? count / std::round(1 / step) : count * step;
 }
 
-/// Levels of a feed up to half above the fastest of these, within the machine's range.
+/// Levels of a feed up to half above the fastest of these, within the machine's range and up to
+/// what a level may be; none where the machine's range begins beyond that.
 Levels usualLevels(const std::vector<double>& feeds,
-                   const std::optional<std::vector<double>>& range) {
-    const double fastest = feeds.empty() ? 0 : *std::ranges::max_element(feeds);
-    if (!(fastest > 0)) {
+                   const std::optional<std::vector<double>>& range, double highest) {
+    const bool limited = range && range->size() == 3;
+    const double lower = limited ? (*range)[0] : 0;
+    const double upper = limited ? std::min((*range)[1], highest) : highest;
+    const double fastest = feeds.empty() ? 0 : std::min(*std::ranges::max_element(feeds), highest);
+    if (!(fastest > 0) || lower > upper) {
         return {};
     }
+    const double most = std::clamp(fastest * beyondTheFastest, lower, upper);
     double step = roundStep(fastest * beyondTheFastest / levelsOfAFeed);
-    double most = fastest * beyondTheFastest;
     double least = step;
-    if (range && range->size() == 3) {
+    if (limited) {
         step = std::max(step, (*range)[2]);
-        least = std::max(step, (*range)[0]);
-        most = std::clamp(most, (*range)[0], (*range)[1]);
+        least = std::max(step, lower);
     }
     const double from = times(step, std::ceil(least / step - 1e-9));
     const double to = times(step, std::floor(most / step + 1e-9));
-    return from < to
-               ? Levels(SteppedLevels{from, to, times(step, 1)})
-               : Levels(std::vector<double>{range && range->size() == 3
-                                                ? std::clamp(fastest, (*range)[0], (*range)[1])
-                                                : fastest});
+    return from < to ? Levels(SteppedLevels{from, to, times(step, 1)})
+                     : Levels(std::vector<double>{std::clamp(fastest, lower, upper)});
 }
 
 template <class Member>
@@ -76,14 +77,20 @@ Project withUsualSearch(Project project) {
     }
     search.stock_step_mm = std::clamp(roundStep(project.part.stock_mm / stepsOfStock), 1e-4, 5.0);
     search.non_increasing = true;
+    const auto highest = [&](const char* levels) {
+        return findMember(std::as_const(project), levels).field->hard.high;
+    };
     if (project.operation == Operation::traverse) {
         search.radial_feed_mm =
-            usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm), limits.radial_feed_mm);
-        search.axial_feed_mm_min = usualLevels(feedsOf(project.cycle, &Stage::axial_feed_mm_min),
-                                               limits.axial_feed_mm_min);
+            usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm), limits.radial_feed_mm,
+                        highest("/optimisation/radial_feed_mm"));
+        search.axial_feed_mm_min =
+            usualLevels(feedsOf(project.cycle, &Stage::axial_feed_mm_min), limits.axial_feed_mm_min,
+                        highest("/optimisation/axial_feed_mm_min"));
     } else {
-        search.radial_feed_mm_min = usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm_min),
-                                                limits.plunge_feed_mm_min);
+        search.radial_feed_mm_min =
+            usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm_min),
+                        limits.plunge_feed_mm_min, highest("/optimisation/radial_feed_mm_min"));
     }
     project.optimisation = std::move(search);
     return project;
