@@ -127,9 +127,11 @@ private:
         for (std::size_t k = 0; k < K; ++k) {
             off[k] = std::abs(d[k] - fit.r - fit.x * nx[k] - fit.y * ny[k]);
         }
-        const double most = rangeOf(m_off).high;
-        return static_cast<std::size_t>(std::find(m_off.begin(), m_off.end(), most)
-                                        - m_off.begin());
+        const auto most = std::find(m_off.begin(), m_off.end(), rangeOf(m_off).high);
+        // Where nothing is a number any more, as with a centre in one of the points, a reference
+        // point ends the exchange.
+        return most != m_off.end() ? static_cast<std::size_t>(most - m_off.begin())
+                                   : m_reference.front();
     }
 
     // The signs alternate all around, so just one of the two neighbours has the new point's sign.

@@ -179,7 +179,8 @@ private slots:
         // What the summary says of the worst part is in its row.
         const json worst = json::parse(outcome.out).at("worst");
         const auto cells = split(rows[1 + worst.at("part").get<std::size_t>()], ',');
-        QCOMPARE(std::stod(cells[4]), worst.at("factors").at("stock_mm").get<double>());
+        QCOMPARE(QByteArray::fromStdString(cells[4]).toDouble(),
+                 worst.at("factors").at("stock_mm").get<double>());
         QCOMPARE(QDir(m_folder.path()).entryList({".sparkout-*"}, QDir::Hidden | QDir::Files),
                  QStringList());
     }

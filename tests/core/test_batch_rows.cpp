@@ -28,6 +28,11 @@ using fixtures::uniform;
 
 namespace {
 
+/// With a point, whatever the locale.
+double numberOf(const std::string& cell) {
+    return QByteArray::fromStdString(cell).toDouble();
+}
+
 struct Rows {
     BatchResult result;
     PartColumns columns;
@@ -104,7 +109,7 @@ private slots:
             for (std::size_t part = 0; part < rows.cells.size(); ++part) {
                 const std::string& cell = rows.cells[part][4 + factors + i];
                 if (!cell.empty()) {
-                    again.add(std::stod(cell), static_cast<std::int64_t>(part),
+                    again.add(numberOf(cell), static_cast<std::int64_t>(part),
                               rows.columns.characteristics[i], {}, 64);
                 }
             }
@@ -139,7 +144,7 @@ private slots:
             QCOMPARE(rows.cells[part][0], std::to_string(part));
             const auto values = source.values(static_cast<std::int64_t>(part));
             for (std::size_t f = 0; f < values.size(); ++f) {
-                QCOMPARE(std::stod(rows.cells[part][4 + f]), values[f]);
+                QCOMPARE(numberOf(rows.cells[part][4 + f]), values[f]);
             }
         }
     }

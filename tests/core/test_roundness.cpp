@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -182,6 +183,15 @@ private slots:
     }
 
     // --- minimum zone against brute force ---
+
+    /// A radius without bounds leaves no number to go by: the circles are those of least squares.
+    void whatIsNoNumberEndsTheSearch() {
+        std::vector<double> radii(12, 15.0);
+        radii[4] = std::numeric_limits<double>::infinity();
+        const Directions directions(radii.size());
+        const RoundnessZone found = minimumZoneCircles(radii, directions);
+        QVERIFY(!std::isfinite(found.deviation()));
+    }
 
     void limaconZoneIsTheBestOfAllFours() {
         QVERIFY(holds("limaçons", [] {
