@@ -75,6 +75,11 @@ ordered_json bindingJson(const OptimiseReport& report) {
     return report.binding ? ordered_json(namesOf(*report.binding)) : ordered_json(nullptr);
 }
 
+/// Whether the answer was found off the grid, by refinement.
+bool isRefined(const OptimiseReport& report) {
+    return report.refined && report.refined->isQuicker;
+}
+
 std::string bindingText(const OptimiseReport& report) {
     if (!report.binding) {
         return "not known: stopped before the quicker cycles about it were run";
@@ -82,7 +87,7 @@ std::string bindingText(const OptimiseReport& report) {
     if (!report.binding->empty()) {
         return joined(namesOf(*report.binding)) + " in quicker cycles that differ in one setting";
     }
-    if (report.refined && report.refined->isQuicker) {
+    if (isRefined(report)) {
         return "nothing: no cycle some steps off it is quicker";
     }
     return report.search.status == SearchStatus::proved
@@ -151,10 +156,6 @@ std::string machineText(const OptimiseReport& report) {
     return text.empty() ? text : text + '\n';
 }
 
-bool isRefined(const OptimiseReport& report) {
-    return report.refined && report.refined->isQuicker;
-}
-
 double timeFound_s(const OptimiseReport& report) {
     return isRefined(report) ? report.refined->time_s : report.search.best->time_s;
 }
@@ -167,7 +168,7 @@ double leastMargin(const OptimiseReport& report) {
 std::string refinedText(const OptimiseReport& report) {
     const double grid_s = report.search.best->time_s;
     const std::string runs = "; " + std::to_string(report.refined->runs) + " cycles run\n";
-    return report.refined->isQuicker
+    return isRefined(report)
                ? "refined              off the grid, "
                      + fixed(minutes(grid_s - timeFound_s(report)), 4) + " min less than its best, "
                      + fixed(minutes(grid_s), 4) + " min; not proved" + runs
@@ -218,7 +219,7 @@ std::string givenText(const OptimiseReport& report, double best_s) {
            + (saved < 0 ? " % longer\n" : " % less\n");
 }
 
-/// The how manieth cycle that was tried on fresh phases the answer is.
+/// The number of the answer among the cycles that were tried on fresh phases.
 int candidateOf(const OptimiseReport& report) {
     return isRefined(report) ? report.refined->candidate : report.robust->candidate;
 }
@@ -275,9 +276,8 @@ const Cycle& cycleFound(const OptimiseReport& report) {
 std::string optimiseText(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     const double best_s = timeFound_s(report);
-    const bool offTheGrid = isRefined(report);
     std::string text = "status               " + statusText(report)
-                       + (offTheGrid ? "; refined off the grid, not proved\n" : "\n");
+                       + (isRefined(report) ? "; refined off the grid, not proved\n" : "\n");
     text += "machining time       " + fixed(minutes(best_s), 4) + " min; stepless limit "
             + fixed(minutes(report.limit_s), 4) + " min, gap "
             + fixed(gapToLimit(best_s, report.limit_s) * 100, 1) + " %\n";
@@ -305,8 +305,7 @@ std::string optimiseText(const OptimiseReport& report) {
 std::string optimiseJson(const OptimiseReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
-    const bool offTheGrid = isRefined(report);
-    root["status"] = statusName(offTheGrid ? SearchStatus::found : search.status);
+    root["status"] = statusName(isRefined(report) ? SearchStatus::found : search.status);
     root["method"] = methodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
     root["cycle"] = nullptr;

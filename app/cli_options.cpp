@@ -141,7 +141,7 @@ int checkTogether(const Options& options) {
         return usageError("a shard knows too little for --until-width, --sensitivity or --check");
     }
     if (options.command == "batch" && options.force && options.rows.empty()) {
-        return usageError("--force is of --rows");
+        return usageError("--force needs --rows");
     }
     return done;
 }

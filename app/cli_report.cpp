@@ -3,6 +3,7 @@
 
 #include "app/cli_shop.h"
 #include "core/printable.h"
+#include "core/process/coupled_sections.h"
 #include "core/project/validate.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
@@ -119,7 +120,11 @@ std::string statusSentence(const SimulationResult& result) {
                + reached;
     case RunStatus::stopped: return "stopped; " + reached;
     case RunStatus::notSolved:
-        return "the balance of the coupled sections was not solved; " + reached;
+        return (isCoupled(result.project)
+                    ? "the balance of the coupled sections was not solved; "
+                    : "no balance: the compliance of a section is negative, since the even load "
+                      "beyond a steady rest presses it against the wheel; couple the sections; ")
+               + reached;
     }
     return {};
 }

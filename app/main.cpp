@@ -219,7 +219,7 @@ Options readOptions(const QStringList& words) {
     }
     if (!options.handoutOption.isEmpty() && options.report != u"handout"
         && options.fault.isEmpty()) {
-        options.fault = QStringLiteral("%1 is of --report handout").arg(options.handoutOption);
+        options.fault = QStringLiteral("%1 needs --report handout").arg(options.handoutOption);
     }
     options.exported.file = options.file;
     options.exported.output = options.output;

@@ -3906,8 +3906,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>и ещё %1</translation>
         </message>
         <message>
-            <source>The balance of the coupled sections was not solved</source>
-            <translation>Равновесие связанных сечений не решено</translation>
+            <source>The balance of forces was not solved</source>
+            <translation>Равновесие сил не найдено</translation>
         </message>
         <message>
             <source>Roundness</source>
@@ -9928,6 +9928,10 @@ target, µm</source>
         <message>
             <source>The forces of the coupled sections were not found.</source>
             <translation>Силы в связанных сечениях не найдены.</translation>
+        </message>
+        <message>
+            <source>The compliance of a section is negative: the even load beyond a steady rest presses it against the wheel. Couple the sections.</source>
+            <translation>Податливость одного из сечений отрицательна: равномерная нагрузка за люнетом прижимает его к кругу. Свяжите сечения.</translation>
         </message>
         <message>
             <source>Formulas of the step</source>

@@ -28,6 +28,8 @@
 #include "ui/views/verdict_panel.h"
 #include "ui/views/verdict_why.h"
 
+#include "core/process/coupled_sections.h"
+
 #include <QAbstractButton>
 #include <QCloseEvent>
 #include <QCoreApplication>
@@ -292,7 +294,11 @@ void MainWindow::showStatus() {
         m_status->setText(tr("The cycle is too long to be computed to its end."));
         break;
     case RunStatus::notSolved:
-        m_status->setText(tr("The forces of the coupled sections were not found."));
+        m_status->setText(
+            isCoupled(m_outcome->result.project)
+                ? tr("The forces of the coupled sections were not found.")
+                : tr("The compliance of a section is negative: the even load beyond a steady rest "
+                     "presses it against the wheel. Couple the sections."));
         break;
     case RunStatus::stopped: break;
     }

@@ -7,7 +7,6 @@
 #include "core/batch/permutation.h"
 #include "core/batch/worker_pool.h"
 #include "core/build_id.h"
-#include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 #include "core/version.h"
 
@@ -70,9 +69,7 @@ private:
         if (m_options.done) {
             m_options.done->fetch_add(1, std::memory_order_relaxed);
         }
-        if (m_options.sink
-            && !queue.put(place, {part, std::move(values), std::move(outcome),
-                                  !FinishedSurface(result.project).isWhole()})) {
+        if (m_options.sink && !queue.put(place, {part, std::move(values), std::move(outcome)})) {
             m_over = true;
             return false;
         }

@@ -14,7 +14,6 @@ struct PartRecord {
     std::int64_t part = 0;
     std::vector<double> factors; ///< values, in the order of givenFactors()
     PartOutcome outcome;
-    bool leavesStrips = false; ///< its size, form and roughness are not those of the whole surface
 };
 
 /// Takes a part; false: no more of them are wanted, the batch is to end.

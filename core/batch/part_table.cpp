@@ -88,7 +88,8 @@ void PartTable::put(std::string& line, double value) const {
 
 std::string PartTable::line(const PartRecord& record) const {
     const PartOutcome& outcome = record.outcome;
-    const bool done = outcome.completed, whole = done && !record.leavesStrips;
+    const bool done = outcome.completed;
+    const bool whole = done && !outcome.fails[static_cast<std::size_t>(ConstraintKind::overlap)];
     const auto word = [this](bool yes) { return yes ? m_dialect.yes : m_dialect.no; };
     std::string line = std::to_string(record.part) + m_dialect.separator
                        + m_dialect.states[!done   ? 1
@@ -101,8 +102,7 @@ std::string PartTable::line(const PartRecord& record) const {
         put(line, value);
     }
     for (std::size_t i = 0; i < m_columns.characteristics.size(); ++i) {
-        const bool known = whole || (done && !isOfSurface(m_columns.characteristics[i]));
-        put(line, known ? outcome.values[i] : none);
+        put(line, done ? outcome.values[i] : none);
     }
     for (const ConstraintKind kind : m_columns.requirements) {
         const auto at = static_cast<std::size_t>(kind);

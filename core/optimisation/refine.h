@@ -40,8 +40,8 @@ struct RefineSummary {
     double leastRelativeMargin = 0;
     long long runs = 0;     ///< cycles that were run
     bool isQuicker = false; ///< than the one given
-    int candidate = 0;      ///< the how manieth that was tried on fresh phases, with those of the
-                            ///< search; 0: it is the given one, or there is no source
+    int candidate = 0;      ///< its number among those tried on fresh phases, the search's
+                            ///< included; 0: it is the given one, or there is no source
 };
 
 /// From a cycle that holds, of a project with a grid. The machine stays as the project has it set,

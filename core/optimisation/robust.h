@@ -32,7 +32,7 @@ struct RobustSummary {
     int freshPhases = 0;        ///< that the answer was tried on at last, and held in all
     int freshFailures = 0;      ///< cycles that failed in one of theirs; it was added
     int candidates = 0;         ///< cycles that were tried on fresh phases, each on its own
-    int candidate = 0;          ///< the how manieth of them the answer is, from 1; 0: none
+    int candidate = 0;          ///< the answer's number among them, from 1; 0: none
     double nominalTime_s = 0;   ///< of the first round's best; 0: none
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The parts of safe_file.cpp that know about descriptors and temporary names.
+// Descriptors and temporary names, which saving a file is made of.
 
 #include <cerrno>
 #include <string>

@@ -20,7 +20,7 @@ enum class RunStatus {
     cannotReachSize, ///< no progress, and nothing more to come
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< by a stop request
-    notSolved,       ///< the balance of coupled sections did not converge
+    notSolved,       ///< coupled sections: the balance did not converge; else: a compliance is < 0
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).

@@ -15,6 +15,16 @@
 
 namespace sparkout {
 
+namespace {
+
+/// A load that is taken to bear evenly on both sides of a steady rest may press a section near it
+/// against the wheel: it has no balance of its own.
+bool isLifted(const CompliantPoint& point) {
+    return point.gamma_mm_n < 0;
+}
+
+} // namespace
+
 Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory* trajectory,
          std::stop_token stop)
     : m_project(project)
@@ -30,6 +40,9 @@ Run::Run(const Project& project, std::vector<CompliantPoint> points, Trajectory*
     , m_wheelSpeed_m_s(project.machine.wheel_speed_m_s) {
     if (!isCoupled(project)) { // else the contact is part of the coupled balance
         m_contact = wheelContact(project);
+    }
+    if (!isCoupled(project) && std::ranges::any_of(m_points, isLifted)) {
+        m_result.status = RunStatus::notSolved;
     }
     fed_mm = firstFeed(project, m_blank.totalInfeed_mm);
     const auto K = static_cast<std::size_t>(m_radii);
@@ -186,6 +199,9 @@ double Run::takeLargestRoot() {
 bool Run::mustEnd() {
     if (m_stop.stop_requested()) {
         m_result.status = RunStatus::stopped;
+        return true;
+    }
+    if (m_result.status == RunStatus::notSolved) {
         return true;
     }
     if (m_result.visits > maxVisits) {

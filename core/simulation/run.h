@@ -55,8 +55,8 @@ public:
 
     /// Largest √a since the last call [√mm]: whether the cycle still makes progress.
     double takeLargestRoot();
-    /// True when the run must end now: too long, or stopped. Sets the status. Asked before every
-    /// revolution, so that even the longest dwell can be stopped.
+    /// True when the run must end now: too long, not to be solved, or stopped. Sets the status.
+    /// Asked before every revolution, so that even the longest dwell can be stopped.
     bool mustEnd();
     /// Time that passes in a stage of the cycle, counted from 0.
     void advance(double seconds, std::size_t stage) {

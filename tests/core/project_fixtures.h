@@ -51,6 +51,15 @@ inline Project read(const nlohmann::json& json) {
     return *result.project;
 }
 
+/// A slender stepped shaft off the middle between unequal centres, so that no two sections are
+/// alike.
+inline void putOnSlenderShaft(Project& p) {
+    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
+    p.part.shaft.ground_from_mm = 70;
+    p.machine.compliance_mm_per_n = std::monostate{};
+    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+}
+
 /// A stage of a plunge cycle.
 inline Stage plungeStage(double feed_mm_min, double stock_mm) {
     Stage stage;

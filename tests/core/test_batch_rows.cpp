@@ -178,14 +178,14 @@ private slots:
         std::atomic<std::int64_t> held = 0;
         std::jthread ahead([&] {
             for (std::int64_t place = 1; place <= 3000; ++place) {
-                queue.put(place, {place, {}, {}, false});
+                queue.put(place, {place, {}, {}});
                 ++held;
             }
         });
         QTRY_COMPARE(held.load(), std::int64_t{1023});
         QTest::qWait(50);
         QCOMPARE(held.load(), std::int64_t{1023});
-        QVERIFY(queue.put(0, {0, {}, {}, false}));
+        QVERIFY(queue.put(0, {0, {}, {}}));
         ahead.join();
         QCOMPARE(told.size(), std::size_t{3001});
         QVERIFY(std::ranges::is_sorted(told));
@@ -196,7 +196,7 @@ private slots:
         std::stop_source stop;
         PartQueue queue(sink, 0, stop.get_token());
         std::atomic<bool> freed = false;
-        std::jthread waits([&] { freed = !queue.put(5000, {5000, {}, {}, false}); });
+        std::jthread waits([&] { freed = !queue.put(5000, {5000, {}, {}}); });
         QTest::qWait(20);
         QVERIFY(!freed);
         stop.request_stop();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plunge cycle with coupled sections [MODEL-6].
 #include "core/process/compliance.h"
+#include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 
+#include "tests/check_line.h"
 #include "tests/core/allocation_counter.h"
 #include "tests/core/project_fixtures.h"
-#include "tests/check_line.h"
 #include "tests/registry.h"
 
 #include <QTest>
@@ -29,16 +30,11 @@ using fixtures::within;
 
 namespace {
 
-/// A slender stepped shaft off the middle between unequal centres, so that no two sections are
-/// alike.
 Project slender(int sections, bool coupled = true) {
     Project p = fixtures::plunge();
     p.part.radii_per_section = 12;
     p.part.initial_runout_mm = 0.02;
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = coupled;
     return p;
@@ -349,6 +345,30 @@ private slots:
         const SimulationResult r = simulate(p);
         QCOMPARE(r.status, RunStatus::cannotReachSize);
         QVERIFY(within(r.remainingStock_mm, 0.004, 1e-9));
+    }
+
+    // A thin neck, and a rest in the ground length: the even load beyond the rest swings the
+    // section this side of it towards the wheel. It has no balance of its own; coupled, it is left
+    // uncut until the others are, and the part is finished.
+    void sectionsThatTheEvenLoadLiftsNeedTheCoupling() {
+        Project p = slender(4, false);
+        p.part.shaft.mounting = Mounting::chuck;
+        p.part.shaft.segments = {{60, 4}, {80, 40}};
+        p.part.shaft.ground_from_mm = 60;
+        p.part.shaft.steady_rests = {{70, 200}};
+        QVERIFY(!hasErrors(validate(p)));
+        QVERIFY(compliantPoints(p).front().gamma_mm_n < 0);
+        QVERIFY(compliantPoints(p).back().gamma_mm_n > 0);
+        const SimulationResult alone = simulate(p);
+        QCOMPARE(alone.status, RunStatus::notSolved);
+        QCOMPARE(alone.cycleCount, 0);
+        for (const SectionResult& section : alone.sections) {
+            for (const double radius : section.radii_mm) {
+                QVERIFY(std::isfinite(radius));
+            }
+        }
+        p.sections_coupled = true;
+        QVERIFY(simulate(p).status != RunStatus::notSolved);
     }
 
     void stopIsHeededWithinARevolution() {

@@ -20,10 +20,7 @@ namespace {
 
 Project onShaft(int sections) {
     Project p = fixtures::plunge();
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     return p;
 }

@@ -49,10 +49,7 @@ double coverage(const std::function<double(int)>& share, const std::function<dou
 Project slow() {
     Project p = fixtures::plunge();
     p.part.radii_per_section = 360;
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections = 40;
     p.sections_coupled = true;
     p.part.lower_deviation_um = -400;

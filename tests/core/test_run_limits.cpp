@@ -74,10 +74,7 @@ Project plungeOfThree() {
 }
 
 Project coupled(Project p) {
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections_coupled = true;
     return p;
 }

@@ -35,10 +35,7 @@ Project slender(int sections) {
     Project p = fixtures::plunge();
     p.part.radii_per_section = 12;
     p.part.initial_runout_mm = 0.02;
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = true;
     return p;

@@ -36,10 +36,7 @@ constexpr double most_ms = 100, busy = 4; // times as long on a machine that doe
 Project coupled(int sections, int radii) {
     Project p = fixtures::plunge();
     p.part.radii_per_section = radii;
-    p.part.shaft.segments = {{60, 22}, {80, 30}, {50, 18}};
-    p.part.shaft.ground_from_mm = 70;
-    p.machine.compliance_mm_per_n = std::monostate{};
-    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    fixtures::putOnSlenderShaft(p);
     p.sections = sections;
     p.sections_coupled = true;
     Optimisation grid;

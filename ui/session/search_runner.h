@@ -37,7 +37,7 @@ struct FoundCycle {
     double leastRelativeMargin = 0;
     bool isBest = false;            ///< of the whole grid, as far as it was searched
     bool isBestOfItsNumber = false; ///< of stages
-    int candidate = 0;              ///< the how manieth that was tried on fresh phases; 0: was not
+    int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
 };
 
 /// The search of the cycles of one number of stages.

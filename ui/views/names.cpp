@@ -133,7 +133,7 @@ QString Names::status(RunStatus status) {
     case RunStatus::cannotReachSize: return tr("Cannot reach size");
     case RunStatus::tooLong: return tr("Too long: the run was ended");
     case RunStatus::stopped: return tr("Stopped");
-    case RunStatus::notSolved: return tr("The balance of the coupled sections was not solved");
+    case RunStatus::notSolved: return tr("The balance of forces was not solved");
     }
     return {};
 }
