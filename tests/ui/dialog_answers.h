@@ -5,7 +5,9 @@
 #include <QApplication>
 #include <QDialog>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -86,8 +88,13 @@ private:
         } else if (auto* button = dialog.findChild<QAbstractButton*>(what)) {
             QTest::mouseClick(button, Qt::LeftButton);
         } else {
-            m_fault =
-                QStringLiteral("no button ") + what + QStringLiteral(" in ") + dialog.windowTitle();
+            m_fault = QStringLiteral("no button %1 in %2").arg(what, dialog.windowTitle());
+            for (const auto* label : dialog.findChildren<QLabel*>()) {
+                m_fault += u'|' + label->text();
+            }
+            for (const auto* list : dialog.findChildren<QListWidget*>()) {
+                m_fault += list->count() > 0 ? u'|' + list->item(0)->text() : QString();
+            }
             dialog.reject();
         }
     }
