@@ -356,9 +356,6 @@ int main(int argc, char** argv) {
     if (hidden && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    if (hidden) {
-        qputenv("SPARKOUT_NO_OPENGL", "1"); // what is written looks the same everywhere
-    }
     if (displayMissing()) {
         say(stderr, QStringLiteral("sparkout: there is no display (DISPLAY and WAYLAND_DISPLAY are "
                                    "not set). Use sparkout-cli, sparkout --picture or "

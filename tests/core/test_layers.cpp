@@ -61,9 +61,6 @@ private slots:
         row("ui/session", "^(app/|ui/(?!session/)|qcustomplot|QWidget|QApplication|QMainWindow|"
                           "Q[A-Za-z]*(Button|Dialog|Edit|Label|Layout|View|Box)$)");
         row("ui", "^app/");
-        // what draws by OpenGL is a module of its own, of which the window knows plain values
-        row("ui/gl", "^(app/|core/|qcustomplot|ui/(?!gl/|views/surface_grid\\.h))");
-        row("ui/views", "^(ui/gl/|QtDataVisualization)");
     }
     void noIncludeGoesUp() {
         QFETCH(QString, folder);

@@ -104,10 +104,7 @@ QString englishIn(QString text) {
             "Sparkout English Qt QCustomPlot GNU General Public License Debian Linux bookworm "
             "Ctrl Alt Shift Ins Del Esc Home End PgUp PgDown Tab Enter Space Meta Return Backspace "
             "Excel Slurm CNC HRC Cp Cpk Pp Ppk Eigen Boost NLopt qpdf zlib Snowball "
-            "DataVisualization "
-            "GPL "
-            "OpenGL "
-            "GCC Clang AVX SSE MODEL ISO DIN cos sin tan exp "
+            "GPL GCC Clang AVX SSE MODEL ISO DIN cos sin tan exp "
             "log max min JSON HTML Markdown CSV TSV PNG SVG PDF XLSX")
             .split(u' ');
     text.replace(QStringLiteral("&nbsp;"), QStringLiteral(" "));

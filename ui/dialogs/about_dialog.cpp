@@ -70,8 +70,7 @@ QString AboutDialog::versions() {
         tr("Libraries: %1")
             .arg(QStringLiteral("QCustomPlot " QCUSTOMPLOT_VERSION_STR ", Eigen %1, JSON %2, "
                                 "Boost %3, NLopt %4, qpdf " QPDF_VERSION ", zlib %5, "
-                                "Snowball, "
-                                "Qt DataVisualization (GPL 3)")
+                                "Snowball")
                      .arg(text(engine.eigen), text(engine.json), text(engine.boost),
                           text(engine.nlopt), QString::fromUtf8(ZipWriter::libraryVersion()))),
         tr("Compiler: %1").arg(text(engine.compiler)),

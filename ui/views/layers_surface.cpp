@@ -3,11 +3,7 @@
 
 #include "core/units.h"
 #include "ui/views/names.h"
-#include "ui/views/surface_opengl.h"
 #include "ui/views/surface_scene.h"
-
-#include <QElapsedTimer>
-#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +17,7 @@ constexpr double firstAzimuth = -52, firstElevation = 28; ///< [°]
 constexpr double azimuthSize = 180, elevationSize = 120;  ///< [°] a drag across the plot turns by
 constexpr double leastZoom = 0.5, mostZoom = 8;
 constexpr double shareOfWidth = 0.56, shareOfHeight = 0.66; ///< of the plot, an edge of the box
-constexpr double flatness = SurfaceSight::flatness;
-constexpr qint64 slow_ms = 150; ///< for one drawing; so slow OpenGL is worse than none …
-constexpr int mostSlow = 10;    ///< … when it is so again and again
+constexpr double flatness = 0.62;                           ///< of the box, height over width
 
 double radians(double degrees) {
     return degrees / 180 * std::numbers::pi;
@@ -51,8 +45,6 @@ LayersSurface::LayersSurface(QWidget* parent) : QCustomPlot(parent) {
     fit();
     restyle();
 }
-
-LayersSurface::~LayersSurface() = default;
 
 // --- angles -------------------------------------------------------------------------------------
 
@@ -124,60 +116,6 @@ double LayersSurface::nearness(double x, double y, double z) const {
     const double a = radians(azimuth()), e = radians(elevation());
     const double away = (x - 0.5) * std::sin(a) + (y - 0.5) * std::cos(a);
     return (z - 0.5) * flatness * std::sin(e) - away * std::cos(e);
-}
-
-SurfaceSight LayersSurface::eye() const {
-    SurfaceSight eye;
-    eye.azimuth = azimuth();
-    eye.elevation = elevation();
-    eye.edge = edge();
-    eye.lengthZeroBehind = nearness(0, 0.5, 0.5) < nearness(1, 0.5, 0.5);
-    eye.numberZeroBehind = nearness(0.5, 0, 0.5) < nearness(0.5, 1, 0.5);
-    return eye;
-}
-
-// --- OpenGL -------------------------------------------------------------------------------------
-
-/// It is asked for after the first painting, for it takes its time to start.
-void LayersSurface::showEvent(QShowEvent* event) {
-    QCustomPlot::showEvent(event);
-    if (!m_asked) {
-        m_asked = true;
-        QTimer::singleShot(0, this, &LayersSurface::startOpenGl);
-    } else if (m_drawer) {
-        replot(rpQueuedReplot); // while hidden it was painted
-    }
-}
-
-void LayersSurface::startOpenGl() {
-    if (std::unique_ptr<SurfaceDrawer> drawer = makeOpenGlDrawer()) {
-        setDrawer(std::move(drawer));
-    }
-}
-
-void LayersSurface::setDrawer(std::unique_ptr<SurfaceDrawer> drawer) {
-    m_asked = true;
-    m_drawer = std::move(drawer);
-    m_slowDrawings = 0;
-    replot(rpQueuedReplot);
-}
-
-QImage LayersSurface::drawnByOpenGl(const SurfaceGrid& grid) {
-    if (!m_drawer || !isVisible()) {
-        return {};
-    }
-    QElapsedTimer clock;
-    clock.start();
-    const double ratio = bufferDevicePixelRatio();
-    SurfaceSight sight = eye();
-    sight.edge *= ratio;
-    QImage picture = m_drawer->draw(grid, sight, m_rect->rect().size() * ratio);
-    picture.setDevicePixelRatio(ratio);
-    m_slowDrawings = clock.elapsed() > slow_ms ? m_slowDrawings + 1 : 0;
-    if (picture.isNull() || m_slowDrawings >= mostSlow) {
-        m_drawer.reset();
-    }
-    return picture;
 }
 
 // --- contents -----------------------------------------------------------------------------------

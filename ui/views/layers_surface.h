@@ -8,21 +8,17 @@
 
 #include <qcustomplot.h>
 
-#include <memory>
-
 namespace sparkout {
 
 class SurfaceScene;
 
 /// The accumulated actual feed over the length and the number of the double stroke or revolution, a
 /// surface seen in parallel projection. It is turned by moving two hidden axes, whose middles are
-/// the angles of sight, so the mouse, the keys and the history of all plots work here too. On the
-/// screen OpenGL draws it, where it works and once it has been shown.
+/// the angles of sight, so the mouse, the keys and the history of all plots work here too.
 class LayersSurface : public QCustomPlot {
     Q_OBJECT
 public:
     explicit LayersSurface(QWidget* parent = nullptr);
-    ~LayersSurface() override;
 
     void setSeries(LayerSeries series); ///< no replot
     void setDone(LayersDone done);      ///< up to where the cycle stands; no replot
@@ -46,12 +42,6 @@ public:
     /// How far a point of the box is in front, in units of the box.
     [[nodiscard]] double nearness(double x, double y, double z) const;
     [[nodiscard]] SurfaceGrid grid() const; ///< what is drawn
-    [[nodiscard]] SurfaceSight eye() const; ///< from where, in pixels of the widget
-    /// What draws it on the screen in place of the painter; null: nothing does.
-    void setDrawer(std::unique_ptr<SurfaceDrawer> drawer);
-    [[nodiscard]] bool usesOpenGl() const { return m_drawer != nullptr; }
-    /// The surface and its box for the axis rect; null: they are to be painted.
-    [[nodiscard]] QImage drawnByOpenGl(const SurfaceGrid& grid);
 
     /// For PlotNavigation: the ranges of the two axes.
     [[nodiscard]] PlotHistory::State sight() const;
@@ -64,20 +54,15 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
 
 private:
     void keepAngles(const QCPRange& range, const QCPRange& before, bool sideways);
-    void startOpenGl();
     [[nodiscard]] double edge() const; ///< of the box along the length, in pixels
 
     LayerSeries m_series;
     CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     SurfaceScene* m_scene = nullptr;
-    std::unique_ptr<SurfaceDrawer> m_drawer; ///< by OpenGL
-    bool m_asked = false;                    ///< for OpenGL
-    int m_slowDrawings = 0;                  ///< of OpenGL, one after the other
     LayersDone m_done;
     bool m_dim = false;
     bool m_setting = false; ///< an axis moves the other one

@@ -116,8 +116,7 @@ SurfaceGrid makeSurfaceGrid(const LayerSeries& series, const LayersDone& done,
                             const CurveChoice& choice, const QPalette& palette, bool dim) {
     SurfaceGrid grid;
     const QColor text = palette.color(QPalette::Text);
-    grid.background = palette.color(QPalette::Base);
-    grid.wall = mixed(text, grid.background, wallAlpha / 255.0);
+    grid.wall = mixed(text, palette.color(QPalette::Base), wallAlpha / 255.0);
     grid.edge = mixed(text, grid.wall, boxAlpha / 255.0);
     const bool traverse = series.operation == Operation::traverse;
     grid.scales = {

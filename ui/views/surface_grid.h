@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QColor>
-#include <QImage>
 #include <QString>
 
 #include <array>
@@ -11,8 +10,7 @@
 
 class QPalette;
 
-/// What the surface of the layers shows, as plain values: the same whether it is painted or drawn
-/// by OpenGL.
+/// What the surface of the layers shows, as plain values.
 namespace sparkout {
 
 class CurveChoice;
@@ -50,31 +48,8 @@ struct SurfaceScale {
 struct SurfaceGrid {
     std::vector<SurfaceSheet> sheets;
     std::array<SurfaceScale, 3> scales; ///< length, number, feed
-    QColor background;
     QColor wall, edge; ///< of the box; opaque
     bool operator==(const SurfaceGrid&) const = default;
-};
-
-/// From where the box is seen, by a parallel projection onto a picture about its middle.
-struct SurfaceSight {
-    double azimuth = 0;   ///< about the vertical axis [°]
-    double elevation = 0; ///< of the eye over the ground, 0…90 [°]
-    double edge = 1;      ///< of the box along the length [pixels of the picture]
-    bool lengthZeroBehind = true, numberZeroBehind = true; ///< which walls are at the back
-
-    static constexpr double flatness = 0.62; ///< of the box, height over width
-};
-
-/// Draws the surface and its box, without numbers.
-class SurfaceDrawer {
-public:
-    SurfaceDrawer() = default;
-    SurfaceDrawer(const SurfaceDrawer&) = delete;
-    SurfaceDrawer& operator=(const SurfaceDrawer&) = delete;
-    virtual ~SurfaceDrawer() = default;
-    /// A null image: it cannot any more.
-    [[nodiscard]] virtual QImage draw(const SurfaceGrid& grid, const SurfaceSight& sight,
-                                      const QSize& pixels) = 0;
 };
 
 [[nodiscard]] SurfaceGrid makeSurfaceGrid(const LayerSeries& series, const LayersDone& done,

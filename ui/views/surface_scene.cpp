@@ -70,23 +70,11 @@ void SurfaceScene::draw(QCPPainter* painter) {
         return;
     }
     const SurfaceGrid grid = m_surface.grid();
-    // Only pictures are drawn without a buffer.
-    const bool onScreen = !painter->modes().testFlag(QCPPainter::pmNoCaching);
-    if (!onScreen || !drawByOpenGl(*painter, grid)) {
-        drawBox(*painter, grid);
-        drawFacets(*painter, grid);
-    }
+    drawBox(*painter, grid);
+    drawFacets(*painter, grid);
     for (const int along : {0, 1, 2}) {
         drawScale(*painter, grid.scales[static_cast<std::size_t>(along)], along);
     }
-}
-
-bool SurfaceScene::drawByOpenGl(QCPPainter& painter, const SurfaceGrid& grid) const {
-    const QImage picture = m_surface.drawnByOpenGl(grid);
-    if (!picture.isNull()) {
-        painter.drawImage(m_surface.cell()->rect().topLeft(), picture);
-    }
-    return !picture.isNull();
 }
 
 void SurfaceScene::drawFacets(QCPPainter& painter, const SurfaceGrid& grid) const {
@@ -112,10 +100,9 @@ void SurfaceScene::drawBox(QCPPainter& painter, const SurfaceGrid& grid) const {
         painter.setBrush(grid.wall);
         painter.drawPolygon(corners);
     };
-    const SurfaceSight sight = m_surface.eye();
     face(2, 0);
-    face(0, sight.lengthZeroBehind ? 0 : 1);
-    face(1, sight.numberZeroBehind ? 0 : 1);
+    face(0, m_surface.nearness(0, 0.5, 0.5) < m_surface.nearness(1, 0.5, 0.5) ? 0 : 1);
+    face(1, m_surface.nearness(0.5, 0, 0.5) < m_surface.nearness(0.5, 1, 0.5) ? 0 : 1);
 }
 
 /// Numbers along an edge of the box that nothing covers, with the name beyond them.

@@ -11,9 +11,8 @@ namespace sparkout {
 
 class LayersSurface;
 
-/// Draws the surface of the layers in its box, and the numbers along the box. On the screen OpenGL
-/// draws surface and box where it works; else, and in every picture, they are painted from the back
-/// to the front.
+/// Draws the surface of the layers in its box from the back to the front, and the numbers along the
+/// box.
 class SurfaceScene : public QCPLayerable {
     Q_OBJECT
 public:
@@ -32,7 +31,6 @@ private:
         QColor colour, line;
         bool newest = false; ///< where the cursor stands
     };
-    [[nodiscard]] bool drawByOpenGl(QCPPainter& painter, const SurfaceGrid& grid) const;
     [[nodiscard]] std::vector<Facet> facets(const SurfaceGrid& grid) const;
     void drawFacets(QCPPainter& painter, const SurfaceGrid& grid) const;
     void drawBox(QCPPainter& painter, const SurfaceGrid& grid) const;
