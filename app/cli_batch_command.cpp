@@ -7,10 +7,10 @@
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/part_table.h"
+#include "core/files/safe_file_writer.h"
 #include "core/printable.h"
 #include "core/project/blanks_csv.h"
 #include "core/project/project_file.h"
-#include "core/project/safe_file_writer.h"
 #include "core/project/strict_json.h"
 
 #include <algorithm>

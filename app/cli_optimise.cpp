@@ -6,9 +6,6 @@
 #include "app/cli_report.h"
 #include "app/search_watch.h"
 #include "core/batch/batch_check.h"
-#include "core/optimisation/binding.h"
-#include "core/optimisation/grace_stop.h"
-#include "core/optimisation/limit.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"
 
@@ -155,67 +152,15 @@ std::optional<std::string> refusal(const Project& project, SearchMethod method) 
     return std::nullopt;
 }
 
-bool asksForABatch(const Project& project) {
-    return project.optimisation->scenarios != OptimisationScenarios::nominal;
-}
-
-/// Off the grid, from the best of it.
-RefineSummary refined(const OptimiseReport& report, const std::stop_token& stop) {
-    RefineOptions options;
-    options.stop = stop;
-    if (report.robust) {
-        options.everyStageSteps = true;
-        options.scenarios = report.robust->added;
-        options.source = scenariosAskedFor(report.project, stop);
-        options.candidates = report.robust->candidates;
-    }
-    return refine(withBest(report.project, report.search), report.search.cycle, options);
-}
-
-/// The limit, and what binds the best of the grid.
-void aboutTheBest(OptimiseReport& report, const std::stop_token& stop) {
-    const GraceStop grace(stop);
-    report.limit_s = steplessLimit_s(report.project, grace.token());
-    if (report.search.status == SearchStatus::stopped
-        || isHeuristic(report.method)) { // no cycle at all is quicker than that
-        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
-    }
-    if (report.search.best) {
-        report.binding = bindingRequirements(
-            report.project, *report.search.best,
-            report.robust ? report.robust->added : std::vector<Project>{}, grace.token());
-    }
-}
-
-OptimiseReport search(const Project& project, const OptimiseOptions& options) {
+GridSearchReport search(const Project& project, const OptimiseOptions& options) {
     SearchWatch watch(options.timeLimit_s); // of everything that follows
-    SearchOptions search;
-    search.method = options.method;
-    search.threads = options.threads;
-    search.onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); };
-    search.stop = watch.token();
-    OptimiseReport report;
-    report.project = project;
-    report.method = options.method;
-    if (options.robust || asksForABatch(project)) {
-        report.robust =
-            optimiseRobustly(project, scenariosAskedFor(project, search.stop), {.search = search});
-        report.search = report.robust->search;
-    } else {
-        report.search = optimise(project, search);
-    }
-    aboutTheBest(report, watch.token());
-    if (options.refine && hasAnswer(report)) {
-        report.refined = refined(report, watch.token());
-    }
-    const GraceStop grace(watch.token());
-    report.given = givenCycle(project, grace.token());
-    if (report.refined && report.refined->isQuicker) {
-        report.binding = bindingRequirements(
-            withBest(project, report.search), report.refined->cycle, report.refined->time_us,
-            report.robust ? report.robust->added : std::vector<Project>{}, grace.token());
-    }
-    return report;
+    return searchGrid(
+        project, {.method = options.method,
+                  .threads = options.threads,
+                  .robust = options.robust,
+                  .refine = options.refine,
+                  .onProgress = [&watch](const SearchProgress& progress) { watch.note(progress); },
+                  .stop = watch.token()});
 }
 
 } // namespace
@@ -245,7 +190,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
             return refused;
         }
     }
-    const OptimiseReport report = search(*project, options);
+    const GridSearchReport report = search(*project, options);
     if (options.json) {
         print(stdout, optimiseJson(report));
     } else if (hasAnswer(report)) {
@@ -256,9 +201,7 @@ int runOptimise(const std::vector<std::string>& arguments) {
         return nothingFeasible;
     }
     if (!options.output.empty()) {
-        *project = withBest(std::move(*project), report.search);
-        project->cycle = cycleFound(report);
-        return save(options.output, writeProject(*project));
+        return save(options.output, writeProject(withAnswer(report)));
     }
     return done;
 }

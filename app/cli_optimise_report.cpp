@@ -6,7 +6,6 @@
 #include "core/optimisation/limit.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
-#include "core/simulation/simulate.h"
 #include "core/units.h"
 
 #include <nlohmann/json.hpp>
@@ -47,7 +46,7 @@ std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& searc
     return cuts;
 }
 
-ordered_json cycleJson(const OptimiseReport& report) {
+ordered_json cycleJson(const GridSearchReport& report) {
     Project best = report.project;
     best.runs.clear();
     best.cycle = cycleFound(report);
@@ -71,16 +70,11 @@ std::vector<const char*> namesOf(const std::vector<ConstraintKind>& kinds) {
 }
 
 /// Null: not known.
-ordered_json bindingJson(const OptimiseReport& report) {
+ordered_json bindingJson(const GridSearchReport& report) {
     return report.binding ? ordered_json(namesOf(*report.binding)) : ordered_json(nullptr);
 }
 
-/// Whether the answer was found off the grid, by refinement.
-bool isRefined(const OptimiseReport& report) {
-    return report.refined && report.refined->isQuicker;
-}
-
-std::string bindingText(const OptimiseReport& report) {
+std::string bindingText(const GridSearchReport& report) {
     if (!report.binding) {
         return "not known: stopped before the quicker cycles about it were run";
     }
@@ -118,7 +112,7 @@ struct FreeSetting {
     const char* words;
     const char* unit;
 };
-std::vector<FreeSetting> freeSettings(const OptimiseReport& report) {
+std::vector<FreeSetting> freeSettings(const GridSearchReport& report) {
     const Optimisation& asked = *report.project.optimisation;
     const MachineSettings& found = report.search.machine;
     const bool traverse = report.project.operation == Operation::traverse;
@@ -136,18 +130,18 @@ std::vector<FreeSetting> freeSettings(const OptimiseReport& report) {
     return settings;
 }
 
-std::string costText(const OptimiseReport& report, double best_s) {
+std::string costText(const GridSearchReport& report, double best_s) {
     const auto cost = costPerPart(report.project, best_s);
     return cost ? "cost per part        " + fixed(*cost, 4) + " (it grows with the time alone)\n"
                 : "";
 }
 
-ordered_json costJson(const OptimiseReport& report, double time_s) {
+ordered_json costJson(const GridSearchReport& report, double time_s) {
     const auto cost = costPerPart(report.project, time_s);
     return cost ? ordered_json(*cost) : ordered_json(nullptr);
 }
 
-std::string machineText(const OptimiseReport& report) {
+std::string machineText(const GridSearchReport& report) {
     std::string text;
     for (const FreeSetting& each : freeSettings(report)) {
         text += (text.empty() ? "machine              " : ", ") + std::string(each.words)
@@ -156,16 +150,16 @@ std::string machineText(const OptimiseReport& report) {
     return text.empty() ? text : text + '\n';
 }
 
-double timeFound_s(const OptimiseReport& report) {
+double timeFound_s(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->time_s : report.search.best->time_s;
 }
 
-double leastMargin(const OptimiseReport& report) {
+double leastMargin(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->leastRelativeMargin
                              : report.search.best->leastRelativeMargin;
 }
 
-std::string refinedText(const OptimiseReport& report) {
+std::string refinedText(const GridSearchReport& report) {
     const double grid_s = report.search.best->time_s;
     const std::string runs = "; " + std::to_string(report.refined->runs) + " cycles run\n";
     return isRefined(report)
@@ -181,7 +175,7 @@ std::string heuristicText(SearchMethod method) {
                : "labels of time and deflection, a heuristic (nothing is proved)";
 }
 
-std::string statusText(const OptimiseReport& report) {
+std::string statusText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     if (search.status == SearchStatus::proved) {
         return report.robust ? "the quickest of the grid that holds for the part and the stocks "
@@ -204,7 +198,7 @@ std::string gridText(std::int64_t size) {
                                                             : std::to_string(size);
 }
 
-std::string givenText(const OptimiseReport& report, double best_s) {
+std::string givenText(const GridSearchReport& report, double best_s) {
     const GivenCycle& given = report.given;
     if (given.isStopped) {
         return "the file's cycle     not known: stopped before it was run\n";
@@ -220,11 +214,11 @@ std::string givenText(const OptimiseReport& report, double best_s) {
 }
 
 /// The number of the answer among the cycles that were tried on fresh phases.
-int candidateOf(const OptimiseReport& report) {
+int candidateOf(const GridSearchReport& report) {
     return isRefined(report) ? report.refined->candidate : report.robust->candidate;
 }
 
-std::string robustText(const OptimiseReport& report, double best_s) {
+std::string robustText(const GridSearchReport& report, double best_s) {
     const RobustSummary& robust = *report.robust;
     const int candidate = candidateOf(report);
     return "robustness           " + std::to_string(robust.added.size()) + " stocks added in "
@@ -250,30 +244,7 @@ std::optional<SearchMethod> methodNamed(const std::string& name) {
                : std::optional(static_cast<SearchMethod>(found - methodNames.begin()));
 }
 
-GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
-    GivenCycle given;
-    const SimulationResult result = simulate(project, nullptr, stop);
-    given.isStopped = result.status == RunStatus::stopped;
-    if (result.status == RunStatus::completed) {
-        given.time_s = result.time_s;
-        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
-            if (!each.holds) {
-                given.fails.push_back(each.kind);
-            }
-        }
-    }
-    return given;
-}
-
-bool hasAnswer(const OptimiseReport& report) {
-    return report.search.best && (!report.robust || report.robust->holdsInSample);
-}
-
-const Cycle& cycleFound(const OptimiseReport& report) {
-    return isRefined(report) ? report.refined->cycle : report.search.cycle;
-}
-
-std::string optimiseText(const OptimiseReport& report) {
+std::string optimiseText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     const double best_s = timeFound_s(report);
     std::string text = "status               " + statusText(report)
@@ -302,7 +273,7 @@ std::string optimiseText(const OptimiseReport& report) {
            + " visits of a radius\n";
 }
 
-std::string optimiseJson(const OptimiseReport& report) {
+std::string optimiseJson(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
     root["status"] = statusName(isRefined(report) ? SearchStatus::found : search.status);
@@ -367,7 +338,7 @@ std::string optimiseJson(const OptimiseReport& report) {
     return root.dump(2) + '\n';
 }
 
-std::string noAnswerSentence(const OptimiseReport& report) {
+std::string noAnswerSentence(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     std::string text;
     if (search.best) {

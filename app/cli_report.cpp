@@ -119,6 +119,7 @@ std::string statusSentence(const SimulationResult& result) {
         return "the cycle is longer than " + std::to_string(maxVisits) + " visits of a radius; "
                + reached;
     case RunStatus::stopped: return "stopped; " + reached;
+    case RunStatus::refused: return "refused";
     case RunStatus::notSolved:
         return (isCoupled(result.project)
                     ? "the balance of the coupled sections was not solved; "

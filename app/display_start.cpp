@@ -2,7 +2,7 @@
 #include "app/display_start.h"
 
 #include "app/window_io.h"
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include <QGuiApplication>
 

@@ -3,9 +3,9 @@
 
 #include "app/study_command.h"
 #include "app/window_io.h"
+#include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
 #include "ui/session/document.h"
-#include "ui/session/run_controller.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -52,7 +52,7 @@ int writeExport(const ExportRequest& request) {
     if (!openOrSay(document, request.file)) {
         return exitRefused;
     }
-    const OutcomePtr outcome = runProject(document.project(), {});
+    const OutcomePtr outcome = evaluate(document.project(), {});
     if (!outcome->ran()) {
         return refuse(outcome->issues);
     }

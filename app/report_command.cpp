@@ -4,9 +4,9 @@
 #include "app/batch_watch.h"
 #include "app/stop_signals.h"
 #include "app/window_io.h"
-#include "ui/report/report_text.h"
+#include "core/study/evaluate.h"
+#include "ui/report/format/report_text.h"
 #include "ui/session/document.h"
-#include "ui/session/run_controller.h"
 
 namespace sparkout {
 
@@ -48,7 +48,7 @@ int writeReport(const ReportRequest& request) {
         return exitRefused;
     }
     const report::KindRow& row = report::rowOf(request.kind);
-    report::Subject subject{runProject(document.project(), {}),
+    report::Subject subject{evaluate(document.project(), {}),
                             nullptr,
                             nullptr,
                             request.file,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/report_kinds.h"
+#include "ui/report/documents/report_kinds.h"
 
 namespace sparkout {
 

@@ -52,9 +52,8 @@ void SearchWatch::printProgress() {
         return;
     }
     const SearchProgress progress = *std::exchange(m_progress, std::nullopt);
-    std::string line =
-        progress.best ? "best " + minutesText(progress.best->time_s)
-                      : std::string("none feasible so far");
+    std::string line = progress.best ? "best " + minutesText(progress.best->time_s)
+                                     : std::string("none feasible so far");
     if (progress.bound_s > 0) {
         line += ", none quicker than " + minutesText(progress.bound_s);
     }

@@ -4,10 +4,10 @@
 #include "app/batch_watch.h"
 #include "app/stop_signals.h"
 #include "app/window_io.h"
+#include "core/study/evaluate.h"
 #include "ui/export/export_file.h"
 #include "ui/session/document.h"
-#include "ui/session/run_controller.h"
-#include "ui/views/optimise_text.h"
+#include "ui/views/optimise/optimise_text.h"
 
 #include <QDateTime>
 #include <QElapsedTimer>
@@ -92,7 +92,7 @@ int ranSearch(const Project& project, Study& study) {
     if (!study.search->ran()) {
         return refuseFor(OptimiseText::fault(*study.search));
     }
-    const OutcomePtr own = runProject(project, {});
+    const OutcomePtr own = evaluate(project, {});
     if (own->ran() && own->result.status == RunStatus::completed) {
         study.before_s = own->result.time_s;
     }

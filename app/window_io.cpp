@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window_io.h"
 
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/session/document.h"
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include <QFile>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the help page of the project file and its JSON Schema into a folder: resources/help.
-#include "core/project/json_schema.h"
-#include "core/project/reference_page.h"
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
+#include "core/reference/json_schema.h"
+#include "core/reference/reference_page.h"
 
 #include <cstdio>
 #include <string>

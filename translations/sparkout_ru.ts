@@ -3910,6 +3910,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Равновесие сил не найдено</translation>
         </message>
         <message>
+            <source>The inputs are refused</source>
+            <translation>Исходные данные не приняты</translation>
+        </message>
+        <message>
             <source>Roundness</source>
             <translation>Отклонение от круглости</translation>
         </message>

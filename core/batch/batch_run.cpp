@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_run.h"
 
-#include "core/batch/intervals.h"
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
-#include "core/batch/permutation.h"
 #include "core/batch/worker_pool.h"
 #include "core/build_id.h"
 #include "core/simulation/simulate.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/permutation.h"
 #include "core/version.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ private:
         const std::int64_t part = partAt(place);
         std::vector<double> values = m_source.values(part);
         const SimulationResult result =
-            simulate(m_source.projectWith(values), nullptr, m_options.stop);
+            simulateUnchecked(m_source.projectWith(values), nullptr, m_options.stop);
         if (result.status == RunStatus::stopped) {
             return false;
         }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/batch/characteristics.h"
-#include "core/batch/exact_sum.h"
-#include "core/batch/value_bins.h"
+#include "core/statistics/exact_sum.h"
+#include "core/statistics/value_bins.h"
 
 #include <array>
 #include <cstdint>

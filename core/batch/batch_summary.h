@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/batch/batch_run.h"
-#include "core/batch/intervals.h"
 #include "core/batch/moments.h"
-#include "core/batch/normality.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/normality.h"
 
 #include <optional>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/factor_law.h"
 
-#include "core/batch/intervals.h"
 #include "core/process/profile.h"
+#include "core/statistics/intervals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,7 @@ PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token&
     PartColumns columns{source.factors(), characteristicsOf(source.nominal()), {}};
     std::array<bool, constraintKinds> asked{};
     for (const ConstraintResult& constraint :
-         evaluateConstraints(simulate(source.nominal(), nullptr, stop))) {
+         evaluateConstraints(simulateUnchecked(source.nominal(), nullptr, stop))) {
         asked[static_cast<std::size_t>(constraint.kind)] = true;
     }
     for (int i = 0; i < constraintKinds; ++i) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/scenario_source.h"
 
-#include "core/batch/permutation.h"
-#include "core/batch/sobol_sequence.h"
 #include "core/process/profile.h"
+#include "core/statistics/permutation.h"
+#include "core/statistics/sobol_sequence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/batch/correlation.h"
 #include "core/batch/factor_law.h"
-#include "core/batch/value_bins.h"
+#include "core/statistics/correlation.h"
+#include "core/statistics/value_bins.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/sensitivity.h"
 
-#include "core/batch/philox.h"
-#include "core/batch/sobol_sequence.h"
 #include "core/batch/worker_pool.h"
 #include "core/simulation/simulate.h"
+#include "core/statistics/philox.h"
+#include "core/statistics/sobol_sequence.h"
 
 #include <Eigen/Dense>
 
@@ -245,7 +245,7 @@ std::optional<SobolIndices> sobolIndices(const Project& project, int points,
     forEachIndex(workerCount(options.threads), 0, design.size(), options.stop,
                  [&](std::size_t, std::int64_t index) {
                      PartOutcome outcome;
-                     measure(simulate(design.project(index), nullptr, options.stop),
+                     measure(simulateUnchecked(design.project(index), nullptr, options.stop),
                              characteristics, outcome);
                      for (std::size_t c = 0; c < outcome.values.size(); ++c) {
                          values[c][static_cast<std::size_t>(index)] = outcome.values[c];

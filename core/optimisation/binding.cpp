@@ -155,7 +155,7 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
         for (Project& part : parts) {
             setMachine(part, machine);
             part.cycle = cycle;
-            const SimulationResult result = simulate(part, nullptr, stop);
+            const SimulationResult result = simulateUnchecked(part, nullptr, stop);
             if (result.status == RunStatus::stopped || stop.stop_requested()) {
                 return std::nullopt;
             }

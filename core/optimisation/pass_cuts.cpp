@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/pass_cuts.h"
 
+#include "core/limits/cutting.h"
 #include "core/process/coupled_sections.h"
-#include "core/quality/cutting.h"
 #include "core/quality/self_sharpening.h"
 #include "core/units.h"
 

@@ -83,7 +83,7 @@ private:
         double broken = 0;
         for (Project& part : m_parts) {
             part.cycle = cycle;
-            const SimulationResult result = simulate(part, nullptr, stop);
+            const SimulationResult result = simulateUnchecked(part, nullptr, stop);
             if (&part == &m_parts.front()) {
                 tried.holds = !m_options.everyStageSteps || !hasIdleStage(result);
                 tried.time_s = result.time_s;
@@ -260,7 +260,7 @@ std::optional<Project> failing(const Project& project, const Cycle& cycle,
     best.cycle = cycle;
     for (Project& scenario : options.source(best, round)) {
         scenario.cycle = cycle;
-        const SimulationResult result = simulate(scenario, nullptr, options.stop);
+        const SimulationResult result = simulateUnchecked(scenario, nullptr, options.stop);
         const std::vector<ConstraintResult> all = evaluateConstraints(result);
         if (result.status == RunStatus::stopped) {
             return std::nullopt;

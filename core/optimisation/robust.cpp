@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/robust.h"
 
-#include "core/batch/philox.h"
 #include "core/batch/scenario_source.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/stage_control.h"
+#include "core/statistics/philox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ struct Trial {
 
 /// Nothing: it was stopped, so nothing is known.
 std::optional<Trial> tried(const Project& scenario, const std::stop_token& stop) {
-    const SimulationResult result = simulate(scenario, nullptr, stop);
+    const SimulationResult result = simulateUnchecked(scenario, nullptr, stop);
     if (result.status == RunStatus::stopped) {
         return std::nullopt;
     }

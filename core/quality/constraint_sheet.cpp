@@ -2,8 +2,8 @@
 #include "core/quality/constraint_sheet.h"
 #include "core/quality/drawing_constraints.h"
 
+#include "core/limits/burn.h"
 #include "core/process/coupled_sections.h"
-#include "core/quality/burn.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/limits/formula.h"
 #include "core/quality/constraints.h"
-#include "core/quality/formula.h"
 
 #include <optional>
 

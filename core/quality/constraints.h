@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/accuracy.h"
+#include "core/form/accuracy.h"
 #include "core/simulation/result.h"
 
 #include <optional>

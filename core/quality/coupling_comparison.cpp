@@ -24,9 +24,9 @@ CouplingComparison compareCoupling(const Project& project, const std::stop_token
     CouplingComparison both;
     Project run = project;
     run.sections_coupled = false;
-    both.independent = simulate(run, nullptr, stop);
+    both.independent = simulateUnchecked(run, nullptr, stop);
     run.sections_coupled = true;
-    both.coupled = simulate(run, nullptr, stop);
+    both.coupled = simulateUnchecked(run, nullptr, stop);
     for (std::size_t i = 0; i < both.coupled.sections.size(); ++i) {
         both.differences_mm.push_back(
             meanDiameterDeviation(both.coupled.sections[i], project.part)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/cycle_constraints.h"
 
-#include "core/quality/burn.h"
+#include "core/limits/burn.h"
 #include "core/quality/power.h"
 #include "core/quality/ranges.h"
 #include "core/quality/self_sharpening.h"
@@ -75,7 +75,7 @@ ConstraintKind kindOf(RangeKind kind) {
 }
 
 void addSettings(const Project& project, std::vector<ConstraintResult>& found) {
-    for (const RangeCheck& check : checkMachineRanges(project)) {
+    for (const MachineRange& check : checkMachineRanges(project)) {
         ConstraintResult result{kindOf(check.kind)};
         result.section = -1;
         result.stage = check.stage;

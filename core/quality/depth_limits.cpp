@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/depth_limits.h"
 
+#include "core/limits/burn.h"
 #include "core/process/system_compliance.h"
-#include "core/quality/burn.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"

@@ -92,7 +92,7 @@ public:
 private:
     GaugePosition atPlace(double position_mm) {
         m_project.gauge.position_mm = position_mm;
-        GaugePosition found = summary(simulate(m_project, nullptr, m_stop));
+        GaugePosition found = summary(simulateUnchecked(m_project, nullptr, m_stop));
         found.position_mm = position_mm;
         found.compliance_mm_per_n = freeGaugePoint(m_project, m_points, m_stop).gamma_mm_n;
         return found;

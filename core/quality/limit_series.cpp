@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/limit_series.h"
 
+#include "core/limits/burn.h"
+#include "core/limits/burn_table.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
-#include "core/quality/burn.h"
-#include "core/quality/burn_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/cutting.h"
+#include "core/limits/cutting.h"
 
 namespace sparkout {
 

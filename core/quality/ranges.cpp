@@ -29,7 +29,7 @@ public:
         if (!limits || limits->size() != 3 || !value) {
             return;
         }
-        RangeCheck check{kind};
+        MachineRange check{kind};
         check.stage = stage;
         check.value = *value;
         check.low = (*limits)[0];
@@ -45,10 +45,10 @@ public:
         check.onStep = std::abs(check.value - check.nearest) <= slack;
         m_found.push_back(check);
     }
-    std::vector<RangeCheck> take() { return std::move(m_found); }
+    std::vector<MachineRange> take() { return std::move(m_found); }
 
 private:
-    std::vector<RangeCheck> m_found;
+    std::vector<MachineRange> m_found;
 };
 
 bool feeds(const Stage& stage) {
@@ -71,7 +71,7 @@ void addStages(Checks& checks, const Project& project, RangeKind kind, const Lim
 
 } // namespace
 
-std::vector<RangeCheck> checkMachineRanges(const Project& project) {
+std::vector<MachineRange> checkMachineRanges(const Project& project) {
     const MachineLimits& limits = project.machine.limits;
     Checks checks;
     if (project.operation == Operation::traverse) {

@@ -12,7 +12,7 @@ enum class RangeKind { radialFeed, axialFeed, plungeFeed, workSpeed };
 
 /// One setting of the machine held against what the machine can be set to [MODEL-8], in the
 /// range's own unit: mm a double stroke, mm/min, mm/min, rev/min.
-struct RangeCheck {
+struct MachineRange {
     RangeKind kind;
     int stage = 0; ///< stage of the cycle, from 1; 0: set once for the whole cycle
     double value = 0;
@@ -27,7 +27,7 @@ struct RangeCheck {
 /// Every feed and speed that the cycle sets and the machine limits, in the order of the kinds:
 /// traverse S_t and S_ax of each stage and S_rad; plunge S_p of each stage; n. A stage that only
 /// sparks out sets no infeed.
-[[nodiscard]] std::vector<RangeCheck> checkMachineRanges(const Project& project);
+[[nodiscard]] std::vector<MachineRange> checkMachineRanges(const Project& project);
 
 /// Stages against the commands of the gauge [MODEL-8].
 struct GaugeCommands {

@@ -21,6 +21,7 @@ enum class RunStatus {
     tooLong,         ///< more visits than maxVisits
     stopped,         ///< by a stop request
     notSolved,       ///< coupled sections: the balance did not converge; else: a compliance is < 0
+    refused,         ///< validate() finds errors in the project: nothing was run
 };
 
 /// A run ends as tooLong beyond this number of visits (one radius under the wheel once).

@@ -2,6 +2,7 @@
 #include "core/simulation/run.h"
 
 #include "core/process/coupled_sections.h"
+#include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "core/version.h"
@@ -302,6 +303,19 @@ SimulationResult Run::finish(const std::vector<int>& stepsByStage, std::size_t g
 
 SimulationResult simulate(const Project& project, Trajectory* trajectory,
                           const std::stop_token& stop) {
+    if (hasErrors(validate(project))) {
+        SimulationResult result;
+        result.project = project;
+        result.project.runs.clear();
+        result.engineVersion = version;
+        result.status = RunStatus::refused;
+        return result;
+    }
+    return simulateUnchecked(project, trajectory, stop);
+}
+
+SimulationResult simulateUnchecked(const Project& project, Trajectory* trajectory,
+                                   const std::stop_token& stop) {
     return project.operation == Operation::traverse ? simulateTraverse(project, trajectory, stop)
                                                     : simulatePlunge(project, trajectory, stop);
 }

@@ -2,9 +2,9 @@
 #include "core/sweep/sweep_point.h"
 
 #include "core/batch/characteristics.h"
+#include "core/form/roundness.h"
 #include "core/quality/constraints.h"
 #include "core/quality/finished_surface.h"
-#include "core/quality/roundness.h"
 #include "core/units.h"
 
 #include <algorithm>

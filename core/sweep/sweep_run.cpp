@@ -78,7 +78,7 @@ private:
             mine.status = SweepStatus::refused;
             mine.issues = std::move(issues);
         } else {
-            const SimulationResult result = simulate(project, nullptr, m_options.stop);
+            const SimulationResult result = simulateUnchecked(project, nullptr, m_options.stop);
             if (result.status == RunStatus::stopped) {
                 return false;
             }

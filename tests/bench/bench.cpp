@@ -5,11 +5,11 @@
 // Minima over interleaved repetitions, so that a busy machine does not matter much. The exit status
 // is 1 when a ratio is beyond four times its target.
 #include "core/batch/batch_run.h"
+#include "core/form/accuracy.h"
+#include "core/limits/burn_table.h"
 #include "core/process/pass_kernel.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
-#include "core/quality/accuracy.h"
-#include "core/quality/burn_table.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/limit_watch.h"
 #include "core/simulation/simulate.h"
@@ -173,7 +173,8 @@ void cycle(benchmark::State& state, bool traced) {
     Trajectory trajectory;
     long long visits = 0;
     for (auto _ : state) {
-        const SimulationResult result = simulate(*read.project, traced ? &trajectory : nullptr);
+        const SimulationResult result =
+            simulateUnchecked(*read.project, traced ? &trajectory : nullptr);
         visits = result.visits;
         benchmark::DoNotOptimize(visits);
     }
@@ -204,7 +205,7 @@ void coupledCycle(benchmark::State& state) {
         return;
     }
     for (auto _ : state) {
-        const SimulationResult result = simulate(*read.project);
+        const SimulationResult result = simulateUnchecked(*read.project);
         if (result.status != RunStatus::completed || result.cycleCount != 300) {
             state.SkipWithError("not the cycle it should be");
         }
@@ -215,7 +216,7 @@ void coupledCycle(benchmark::State& state) {
 void demandingCycle(benchmark::State& state, bool verdict) {
     const Project project = demanding();
     for (auto _ : state) {
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         benchmark::DoNotOptimize(verdict ? evaluateConstraints(result).size() : 0);
     }
 }

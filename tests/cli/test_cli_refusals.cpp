@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the command line refuses, and in which words: usage, unreadable and faulty files.
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
 #include "core/version.h"
 #include "tests/cli/cli_bench.h"
 #include "tests/registry.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/accuracy.h"
-#include "core/quality/chebyshev_fit.h"
-#include "core/quality/cylindricity.h"
-#include "core/quality/harmonics.h"
+#include "core/form/accuracy.h"
+#include "core/form/chebyshev_fit.h"
+#include "core/form/cylindricity.h"
+#include "core/form/harmonics.h"
 #include "tests/core/dense.h"
 #include "tests/core/downhill.h"
 #include "tests/core/random_cutting.h"

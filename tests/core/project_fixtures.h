@@ -151,7 +151,7 @@ struct Traced {
     SimulationResult result;
     Trajectory trajectory;
 
-    explicit Traced(const Project& project) { result = simulate(project, &trajectory); }
+    explicit Traced(const Project& project) { result = simulateUnchecked(project, &trajectory); }
     [[nodiscard]] const Visit& visit(const Pass& pass, int k) const {
         return trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
     }

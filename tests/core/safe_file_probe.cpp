@@ -4,7 +4,7 @@
 //   safe_file_probe loop PATH SIZE [--backup]        saves seeds 1, 2, ... until it is killed
 //   safe_file_probe cases     a save for each line "PATH SIZE SEED [--backup]" of the input
 //   safe_file_probe read PATH LIMIT
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -32,7 +32,7 @@ struct PlainSearch {
         for (const PlainCycle& each : grid.cycles) {
             project.cycle = each.cycle;
             setMachine(project, each.machine);
-            const SimulationResult result = simulate(project);
+            const SimulationResult result = simulateUnchecked(project);
             visits += result.visits;
             const auto taken_us = static_cast<std::int64_t>(std::llround(result.time_s * 1e6));
             double least = std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ inline Project driven(double feed_mm_min) {
     p.optimisation->stages = {1};
     p.optimisation->radial_feed_mm_min = std::vector<double>{0.3, 0.6, 1.2};
     p.cycle.stages = {fixtures::plungeStage(feed_mm_min, p.part.stock_mm)};
-    p.machine.wheel_drive_kw = simulate(p).peakPower_w / 1000 * 1.001;
+    p.machine.wheel_drive_kw = simulateUnchecked(p).peakPower_w / 1000 * 1.001;
     return p;
 }
 

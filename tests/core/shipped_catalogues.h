@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/catalogue.h"
+#include "core/catalogue/catalogue.h"
 #include "tests/core/project_samples.h"
 
 #include <QtGlobal>

@@ -170,9 +170,10 @@ private slots:
         Project project = fixtures::stiffBatch(20);
         project.batch->factors.contact_width_mm = uniform(20, 40);
         const ScenarioSource source(project);
-        const double perWidth = simulate(project).peakNormalForce_n / project.part.length_mm;
+        const double perWidth =
+            simulateUnchecked(project).peakNormalForce_n / project.part.length_mm;
         for (std::int64_t part = 0; part < 20; ++part) {
-            QVERIFY(close(simulate(source.project(part)).peakNormalForce_n,
+            QVERIFY(close(simulateUnchecked(source.project(part)).peakNormalForce_n,
                           perWidth * source.values(part).at(0), 1e-9));
         }
     }
@@ -182,13 +183,13 @@ private slots:
     void atTheNominalBlankTheDatumChangesNothing() {
         Project project = fixtures::traverse();
         project.gauge.control = Control::position;
-        const SimulationResult own = simulate(project);
+        const SimulationResult own = simulateUnchecked(project);
         project.gauge.datum_mm = makeBlank(project.part).totalInfeed_mm;
-        QVERIFY(fixtures::sameBits(simulate(project), own));
+        QVERIFY(fixtures::sameBits(simulateUnchecked(project), own));
         project.gauge.control = Control::gauge;
-        const SimulationResult gauged = simulate(project);
+        const SimulationResult gauged = simulateUnchecked(project);
         project.gauge.datum_mm.reset();
-        QVERIFY(fixtures::sameBits(simulate(project), gauged)); // not read then
+        QVERIFY(fixtures::sameBits(simulateUnchecked(project), gauged)); // not read then
     }
 
     // The wheel head goes through the same positions for every part: the same time; and a system
@@ -196,14 +197,14 @@ private slots:
     void fedToAPositionEveryPartTakesTheSameTimeAndEndsAtTheTarget() {
         Project stiff = fixtures::stiffBatch(20);
         const ScenarioSource source(positionBatch(stiff));
-        const SimulationResult nominal = simulate(source.nominal());
+        const SimulationResult nominal = simulateUnchecked(source.nominal());
         const std::optional nominalDatum = makeBlank(stiff.part).totalInfeed_mm;
         std::set<double> stocks;
         for (std::int64_t part = 0; part < 20; ++part) {
             const Project project = source.project(part);
             stocks.insert(project.part.stock_mm);
             QCOMPARE(project.gauge.datum_mm, nominalDatum);
-            const SimulationResult result = simulate(project);
+            const SimulationResult result = simulateUnchecked(project);
             QVERIFY(result.status == RunStatus::completed);
             QCOMPARE(result.time_s, nominal.time_s);
             QCOMPARE(result.countsByStage, nominal.countsByStage);
@@ -224,8 +225,8 @@ private slots:
         const double revolution_s = 60.0 / 180;
         for (std::int64_t part = 0; part < 20; ++part) {
             const Project one = source.project(part);
-            QVERIFY(
-                within(simulate(one).time_s, one.part.stock_mm / 0.9 * 60, 2.01 * revolution_s));
+            QVERIFY(within(simulateUnchecked(one).time_s, one.part.stock_mm / 0.9 * 60,
+                           2.01 * revolution_s));
             QVERIFY(!one.gauge.datum_mm);
         }
     }

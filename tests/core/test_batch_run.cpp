@@ -76,7 +76,7 @@ private slots:
         PartOutcome outcome;
         for (std::int64_t i = 0; i < 40; ++i) {
             const std::int64_t part = i * 7 % 40;
-            measure(simulate(source.project(part)), characteristics, outcome);
+            measure(simulateUnchecked(source.project(part)), characteristics, outcome);
             permutedOrder.add(outcome, part, characteristics, source.scores(source.values(part)));
         }
         permutedOrder.sort();
@@ -272,12 +272,13 @@ private slots:
         const BatchResult result = runWith(project, 2);
         const BatchSummary summary = summarise(result);
         const ScenarioSource source(project);
-        const SimulationResult again = simulate(source.project(summary.worstPart));
+        const SimulationResult again = simulateUnchecked(source.project(summary.worstPart));
         PartOutcome outcome;
         measure(again, characteristicsOf(source.nominal()), outcome);
         QCOMPARE(outcome.margin, result.statistics.worst.value);
         for (std::int64_t part = 0; part < 30; ++part) {
-            measure(simulate(source.project(part)), characteristicsOf(source.nominal()), outcome);
+            measure(simulateUnchecked(source.project(part)), characteristicsOf(source.nominal()),
+                    outcome);
             QVERIFY(outcome.margin >= result.statistics.worst.value);
         }
     }
@@ -287,7 +288,7 @@ private slots:
     void withoutComplianceQuantilesOfThePowerScaleWithTheFlowStress() {
         Project project = fixtures::stiffBatch(99);
         project.batch->factors.flow_stress_mpa = uniform(1800, 2200);
-        const double unit = simulate(project).peakPower_w / 1000 / 2000; // kW per MPa
+        const double unit = simulateUnchecked(project).peakPower_w / 1000 / 2000; // kW per MPa
         const ScenarioSource source(project);
         std::vector<double> stresses;
         for (std::int64_t part = 0; part < 99; ++part) {
@@ -337,7 +338,7 @@ private slots:
         std::map<ConstraintKind, std::int64_t> counted;
         std::int64_t failed = 0, several = 0;
         for (std::int64_t part = 0; part < 60; ++part) {
-            const SimulationResult result = simulate(source.project(part));
+            const SimulationResult result = simulateUnchecked(source.project(part));
             failed += result.status == RunStatus::completed ? 0 : 1;
             std::set<ConstraintKind> kinds;
             for (const ConstraintResult& c : evaluateConstraints(result)) {
@@ -371,8 +372,8 @@ private slots:
         const BatchResult result = runWith(project, 1);
         const ScenarioSource source(project);
         const auto characteristics = characteristicsOf(source.nominal());
-        for (const ConstraintResult& c :
-             evaluateConstraints(simulate(source.project(result.statistics.rows[3].part)))) {
+        for (const ConstraintResult& c : evaluateConstraints(
+                 simulateUnchecked(source.project(result.statistics.rows[3].part)))) {
             bool listed = scopeOf(c.kind) == ConstraintScope::setting;
             for (std::size_t i = 0; i < characteristics.size(); ++i) {
                 if (std::string(characteristics[i].name) != constraintName(c.kind)) {
@@ -455,7 +456,7 @@ private slots:
         QCOMPARE(result.statistics.rows.size(), std::size_t{BatchStatistics::keptRows});
         const BatchSummary summary = summarise(result);
         QVERIFY(!summary.exactPercentiles);
-        const double unit = simulate(project).peakPower_w / 1000 / 2000; // kW per MPa
+        const double unit = simulateUnchecked(project).peakPower_w / 1000 / 2000; // kW per MPa
         const ScenarioSource source(project);
         std::vector<double> powers;
         for (std::int64_t part = 0; part < 9000; ++part) {
@@ -619,7 +620,7 @@ private:
         for (std::size_t i = 0; i < result.statistics.rows.size(); i += 37) {
             const PartRow& row = result.statistics.rows[i];
             PartOutcome outcome;
-            measure(simulate(source.project(row.part)), characteristics, outcome);
+            measure(simulateUnchecked(source.project(row.part)), characteristics, outcome);
             QVERIFY(row.values == outcome.values);
         }
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_check.h"
-#include "core/batch/intervals.h"
-#include "core/batch/permutation.h"
 #include "core/batch/scenario_source.h"
-#include "core/batch/sobol_sequence.h"
 #include "core/project/validate.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/permutation.h"
+#include "core/statistics/sobol_sequence.h"
 
 #include "core/project/cholesky.h"
 #include "tests/core/batch_fixtures.h"

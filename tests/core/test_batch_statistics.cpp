@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_summary.h"
-#include "core/batch/exact_sum.h"
-#include "core/batch/intervals.h"
-#include "core/batch/philox.h"
+#include "core/statistics/exact_sum.h"
+#include "core/statistics/intervals.h"
+#include "core/statistics/philox.h"
 
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"

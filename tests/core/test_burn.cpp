@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/burn.h"
+#include "core/limits/burn.h"
 
-#include "core/quality/burn_table.h"
-#include "core/quality/ierfc.h"
+#include "core/limits/burn_table.h"
+#include "core/limits/ierfc.h"
 #include "tests/core/random_cutting.h"
 #include "tests/core/rapidcheck_runs.h"
 #include "tests/registry.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Catalogues: read strictly, used in a project, saved as one's own.
-#include "core/project/catalogue.h"
+#include "core/catalogue/catalogue.h"
 
 #include "tests/core/project_fixtures.h"
 #include "tests/core/shipped_catalogues.h"

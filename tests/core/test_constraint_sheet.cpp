@@ -60,7 +60,7 @@ private slots:
     void sheetEndsWithTheNumberOfTheVerdict_data() { bothOperations(); }
     void sheetEndsWithTheNumberOfTheVerdict() {
         QFETCH(Project, project);
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         const PartAccuracy accuracy = accuracyOf(result);
         const std::map<std::string, double> toUnit{{"mm", 1000}, {"mW", 1e-6}};
         int stated = 0;
@@ -133,7 +133,7 @@ private slots:
         const auto depthOf = [&](ConstraintKind kind) {
             return std::ranges::find(limits, kind, &DepthLimit::kind)->depth_mm;
         };
-        SimulationResult result = simulate(p);
+        SimulationResult result = simulateUnchecked(p);
         for (SectionResult& section : result.sections) {
             section.lastCut->depth_mm = depthOf(ConstraintKind::roughness);
         }

@@ -138,7 +138,8 @@ private slots:
         Project independent = coupled;
         independent.sections_coupled = false;
         independent.machine.compliance_mm_per_n = std::vector<double>{influence(coupled, 20, 20)};
-        const SimulationResult one = simulate(coupled), two = simulate(independent);
+        const SimulationResult one = simulateUnchecked(coupled),
+                               two = simulateUnchecked(independent);
         QCOMPARE(one.countsByStage, two.countsByStage);
         for (std::size_t k = 0; k < 12; ++k) {
             QVERIFY(within(one.sections[0].radii_mm[k], two.sections[0].radii_mm[k], 1e-12));
@@ -156,7 +157,8 @@ private slots:
         coupled.part.shaft.youngs_modulus_gpa = 1000;
         Project independent = coupled;
         independent.sections_coupled = false;
-        const SimulationResult one = simulate(coupled), two = simulate(independent);
+        const SimulationResult one = simulateUnchecked(coupled),
+                               two = simulateUnchecked(independent);
         QCOMPARE(one.countsByStage, two.countsByStage);
         for (std::size_t j = 0; j < 6; ++j) {
             for (std::size_t k = 0; k < 12; ++k) { // the rigid shaft's centres still give 1 nm/N
@@ -226,7 +228,7 @@ private slots:
             p.part.initial_runout_mm = 0;
             p.part.stock_mm = stock_mm;
             p.cycle.stages[0].stock_mm = stock_mm;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             return r.sections.back().diameterDeviationMax_mm
                    - r.sections.front().diameterDeviationMax_mm;
         };
@@ -239,7 +241,7 @@ private slots:
         p.gauge.control = Control::position;
         p.wheel.dullness = 0;
         p.cycle.stages.push_back(sparkStage(fixtures::count(400)));
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         const double target = r.sections[0].radii_mm[0];
         for (const SectionResult& section : r.sections) {
             for (const double R : section.radii_mm) {
@@ -254,7 +256,7 @@ private slots:
             Project p = slender(sections);
             p.gauge.control = Control::position;
             p.part.initial_runout_mm = 0;
-            return simulate(p).peakNormalForce_n;
+            return simulateUnchecked(p).peakNormalForce_n;
         };
         const double exact = force(81);
         const double coarse = std::abs(force(3) - exact);
@@ -269,7 +271,7 @@ private slots:
             fixed.gauge.section = j;
             Project free = slender(5);
             free.gauge.position_mm = middle(free, j);
-            const SimulationResult one = simulate(fixed), two = simulate(free);
+            const SimulationResult one = simulateUnchecked(fixed), two = simulateUnchecked(free);
             QCOMPARE(one.countsByStage, two.countsByStage);
             QVERIFY(within(one.gaugeReading_mm, two.gaugeReading_mm, 1e-11));
             QCOMPARE(two.sections.size(), std::size_t(5));
@@ -284,7 +286,7 @@ private slots:
         p.gauge.control = Control::position; // the same cycle, read differently
         const auto reading = [&](double gamma) {
             p.gauge.compliance_mm_per_n = gamma;
-            return simulate(p).gaugeReading_mm;
+            return simulateUnchecked(p).gaugeReading_mm;
         };
         const double rigid = reading(1e-15);
         QVERIFY(reading(3e-5) > rigid);
@@ -320,8 +322,8 @@ private slots:
     void traceChangesNothing() {
         Project p = slender(4);
         p.gauge.position_mm = 11;
-        QVERIFY(fixtures::sameBits(simulate(p), Traced(p).result));
-        QVERIFY(fixtures::sameBits(simulate(p), simulate(p)));
+        QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
+        QVERIFY(fixtures::sameBits(simulateUnchecked(p), simulateUnchecked(p)));
     }
 
     void plainRunAllocatesNothingPerRevolution() {
@@ -330,7 +332,7 @@ private slots:
             p.gauge.position_mm = 10;
             p.cycle.stages.push_back(sparkStage(fixtures::count(sparking)));
             const long long before = allocations::count;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             return r.status != RunStatus::completed ? -1 : allocations::count - before;
         };
         QCOMPARE(allocationsOf(500), allocationsOf(5));
@@ -342,7 +344,7 @@ private slots:
         p.wheel.dullness = 0;
         p.part.stock_mm += 0.004;
         p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::cannotReachSize);
         QVERIFY(within(r.remainingStock_mm, 0.004, 1e-9));
     }
@@ -359,7 +361,7 @@ private slots:
         QVERIFY(!hasErrors(validate(p)));
         QVERIFY(compliantPoints(p).front().gamma_mm_n < 0);
         QVERIFY(compliantPoints(p).back().gamma_mm_n > 0);
-        const SimulationResult alone = simulate(p);
+        const SimulationResult alone = simulateUnchecked(p);
         QCOMPARE(alone.status, RunStatus::notSolved);
         QCOMPARE(alone.cycleCount, 0);
         for (const SectionResult& section : alone.sections) {
@@ -368,13 +370,14 @@ private slots:
             }
         }
         p.sections_coupled = true;
-        QVERIFY(simulate(p).status != RunStatus::notSolved);
+        QVERIFY(simulateUnchecked(p).status != RunStatus::notSolved);
     }
 
     void stopIsHeededWithinARevolution() {
         std::stop_source source;
         source.request_stop();
-        QCOMPARE(simulate(slender(4), nullptr, source.get_token()).status, RunStatus::stopped);
+        QCOMPARE(simulateUnchecked(slender(4), nullptr, source.get_token()).status,
+                 RunStatus::stopped);
     }
 
     // Given compliances do not say how the sections move each other.
@@ -408,7 +411,7 @@ private slots:
         int revolutions = 0;
         for (int i = 0; i < 5; ++i) {
             const std::clock_t start = std::clock();
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             best = std::min(best, 1e3 * double(std::clock() - start) / CLOCKS_PER_SEC);
             revolutions = r.cycleCount;
             QCOMPARE(r.status, RunStatus::completed);

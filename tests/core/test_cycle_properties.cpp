@@ -31,8 +31,8 @@ private slots:
     void sameProjectGivesTheSameBitsWithAndWithoutATrajectory() {
         QVERIFY(holds("determinism", [] {
             const Project p = anyCycle();
-            const SimulationResult first = simulate(p);
-            RC_ASSERT(fixtures::sameBits(first, simulate(p)));
+            const SimulationResult first = simulateUnchecked(p);
+            RC_ASSERT(fixtures::sameBits(first, simulateUnchecked(p)));
             RC_ASSERT(fixtures::sameBits(first, Traced(p).result));
         }));
     }
@@ -45,8 +45,8 @@ private slots:
             auto& gammas = std::get<std::vector<double>>(changed.machine.compliance_mm_per_n);
             const int other = (*p.gauge.section + pick(1, p.sections)) % p.sections;
             gammas[std::size_t(other)] = decades(-6, -4);
-            const SimulationResult a = simulate(p);
-            const SimulationResult b = simulate(changed);
+            const SimulationResult a = simulateUnchecked(p);
+            const SimulationResult b = simulateUnchecked(changed);
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(a.gaugeReading_mm == b.gaugeReading_mm);
             for (int j = 0; j < p.sections; ++j) {
@@ -64,8 +64,8 @@ private slots:
             Project changed = p;
             std::get<ZoneCompliance>(changed.machine.compliance_mm_per_n).rz1 = decades(-6, -3.7);
             changed.machine.dwell_entry_s = between(0, 1);
-            const SimulationResult a = simulate(p);
-            const SimulationResult b = simulate(changed);
+            const SimulationResult a = simulateUnchecked(p);
+            const SimulationResult b = simulateUnchecked(changed);
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(a.sections[1].radii_mm == b.sections[1].radii_mm);
             RC_ASSERT(a.sections[2].radii_mm == b.sections[2].radii_mm);
@@ -80,8 +80,8 @@ private slots:
             Project longer = p;
             longer.machine.dwell_entry_s += between(0, 1);
             longer.machine.dwell_exit_s += between(0, 1);
-            const SimulationResult a = simulate(p);
-            const SimulationResult b = simulate(longer);
+            const SimulationResult a = simulateUnchecked(p);
+            const SimulationResult b = simulateUnchecked(longer);
             const double passes = double(b.visits) / double(p.part.radii_per_section);
             const double off = rounding(0.5, passes) + radiusRounding_mm;
             RC_ASSERT(a.countsByStage == b.countsByStage);
@@ -134,8 +134,8 @@ private slots:
             for (double& deviation : *bore.part.radii_um) {
                 deviation = -deviation;
             }
-            const SimulationResult a = simulate(shaft);
-            const SimulationResult b = simulate(bore);
+            const SimulationResult a = simulateUnchecked(shaft);
+            const SimulationResult b = simulateUnchecked(bore);
             const double target = targetRadius(shaft.part);
             RC_ASSERT(a.countsByStage == b.countsByStage);
             RC_ASSERT(within(a.remainingStock_mm, b.remainingStock_mm, balance_mm));
@@ -284,7 +284,7 @@ private slots:
         QVERIFY(holds("measures", [] {
             Project p = anyCycle();
             p.machine.geometric_runout_um = oneIn(2) ? 0 : between(0, 5);
-            for (const SectionResult& s : simulate(p).sections) {
+            for (const SectionResult& s : simulateUnchecked(p).sections) {
                 const std::size_t K = s.radii_mm.size();
                 double low = 1e9, high = 0;
                 for (std::size_t k = 0; k < K; ++k) {

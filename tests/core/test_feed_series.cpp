@@ -27,7 +27,7 @@ struct Run {
 
 Run run(const Project& project) {
     Run run;
-    run.result = simulate(project, &run.trajectory);
+    run.result = simulateUnchecked(project, &run.trajectory);
     run.series = makeFeedSeries(run.result, run.trajectory);
     return run;
 }

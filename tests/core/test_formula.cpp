@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a formula sheet says must be what the engine computed: every equation is read back, worked
 // out from its numbers and held against its result, units included.
-#include "core/quality/formula.h"
+#include "core/limits/formula.h"
 
-#include "core/quality/accuracy.h"
+#include "core/form/accuracy.h"
+#include "core/limits/burn.h"
 #include "core/quality/balance.h"
-#include "core/quality/burn.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"

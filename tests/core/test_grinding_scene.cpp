@@ -43,7 +43,7 @@ std::vector<Project> samples() {
 template <typename Check>
 void throughTheCycle(const Project& project, Check check) {
     Trajectory trajectory;
-    const SimulationResult result = simulate(project, &trajectory);
+    const SimulationResult result = simulateUnchecked(project, &trajectory);
     const std::vector<Pass>& passes = trajectory.passes;
     for (std::size_t open = 0, end = 0; open < passes.size(); open = end) {
         while (end < passes.size() && passes[end].start_s == passes[open].start_s) {
@@ -132,7 +132,7 @@ private slots:
     void atTheBlankTheWheelTouchesNothing() {
         for (const Project& project : samples()) {
             Trajectory trajectory;
-            const SimulationResult result = simulate(project, &trajectory);
+            const SimulationResult result = simulateUnchecked(project, &trajectory);
             const GrindingScene scene = grindingScene(result, trajectory, {});
             QCOMPARE(scene.edge_mm, makeBlank(project.part).firstTouchRadius_mm);
             for (const SceneSurface& surface : scene.surfaces) {

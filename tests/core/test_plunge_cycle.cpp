@@ -93,7 +93,7 @@ private slots:
     void rigidShaftEndsAsTheSpiralOfTheInfeed() {
         Project p = revolutions(20);
         setGammas(p, {1e-15});
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         const auto& R = r.sections[0].radii_mm;
         for (std::size_t k = 0; k < 4; ++k) {
             QVERIFY(within(R[k] - R[3], 0.005 * double(3 - k) / 4,
@@ -103,7 +103,7 @@ private slots:
 
     void cycleTimeIsTheRevolutionsOverTheSpeed() {
         for (const int count : {1, 7, 200}) {
-            const SimulationResult r = simulate(revolutions(count));
+            const SimulationResult r = simulateUnchecked(revolutions(count));
             QCOMPARE(r.cycleCount, count);
             QVERIFY(close(r.time_s, count * 60.0 / 180, fixtures::epsilon * (count + 2)));
         }
@@ -162,7 +162,7 @@ private slots:
     void sectionsStandInTheMiddlesOfEqualSlices() {
         Project p = revolutions(20);
         setGammas(p, {1e-5, 2e-5, 3e-5, 4e-5, 5e-5});
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         for (std::size_t j = 0; j < 5; ++j) {
             QVERIFY(within(r.sections[j].position_mm, 40 * (double(j) + 0.5) / 5, 1e-14));
             QCOMPARE(r.sections[j].compliance_mm_per_n, (double(j) + 1) * 1e-5);
@@ -192,7 +192,7 @@ private slots:
         if (given >= 0) {
             p.gauge.section = given;
         }
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QVERIFY(within(r.gaugeReading_mm,
                        smallestDiameter(r.sections[std::size_t(expected)].radii_mm),
                        64 * fixtures::epsilon));
@@ -228,7 +228,7 @@ private slots:
         setGammas(same, {1e-5, 2e-5, 3e-5, 8e-5, gamma});
         same.gauge.section = 4;
         const Traced free(p);
-        const SimulationResult fixed = simulate(same);
+        const SimulationResult fixed = simulateUnchecked(same);
         QCOMPARE(free.result.countsByStage, fixed.countsByStage);
         QCOMPARE(free.result.sections.size(), std::size_t(4));
         QCOMPARE(free.trajectory.passes.size(), std::size_t(4 * free.result.cycleCount));
@@ -252,7 +252,7 @@ private slots:
             p.gauge.position_mm = 10;
             p.cycle.stages.push_back(sparkStage(fixtures::count(sparking)));
             const long long before = allocations::count;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             const long long used = allocations::count - before;
             return r.cycleCount == feeding + sparking ? used : -1 - r.cycleCount;
         };
@@ -266,7 +266,7 @@ private slots:
         Project p = fixtures::plunge();
         setGammas(p, {2e-5, 3e-5, 4e-5});
         p.gauge.position_mm = 11;
-        QVERIFY(fixtures::sameBits(simulate(p), Traced(p).result));
+        QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
     }
 
     void sparkOutThatReachesSizeEndsWithTheReading() {
@@ -275,7 +275,7 @@ private slots:
         // 0.5 µm a revolution leaves a deflection of 1.3 µm, of which the spark-out takes up to 1
         p.cycle.stages = {plungeStage(0.09, 0.099), sparkStage(fixtures::untilSize(), 0.001)};
         p.gauge.control = Control::gauge;
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::completed);
         QVERIFY(r.countsByStage[1] >= 2);
         QVERIFY(r.remainingStock_mm <= 1e-9);
@@ -314,7 +314,7 @@ private slots:
         Project p = revolutions(20);
         p.part.stock_mm += 0.004;
         p.cycle.stages.push_back(sparkStage(fixtures::untilSize(), 0.004));
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::cannotReachSize);
         // depth ≈ (γK4)²/n² = 1e-9 mm at n = γK4/√1e-9 = 1803, and a hundred more. The next term
         // of 1/√depth is (2A − 1)·ln n ≈ 8 and constants, for 1 % each side.
@@ -325,7 +325,8 @@ private slots:
     void stopRequestedBeforehandEndsBeforeTheFirstRevolution() {
         std::stop_source source;
         source.request_stop();
-        const SimulationResult r = simulate(fixtures::plunge(), nullptr, source.get_token());
+        const SimulationResult r =
+            simulateUnchecked(fixtures::plunge(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);
         QCOMPARE(r.cycleCount, 0);
         QCOMPARE(r.time_s, 0.0);
@@ -336,7 +337,7 @@ private slots:
         p.part.radii_per_section = 360;
         setGammas(p, std::vector<double>(20, 2e-5));
         p.cycle.stages.push_back(sparkStage(fixtures::count(100'000)));
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::tooLong);
         QVERIFY(r.visits > maxVisits - 7200 && r.visits <= maxVisits + 7200);
         QCOMPARE(r.visits, 7200LL * r.cycleCount);

@@ -22,7 +22,7 @@ namespace {
 constexpr double allowed_mm = 1e-12;
 
 struct Recorded {
-    explicit Recorded(const Project& project) : result(simulate(project, &trajectory)) {}
+    explicit Recorded(const Project& project) : result(simulateUnchecked(project, &trajectory)) {}
     Trajectory trajectory;
     SimulationResult result;
 };

@@ -15,9 +15,9 @@ using fixtures::within;
 
 namespace {
 
-std::vector<RangeCheck> ofKind(const Project& project, RangeKind kind) {
-    std::vector<RangeCheck> found;
-    for (const RangeCheck& check : checkMachineRanges(project)) {
+std::vector<MachineRange> ofKind(const Project& project, RangeKind kind) {
+    std::vector<MachineRange> found;
+    for (const MachineRange& check : checkMachineRanges(project)) {
         if (check.kind == kind) {
             found.push_back(check);
         }
@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(ofKind(p, RangeKind::plungeFeed)[0].value, p.machine.plunge_feed_mm_min);
         QCOMPARE(ofKind(p, RangeKind::plungeFeed)[0].stage, 0);
         QCOMPARE(ofKind(p, RangeKind::workSpeed).size(), std::size_t(1));
-        for (const RangeCheck& check : checkMachineRanges(p)) {
+        for (const MachineRange& check : checkMachineRanges(p)) {
             QVERIFY(check.holds && check.onStep && check.margin > 0);
         }
     }
@@ -114,7 +114,7 @@ private slots:
         Project p = fixtures::traverse();
         limit(p);
         p.machine.work_speed_rpm = speed;
-        const RangeCheck check = ofKind(p, RangeKind::workSpeed).front();
+        const MachineRange check = ofKind(p, RangeKind::workSpeed).front();
         QCOMPARE(check.margin, margin);
         QCOMPARE(check.relativeMargin, margin / 450);
         QCOMPARE(check.holds, holds);
@@ -138,7 +138,7 @@ private slots:
         Project p = fixtures::traverse();
         limit(p);
         p.cycle.stages[0].radial_feed_mm = feed;
-        const RangeCheck check = ofKind(p, RangeKind::radialFeed).front();
+        const MachineRange check = ofKind(p, RangeKind::radialFeed).front();
         QVERIFY(within(check.nearest, nearest, 1e-15));
         QCOMPARE(check.onStep, onStep);
     }
@@ -146,7 +146,7 @@ private slots:
         Project p = fixtures::traverse();
         p.machine.limits.work_speed_rpm = {50, 502, 5};
         p.machine.work_speed_rpm = 502;
-        const RangeCheck check = ofKind(p, RangeKind::workSpeed).front();
+        const MachineRange check = ofKind(p, RangeKind::workSpeed).front();
         QVERIFY(check.holds && !check.onStep);
         QCOMPARE(check.nearest, 500.0);
         p.machine.limits.work_speed_rpm = {50, 503, 5}; // nearer to the step beyond

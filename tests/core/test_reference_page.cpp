@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/json_schema.h"
-#include "core/project/reference_page.h"
+#include "core/reference/json_schema.h"
+#include "core/reference/reference_page.h"
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
 

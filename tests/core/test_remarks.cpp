@@ -42,10 +42,11 @@ private slots:
         Project project = example(internal ? "internal-plunge.sparkout" : "wheel-sharp.sparkout");
         auto& stages = project.cycle.stages;
         QCOMPARE(stages.back().spark_out.mode, SparkOut::Mode::count);
-        QVERIFY(remarksOn(simulate(project)).empty()); // the deflection gives back what it has
+        QVERIFY(
+            remarksOn(simulateUnchecked(project)).empty()); // the deflection gives back what it has
         stages[0].stock_mm -= 0.04;
         stages.back().stock_mm += 0.04;
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         QCOMPARE(result.status, RunStatus::completed);
         QVERIFY(result.remainingStock_mm > 0.02);
         const Issues remarks = remarksOn(result);
@@ -63,16 +64,16 @@ private slots:
         auto& stages = project.cycle.stages;
         stages[0].stock_mm += stages.back().stock_mm;
         stages.back().stock_mm = 0;
-        QVERIFY(remarksOn(simulate(project)).empty());
+        QVERIFY(remarksOn(simulateUnchecked(project)).empty());
     }
 
     void untilSizeEndsAtSizeOrSaysSoItself() {
         Project project = example("wheel-sharp.sparkout");
         project.cycle.stages.back().spark_out = {SparkOut::Mode::untilSize, 0};
-        QVERIFY(remarksOn(simulate(project)).empty());
+        QVERIFY(remarksOn(simulateUnchecked(project)).empty());
         project.cycle.stages[0].stock_mm -= 0.04;
         project.cycle.stages.back().stock_mm += 0.04;
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         QCOMPARE(result.status, RunStatus::cannotReachSize);
         QVERIFY(remarksOn(result).empty());
     }
@@ -84,7 +85,7 @@ private slots:
         stages[0].radial_feed_mm = 0.04;
         stages[0].stock_mm += 0.035;
         stages[1].stock_mm -= 0.035;
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         QCOMPARE(result.countsByStage[1], 0);
         const Issues remarks = remarksOn(result);
         QCOMPARE(remarks.size(), 1u);
@@ -98,7 +99,7 @@ private slots:
         Project project = example("shaft-30h6-factory.sparkout");
         QVERIFY(project.machine.work_speed_rpm == 180);
         project.machine.dwell_entry_s = 0.05;
-        const Issues remarks = remarksOn(simulate(project));
+        const Issues remarks = remarksOn(simulateUnchecked(project));
         QCOMPARE(remarks.size(), 1u);
         QCOMPARE(remarks[0].code, IssueCode::dwellRounded);
         QCOMPARE(remarks[0].path, std::string("/machine/dwell_entry_s"));
@@ -110,7 +111,7 @@ private slots:
         for (const char* name : {"internal-plunge", "plunge-shaft-two-stage", "shaft-30h6-factory",
                                  "spark-out-until-size", "wheel-dull", "wheel-sharp"}) {
             const std::string file = std::string(name) + ".sparkout";
-            QVERIFY2(remarksOn(simulate(example(file.c_str()))).empty(), name);
+            QVERIFY2(remarksOn(simulateUnchecked(example(file.c_str()))).empty(), name);
         }
     }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/roundness.h"
+#include "core/form/roundness.h"
 
 #include "tests/core/dense.h"
 #include "tests/core/downhill.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a run keeps of its passes for the requirements: held against a search through everything
 // that was recorded, with the formulas written a second time.
-#include "core/quality/burn.h"
+#include "core/limits/burn.h"
 #include "core/quality/constraints.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/roughness.h"
@@ -184,10 +184,10 @@ private slots:
     // The rise that burns decides: some hold, some do not.
     void burnFailsBelowTheRiseReachedAndHoldsAbove() {
         Project p = asking(plungeOfThree());
-        const double reached = burnStateOf(simulate(p)).value().rise_k;
+        const double reached = burnStateOf(simulateUnchecked(p)).value().rise_k;
         for (const double U : {0.5 * reached, 1.5 * reached}) {
             p.material.burn_rise_k = U;
-            const auto all = evaluateConstraints(simulate(p));
+            const auto all = evaluateConstraints(simulateUnchecked(p));
             QCOMPARE(find(all, ConstraintKind::burn)->holds, U > reached);
         }
     }
@@ -282,7 +282,7 @@ private slots:
     void whatIsNotAskedIsNotKeptNorListed_data() { everyProject(); }
     void whatIsNotAskedIsNotKeptNorListed() {
         QFETCH(Project, project);
-        const SimulationResult plain = simulate(silent(project));
+        const SimulationResult plain = simulateUnchecked(silent(project));
         QVERIFY(!plain.burn);
         for (const SectionResult& section : plain.sections) {
             QVERIFY(!section.lastCut);
@@ -297,8 +297,8 @@ private slots:
     void askingChangesNoCycle_data() { everyProject(); }
     void askingChangesNoCycle() {
         QFETCH(Project, project);
-        QVERIFY(fixtures::sameBits(simulate(project), simulate(silent(project))));
-        const SimulationResult plain = simulate(project);
+        QVERIFY(fixtures::sameBits(simulateUnchecked(project), simulateUnchecked(silent(project))));
+        const SimulationResult plain = simulateUnchecked(project);
         const Traced traced(project);
         QVERIFY(fixtures::sameBits(plain, traced.result));
         QCOMPARE(plain.burn->depth_mm, traced.result.burn->depth_mm);
@@ -322,19 +322,19 @@ private slots:
             p = isCoupled ? coupled(p) : p;
             p.cycle.stages.back() = sparkStage(fixtures::count(sparking));
             const long long before = allocations::count;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             return r.status != RunStatus::completed ? -1 : allocations::count - before;
         };
         QCOMPARE(allocationsOf(800), allocationsOf(8));
     }
 
     void everyKindIsListedWhenAskedFor() {
-        const auto stroke = evaluateConstraints(simulate(asking(fixtures::traverse())));
+        const auto stroke = evaluateConstraints(simulateUnchecked(asking(fixtures::traverse())));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QVERIFY2(find(stroke, static_cast<ConstraintKind>(kind)),
                      constraintName(static_cast<ConstraintKind>(kind)));
         }
-        const auto plunge = evaluateConstraints(simulate(asking(plungeOfThree())));
+        const auto plunge = evaluateConstraints(simulateUnchecked(asking(plungeOfThree())));
         QVERIFY(!find(plunge, ConstraintKind::rangeRadialFeed));
         QVERIFY(!find(plunge, ConstraintKind::rangeAxialFeed));
     }
@@ -343,7 +343,7 @@ private slots:
         Project p = asking(fixtures::traverse());
         p.cycle.stages = {strokeStage(0.03, 1800, 0.11), strokeStage(0.001, 20, 0.04)};
         p.gauge.commands = 1;
-        const auto worst = worstByKind(evaluateConstraints(simulate(p)));
+        const auto worst = worstByKind(evaluateConstraints(simulateUnchecked(p)));
         const ConstraintResult& feed = *find(worst, ConstraintKind::rangeRadialFeed);
         QVERIFY(!feed.holds && feed.stage == 1 && feed.limit == 0.02);
         QVERIFY(within(feed.margin, -0.01, 1e-15));
@@ -352,14 +352,14 @@ private slots:
         const ConstraintResult& commands = *find(worst, ConstraintKind::gaugeCommands);
         QVERIFY(!commands.holds && commands.value == 2 && commands.limit == 1);
         p.gauge.control = Control::position;
-        QVERIFY(!find(evaluateConstraints(simulate(p)), ConstraintKind::gaugeCommands));
+        QVERIFY(!find(evaluateConstraints(simulateUnchecked(p)), ConstraintKind::gaugeCommands));
     }
 
     void retractionIsAsFastAsAFeed() {
         Project p = asking(fixtures::plunge());
         p.cycle.stages = {plungeStage(1.8, 0.185), plungeStage(-0.6, 0.01),
                           plungeStage(0.05, 0.005)};
-        const auto all = evaluateConstraints(simulate(p));
+        const auto all = evaluateConstraints(simulateUnchecked(p));
         QVERIFY(find(all, ConstraintKind::rangePlungeFeed)->holds);
     }
 
@@ -368,7 +368,7 @@ private slots:
     void formIsThatOfTheSections() {
         QFETCH(Project, project);
         project.machine.geometric_runout_um = 1.5;
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         const PartAccuracy accuracy = accuracyOf(result);
         const auto lean = evaluateConstraints(result);
         const auto full = evaluateConstraints(result, accuracy);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of a run beyond independent sections on a rigid wheel: the wheel's contact in series,
 // in independent and in coupled sections, and the decay of a lobed blank.
+#include "core/form/harmonics.h"
 #include "core/process/contact_compliance.h"
 #include "core/process/system_compliance.h"
-#include "core/quality/harmonics.h"
 
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
@@ -92,9 +92,9 @@ private slots:
 
     void softerContactTakesLonger() {
         const Project p = fixtures::plunge();
-        const double rigid = simulate(p).time_s;
-        const double soft = simulate(contacting(p)).time_s;
-        const double softer = simulate(contacting(p, {{0, 2}})).time_s;
+        const double rigid = simulateUnchecked(p).time_s;
+        const double soft = simulateUnchecked(contacting(p)).time_s;
+        const double softer = simulateUnchecked(contacting(p, {{0, 2}})).time_s;
         QVERIFY(rigid < soft && soft < softer);
     }
 
@@ -107,8 +107,8 @@ private slots:
         QFETCH(bool, coupled);
         Project p = slender(4);
         p.sections_coupled = coupled;
-        const SimulationResult rigid = simulate(p);
-        const SimulationResult stiff = simulate(contacting(p, {{0, 1e7}})); // 1e-10 mm/N
+        const SimulationResult rigid = simulateUnchecked(p);
+        const SimulationResult stiff = simulateUnchecked(contacting(p, {{0, 1e7}})); // 1e-10 mm/N
         QCOMPARE(stiff.countsByStage, rigid.countsByStage);
         for (std::size_t j = 0; j < rigid.sections.size(); ++j) {
             for (std::size_t k = 0; k < 12; ++k) {
@@ -122,8 +122,8 @@ private slots:
         const Project p = fixtures::plunge();
         Project softer = p;
         softer.machine.compliance_mm_per_n = std::vector<double>{2e-5 + 1e-5};
-        const SimulationResult contact = simulate(contacting(p, {{0, 100}}));
-        const SimulationResult system = simulate(softer);
+        const SimulationResult contact = simulateUnchecked(contacting(p, {{0, 100}}));
+        const SimulationResult system = simulateUnchecked(softer);
         QCOMPARE(contact.countsByStage, system.countsByStage);
         for (std::size_t k = 0; k < 4; ++k) {
             QVERIFY(within(contact.sections[0].radii_mm[k], system.sections[0].radii_mm[k], 1e-12));
@@ -138,7 +138,8 @@ private slots:
         independent.sections_coupled = false;
         independent.machine.compliance_mm_per_n =
             influenceRows(coupled, {coupled.part.length_mm / 2}, {coupled.part.length_mm / 2});
-        const SimulationResult one = simulate(coupled), two = simulate(independent);
+        const SimulationResult one = simulateUnchecked(coupled),
+                               two = simulateUnchecked(independent);
         QCOMPARE(one.status, RunStatus::completed);
         QCOMPARE(one.countsByStage, two.countsByStage);
         for (std::size_t k = 0; k < 12; ++k) {
@@ -188,7 +189,7 @@ private slots:
         Project fixed = free;
         fixed.gauge.position_mm.reset();
         fixed.gauge.section = 2;
-        const SimulationResult one = simulate(free), two = simulate(fixed);
+        const SimulationResult one = simulateUnchecked(free), two = simulateUnchecked(fixed);
         QCOMPARE(one.countsByStage, two.countsByStage);
         QVERIFY(within(one.gaugeReading_mm, two.gaugeReading_mm, 1e-9));
     }
@@ -221,12 +222,12 @@ private slots:
             q.part.stock_mm += q.part.initial_runout_mm;
             q.part.initial_runout_mm = 0;
             q.cycle.stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
-            return simulate(q).sections[0].radii_mm;
+            return simulateUnchecked(q).sections[0].radii_mm;
         };
         const auto formLeft = [&](int revolutions) {
             Project q = p;
             q.cycle.stages = {plungeStage(3.6, 0.2), sparkStage(fixtures::count(revolutions))};
-            std::vector<double> radii = simulate(q).sections[0].radii_mm;
+            std::vector<double> radii = simulateUnchecked(q).sections[0].radii_mm;
             const std::vector<double> round = spiral(revolutions);
             for (std::size_t k = 0; k < radii.size(); ++k) {
                 radii[k] -= round[k];
@@ -250,7 +251,7 @@ private slots:
         double before = 1;
         for (int revolutions = 1; revolutions <= 20; ++revolutions) {
             p.cycle.stages = {plungeStage(1.8, 0.2), sparkStage(fixtures::count(revolutions))};
-            const double now = amplitude(simulate(p).sections[0].radii_mm, 2);
+            const double now = amplitude(simulateUnchecked(p).sections[0].radii_mm, 2);
             QVERIFY(now < before);
             before = now;
         }

@@ -18,7 +18,7 @@ using namespace sparkout;
 namespace {
 
 struct Ran {
-    explicit Ran(const Project& project) : result(simulate(project)) {
+    explicit Ran(const Project& project) : result(simulateUnchecked(project)) {
         const PartAccuracy accuracy = accuracyOf(result);
         constraints = evaluateConstraints(result, accuracy);
         summary = summarise(result, accuracy, constraints);

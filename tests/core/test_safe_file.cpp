@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The safe writer in ordinary life and on odd targets. Injected faults, kills and full disks are
 // in safe_file_faults.py. Root may do everything, so as root the tests run as the user nobody.
-#include "core/project/safe_file.h"
-#include "core/project/safe_file_writer.h"
+#include "core/files/safe_file.h"
+#include "core/files/safe_file_writer.h"
 #include "tests/check_line.h"
 
 #include <QTest>

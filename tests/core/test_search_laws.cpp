@@ -70,7 +70,7 @@ private slots:
             const Grid grid(p);
             for (GridCycle cycle; grid.next(cycle);) {
                 p.cycle = grid.cycle(cycle);
-                const SimulationResult result = simulate(p);
+                const SimulationResult result = simulateUnchecked(p);
                 for (const ConstraintResult& each : evaluateConstraints(result)) {
                     if (!each.holds && std::llround(result.time_s * 1e6) < best.best->time_us) {
                         broken.push_back(each.kind);
@@ -149,7 +149,8 @@ private slots:
                 }
             }
         }
-        QVERIFY2(found > 5 && quicker > 0, QByteArray::number(found)); // at 1 none stays
+        const int least = samples::sized(5, 1, 5);
+        QVERIFY2(found > least && quicker > 0, QByteArray::number(found)); // at 1 none stays
     }
 
     void moreStagesNeverSlow() {
@@ -205,7 +206,7 @@ private slots:
                 continue;
             }
             const double limit_s = steplessLimit_s(p);
-            QVERIFY(best.best->time_s == simulate(withBest(p, best)).time_s);
+            QVERIFY(best.best->time_s == simulateUnchecked(withBest(p, best)).time_s);
             QVERIFY(best.bound_s == best.best->time_s);
             QVERIFY(gapToLimit(best.best->time_s, limit_s) >= 0);
             roundedBelow += gapToLimit(best.best->time_us * 1e-6, limit_s) < 0 ? 1 : 0;
@@ -213,13 +214,14 @@ private slots:
                 const RefineSummary refined = refine(withBest(p, best), best.cycle);
                 Project off = withBest(p, best);
                 off.cycle = refined.cycle;
-                QVERIFY(refined.time_s == simulate(off).time_s);
+                QVERIFY(refined.time_s == simulateUnchecked(off).time_s);
                 QVERIFY(gapToLimit(refined.time_s, limit_s) >= 0);
                 quicker += refined.isQuicker ? 1 : 0;
             }
         }
         const QByteArray met = QByteArray::number(roundedBelow) + ' ' + QByteArray::number(quicker);
-        QVERIFY2(roundedBelow > 0 && quicker > 0, met); // else neither was tried
+        // Else neither was tried; of few seeds the rounding is not.
+        QVERIFY2(roundedBelow >= samples::sized(1, 0, 1) && quicker > 0, met);
     }
 
     // One radius, no elastic yield, η = 0, one power limit: each revolution takes what the drive
@@ -246,7 +248,7 @@ private slots:
         p.optimisation = Optimisation{};
         p.optimisation->stages = {1};
         p.optimisation->radial_feed_mm_min = std::vector<double>{0.9};
-        const double most_mm = simulate(p).sections.at(0).diameterDeviationMax_mm;
+        const double most_mm = simulateUnchecked(p).sections.at(0).diameterDeviationMax_mm;
         for (const double beyond_mm : {-0.5e-9, 0.5e-9, 5e-9}) {
             p.part.upper_deviation_um = (most_mm - beyond_mm) * 1000;
             const bool found = search(p).best.has_value();
@@ -320,7 +322,7 @@ private slots:
                      full.best ? SearchStatus::proved : SearchStatus::infeasible);
             if (full.best) {
                 for (Project part : robust.added) {
-                    QVERIFY(holds(simulate(withBest(std::move(part), full))));
+                    QVERIFY(holds(simulateUnchecked(withBest(std::move(part), full))));
                 }
                 variants += full.best->variant > 0 ? 1 : 0;
             }
@@ -392,7 +394,7 @@ private slots:
                 const int stage = dice.integer(0, static_cast<int>(infeeds.size()) - 1);
                 part.part.stock_mm =
                     p.part.stock_mm + infeeds[static_cast<std::size_t>(stage)] * dice.uniform(0, 1);
-                failed += holds(simulate(part)) ? 0 : 1;
+                failed += holds(simulateUnchecked(part)) ? 0 : 1;
             }
             QVERIFY2(failed <= 10, QByteArray::number(seed) + ": " + QByteArray::number(failed));
         }
@@ -412,11 +414,11 @@ private slots:
             const RobustSummary robust = optimiseRobustly(
                 p, [](const Project&, int) { return std::vector<Project>{}; }, options);
             if (robust.search.best) {
-                QVERIFY2(!hasIdleStage(simulate(withBest(p, robust.search))),
+                QVERIFY2(!hasIdleStage(simulateUnchecked(withBest(p, robust.search))),
                          QByteArray::number(seed));
             }
             const SearchSummary nominal = optimise(p, options.search); // which may have one
-            idle += nominal.best && hasIdleStage(simulate(withBest(p, nominal))) ? 1 : 0;
+            idle += nominal.best && hasIdleStage(simulateUnchecked(withBest(p, nominal))) ? 1 : 0;
         }
         QVERIFY2(idle > 0, QByteArray::number(idle));
     }
@@ -436,7 +438,7 @@ private slots:
             Project best = p;
             best.cycle = robust.search.cycle;
             for (const Project& scenario : stockPhases(best)) {
-                QVERIFY(holds(simulate(scenario)));
+                QVERIFY(holds(simulateUnchecked(scenario)));
             }
         }
         QVERIFY(added > 0); // else the nominal part would have done

@@ -63,7 +63,7 @@ private slots:
     // the first of the second stage.
     void steadyPlungeHasTheClosedForm() {
         const Project p = rigidPlunge();
-        const ShopNumbers shop = shopNumbers(simulate(p));
+        const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
         QCOMPARE(shop.stages[0].count, 20);
         QCOMPARE(shop.stages[1].count, 20);
         const double turn_s = 60.0 / 180;
@@ -98,8 +98,8 @@ private slots:
         Project shorter = longer;
         shorter.cycle.stages[0].stock_mm = 0.05;
         shorter.part.stock_mm = 0.07;
-        const ShopColumn a = shopNumbers(simulate(longer)).stages[0];
-        const ShopColumn b = shopNumbers(simulate(shorter)).stages[0];
+        const ShopColumn a = shopNumbers(simulateUnchecked(longer)).stages[0];
+        const ShopColumn b = shopNumbers(simulateUnchecked(shorter)).stages[0];
         QCOMPARE(a.count, b.count + 10);
         const double difference =
             (a.energy_j - b.energy_j) / (a.removedVolume_mm3 - b.removedVolume_mm3);
@@ -114,7 +114,7 @@ private slots:
             Project p = random(seed);
             p.wheel.dullness = 0;
             const double expected = p.material.shear_strain * p.material.flow_stress_mpa / 1000;
-            const ShopNumbers shop = shopNumbers(simulate(p));
+            const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
             for (const ShopColumn& stage : shop.stages) {
                 if (stage.energy_j_mm3) {
                     QVERIFY(close(*stage.energy_j_mm3, expected, 1e-13));
@@ -130,7 +130,7 @@ private slots:
     void removedVolumeIsTheDifferenceOfBlankAndPart() {
         for (int seed = 1; seed <= seeds(); ++seed) {
             const Project p = random(seed);
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             const ShopNumbers shop = shopNumbers(r);
             const Blank blank = makeBlank(p.part);
             const double side = p.part.surface == Surface::external ? 1 : -1;
@@ -154,7 +154,7 @@ private slots:
     // The header's word for "first order": the exact ring differs by (R0 + R1)/d.
     void ringOfARoundBlankDiffersByTheMeanDiameter() {
         Project p = rigidPlunge();
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         const double first = makeBlank(p.part).firstTouchRadius_mm;
         double exact = 0, mean = 0;
         for (const double R : r.sections[0].radii_mm) {
@@ -209,8 +209,8 @@ private slots:
         Project seven = one;
         seven.sections = 7;
         seven.machine.compliance_mm_per_n = std::vector<double>(7, 2e-5);
-        const ShopColumn a = shopNumbers(simulate(one)).cycle;
-        const ShopColumn b = shopNumbers(simulate(seven)).cycle;
+        const ShopColumn a = shopNumbers(simulateUnchecked(one)).cycle;
+        const ShopColumn b = shopNumbers(simulateUnchecked(seven)).cycle;
         QVERIFY(close(a.removedVolume_mm3, b.removedVolume_mm3, 1e-13));
         QVERIFY(close(a.energy_j, b.energy_j, 1e-13));
         QVERIFY(close(a.grindingTime_s, b.grindingTime_s, 1e-13));
@@ -223,10 +223,10 @@ private slots:
         Project p = fixtures::plunge();
         p.gauge.control = Control::position; // so that the gauge decides nothing
         p.part.initial_runout_mm = 0.02;
-        const ShopColumn without = shopNumbers(simulate(p)).cycle;
+        const ShopColumn without = shopNumbers(simulateUnchecked(p)).cycle;
         p.gauge.position_mm = 11;
         p.gauge.compliance_mm_per_n = 1e-9;
-        const ShopColumn with = shopNumbers(simulate(p)).cycle;
+        const ShopColumn with = shopNumbers(simulateUnchecked(p)).cycle;
         QCOMPARE(with.removedVolume_mm3, without.removedVolume_mm3);
         QCOMPARE(with.energy_j, without.energy_j);
         QCOMPARE(with.depth_mm.value, without.depth_mm.value);
@@ -239,7 +239,7 @@ private slots:
         Project p = fixtures::traverse();
         p.wheel.dullness = 0;
         p.cycle.stages[0].axial_feed_mm_min = 1.7 * 50 * 180;
-        const ShopNumbers shop = shopNumbers(simulate(p));
+        const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
         QVERIFY(close(*shop.stages[0].energy_j_mm3, 2.8 * 2000 / 1000, 1e-13));
         QVERIFY(shop.stages[0].meanPower_w <= shop.stages[0].power_w.value);
     }
@@ -250,7 +250,7 @@ private slots:
         for (const int revolutions : {1, 5, 25}) {
             Project p = fixtures::plunge();
             p.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(revolutions)));
-            const ShopNumbers shop = shopNumbers(simulate(p));
+            const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
             const double energy = *shop.stages[1].energy_j_mm3;
             QVERIFY(energy > *shop.stages[0].energy_j_mm3);
             QVERIFY(energy > last);
@@ -263,7 +263,7 @@ private slots:
         for (const double dullness : {0.0, 0.02, 0.08}) {
             Project p = fixtures::traverse();
             p.wheel.dullness = dullness;
-            const double energy = *shopNumbers(simulate(p)).cycle.energy_j_mm3;
+            const double energy = *shopNumbers(simulateUnchecked(p)).cycle.energy_j_mm3;
             QVERIFY(energy > last);
             last = energy;
         }
@@ -272,7 +272,7 @@ private slots:
     // --- time -----------------------------------------------------------------------------------
 
     void plungeGrindsAllOfItsTime() {
-        const ShopNumbers shop = shopNumbers(simulate(rigidPlunge()));
+        const ShopNumbers shop = shopNumbers(simulateUnchecked(rigidPlunge()));
         for (const ShopColumn& stage : shop.stages) {
             QVERIFY(close(stage.grindingTime_s, stage.time_s, 1e-13));
         }
@@ -281,7 +281,7 @@ private slots:
     // A stroke grinds L_p/S_ax, plunge passes take their revolutions: N_E1 + 2·N1 + N2 of them.
     void traverseGrindsTheGroundLengthOnEachStroke() {
         const Project p = fixtures::traverse();
-        const ShopNumbers shop = shopNumbers(simulate(p));
+        const ShopNumbers shop = shopNumbers(simulateUnchecked(p));
         const double plungeIn[] = {2, 1}; // ⌈180·0.004/0.5⌉, ⌈180·0.001/0.5⌉
         const double dwells = 2 * 1 + 2;  // 0.333 s and 0.667 s at 3 rev/s
         const double axialFeed[] = {1800, 300};

@@ -199,7 +199,7 @@ private slots:
             p.cycle.stages[0].stock_mm = 0.05;
             p.wheel.diameter_mm = 20;
             p.gauge.rule = rule;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             const auto& R = r.sections[0].radii_mm;
             const double a = R[0] + R[2], b = R[1] + R[3];
             const bool smallest = (rule == GaugeRule::min) == (surface == Surface::external);

@@ -3,7 +3,7 @@
 // cell taken from its wrong end would show: it is a bound only while it is not beyond that.
 #include "core/optimisation/limit.h"
 
-#include "core/quality/burn.h"
+#include "core/limits/burn.h"
 #include "core/quality/power.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"

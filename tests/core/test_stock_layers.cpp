@@ -21,7 +21,7 @@ namespace {
 constexpr double allowed_mm = 1e-12;
 
 struct Layered {
-    explicit Layered(const Project& project) : result(simulate(project, &trajectory)) {}
+    explicit Layered(const Project& project) : result(simulateUnchecked(project, &trajectory)) {}
     [[nodiscard]] LayerSeries series(std::optional<int> radius = {}) const {
         return makeLayerSeries(result, trajectory, radius);
     }
@@ -183,7 +183,7 @@ private slots:
     }
 
     void withoutATrajectoryThereIsNothing() {
-        const SimulationResult result = simulate(fixtures::traverse());
+        const SimulationResult result = simulateUnchecked(fixtures::traverse());
         QVERIFY(makeLayerSeries(result, {}).columns.empty());
         QVERIFY(makeLayerSeries(result, {}).spans.empty());
     }

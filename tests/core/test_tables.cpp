@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/reference_page.h"
 #include "core/project/table_reader.h"
 #include "core/project/validate.h"
+#include "core/reference/reference_page.h"
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
 

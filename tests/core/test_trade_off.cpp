@@ -28,7 +28,7 @@ std::vector<Point> plainFront(Project project) {
     for (const PlainCycle& each : PlainGrid(project).cycles) {
         project.cycle = each.cycle;
         setMachine(project, each.machine);
-        const SimulationResult result = simulate(project);
+        const SimulationResult result = simulateUnchecked(project);
         if (!holds(result)) {
             continue;
         }

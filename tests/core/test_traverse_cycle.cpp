@@ -280,7 +280,7 @@ private slots:
         p.machine.overrun_entry_mm = 10;
         p.machine.overrun_exit_mm = 20; // РЗ1 40, РЗ2 30, НЗ 22 of 92 mm
         p.machine.entry_side = side;
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         const bool headstock = side == EntrySide::headstock;
         QVERIFY(within(r.sections[0].position_mm, headstock ? 20 : 72, 1e-13));
         QVERIFY(within(r.sections[1].position_mm, headstock ? 51 : 41, 1e-13));
@@ -296,7 +296,7 @@ private slots:
         Project p = fixtures::traverse();
         p.machine.compliance_mm_per_n = ZoneCompliance{1.5e-4, 1.5e-4, 1.5e-4};
         p.machine.dwell_exit_s = 0.333;
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QVERIFY(r.sections[1].diameterDeviationMax_mm > r.sections[2].diameterDeviationMax_mm);
         QVERIFY(r.sections[2].diameterDeviationMax_mm > r.sections[0].diameterDeviationMax_mm);
     }
@@ -306,7 +306,7 @@ private slots:
             Project p = strokes(5, 0.005);
             p.cycle.stages.push_back(sparkStage(fixtures::count(count - 5), 0, 1800));
             const long long before = allocations::count;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             const long long used = allocations::count - before;
             return r.cycleCount == count ? used : -count;
         };
@@ -319,7 +319,7 @@ private slots:
         const auto allocationsOf = [](int count) {
             const Project p = strokes(count, 0.0002);
             const long long before = allocations::count;
-            const SimulationResult r = simulate(p);
+            const SimulationResult r = simulateUnchecked(p);
             const long long used = allocations::count - before;
             return r.cycleCount == count ? used : -count;
         };
@@ -328,15 +328,15 @@ private slots:
 
     void traceChangesNothing() {
         const Project p = fixtures::traverse();
-        QVERIFY(fixtures::sameBits(simulate(p), Traced(p).result));
+        QVERIFY(fixtures::sameBits(simulateUnchecked(p), Traced(p).result));
     }
 
     // Of use twice: what was in it before is gone.
     void trajectoryOfAnEarlierRunIsForgotten() {
         Trajectory trajectory;
-        (void)simulate(strokes(3, 0.005), &trajectory);
+        (void)simulateUnchecked(strokes(3, 0.005), &trajectory);
         const std::size_t visits = trajectory.visits.size();
-        (void)simulate(strokes(3, 0.005), &trajectory);
+        (void)simulateUnchecked(strokes(3, 0.005), &trajectory);
         QCOMPARE(trajectory.visits.size(), visits);
     }
 
@@ -347,7 +347,7 @@ private slots:
         // to 1.
         p.cycle.stages = {strokeStage(0.0005, 1800, 0.119),
                           sparkStage(fixtures::untilSize(), 0.001, 1800)};
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::completed);
         QVERIFY(r.countsByStage[1] >= 1);
         QVERIFY(r.remainingStock_mm <= 1e-9);
@@ -379,7 +379,8 @@ private slots:
     void stopRequestedBeforehandEndsBeforeTheFirstStroke() {
         std::stop_source source;
         source.request_stop();
-        const SimulationResult r = simulate(fixtures::traverse(), nullptr, source.get_token());
+        const SimulationResult r =
+            simulateUnchecked(fixtures::traverse(), nullptr, source.get_token());
         QCOMPARE(r.status, RunStatus::stopped);
         QCOMPARE(r.cycleCount, 0);
         QCOMPARE(r.visits, 0LL);
@@ -395,7 +396,7 @@ private slots:
             requested = std::chrono::steady_clock::now();
             source.request_stop();
         });
-        const SimulationResult r = simulate(endless(), nullptr, source.get_token());
+        const SimulationResult r = simulateUnchecked(endless(), nullptr, source.get_token());
         const auto ended = std::chrono::steady_clock::now();
         asker.join();
         if (r.status == RunStatus::stopped) {
@@ -407,7 +408,7 @@ private slots:
     }
 
     void runWithTooManyVisitsEnds() {
-        const SimulationResult r = simulate(endless());
+        const SimulationResult r = simulateUnchecked(endless());
         QCOMPARE(r.status, RunStatus::tooLong);
         // Looked at before every revolution; the two strokes of three zones may still follow.
         QVERIFY(r.visits > maxVisits && r.visits <= maxVisits + 360 * 7);
@@ -421,7 +422,7 @@ private slots:
         p.part.radii_per_section = 360;
         p.machine.work_speed_rpm = 10'000;
         p.machine.dwell_entry_s = 3600;
-        const SimulationResult r = simulate(p);
+        const SimulationResult r = simulateUnchecked(p);
         QCOMPARE(r.status, RunStatus::tooLong);
         QVERIFY(r.visits <= maxVisits + 360 * 7);
         QCOMPARE(r.cycleCount, 0);

@@ -55,7 +55,7 @@ private slots:
         int cuts = 0, misses = 0;
         for (const Project& project : samples()) {
             Trajectory trajectory;
-            const SimulationResult result = simulate(project, &trajectory);
+            const SimulationResult result = simulateUnchecked(project, &trajectory);
             QVERIFY(!trajectory.passes.empty());
             for (std::size_t i = 0; i < trajectory.passes.size(); ++i) {
                 for (int k = 0; k < trajectory.radii; k += 5) {
@@ -84,7 +84,7 @@ private slots:
     void everyEquationHolds() {
         for (const Project& project : samples()) {
             Trajectory trajectory;
-            const SimulationResult result = simulate(project, &trajectory);
+            const SimulationResult result = simulateUnchecked(project, &trajectory);
             for (std::size_t i = 0; i < trajectory.passes.size();
                  i += trajectory.passes.size() / 40 + 1) {
                 const FormulaSheet sheet = visitSheet(result, trajectory, i, 7);

@@ -243,8 +243,8 @@ class Build:
             used = objects.intersection(words)
             if not used:
                 continue
-            line = " ".join(str(self.scratch / w) if w in objects or w == made[1] else w
-                            for w in words)
+            line = " ".join(shlex.quote(str(self.scratch / w))
+                            if w in objects or w == made[1] else w for w in words)
             objects.add(made[1])
             target = self.scratch / made[1]
             if not self.is_older(target, [self.scratch / w for w in used]

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/operation.h"
 #include "tests/ui/window_bench.h"
+#include "ui/files/catalogue_store.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/session/catalogue_store.h"
-#include "ui/session/operation.h"
 
 #include <QPushButton>
 #include <QTest>

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "tests/ui/view_fixtures.h"
+#include "ui/charts/compare_plot.h"
+#include "ui/charts/run_table_model.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/document.h"
 #include "ui/session/kept_runs.h"
-#include "ui/views/compare_plot.h"
-#include "ui/views/compare_view.h"
-#include "ui/views/run_table_model.h"
+#include "ui/views/compare/compare_view.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/constraints_plot.h"
-#include "ui/views/constraints_view.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/formula_text.h"
-#include "ui/views/margin_model.h"
+#include "ui/charts/margin_model.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/text/formula_text.h"
+#include "ui/views/constraints/constraints_plot.h"
+#include "ui/views/constraints/constraints_view.h"
 
 #include <QPlainTextEdit>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/xlsx_reader.h"
 #include "ui/export/export_file.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 #include <QDateTime>
 #include <QJsonDocument>

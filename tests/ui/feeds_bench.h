@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/feeds_view.h"
+#include "ui/views/feeds/feeds_plot.h"
+#include "ui/views/feeds/feeds_view.h"
 
 #include <QObject>
 #include <QTest>

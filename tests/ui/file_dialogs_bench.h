@@ -2,11 +2,11 @@
 #pragma once
 
 #include "core/project/project_file.h"
+#include "core/study/operation.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/file_trouble.h"
-#include "ui/file_commands.h"
-#include "ui/main_window.h"
-#include "ui/session/operation.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>

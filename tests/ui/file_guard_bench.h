@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/project/project_file.h"
+#include "core/study/operation.h"
 #include "tests/ui/file_trouble.h"
+#include "ui/files/file_guard.h"
 #include "ui/session/document.h"
-#include "ui/session/file_guard.h"
-#include "ui/session/operation.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "tests/ui/view_fixtures.h"
-#include "ui/dialogs/examples_dialog.h"
-#include "ui/language.h"
-#include "ui/report/course_handout.h"
-#include "ui/report/report_text.h"
+#include "ui/report/format/report_text.h"
+#include "ui/report/handout/course_handout.h"
 #include "ui/session/document.h"
+#include "ui/text/language.h"
+#include "ui/window/dialogs/examples_dialog.h"
 
 #include <QDate>
 #include <QFileInfo>
@@ -31,7 +31,7 @@ inline OutcomePtr exampleOutcome(const QString& path) {
     Document document;
     return hasErrors(document.openCopy(ExamplesDialog::textOf(path)))
                ? nullptr
-               : runProject(document.project(), {});
+               : evaluate(document.project(), {});
 }
 
 /// With everything that limits the feed.

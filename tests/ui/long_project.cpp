@@ -2,8 +2,8 @@
 #include "tests/ui/long_project.h"
 
 #include "core/project/project_file.h"
-#include "ui/session/operation.h"
-#include "ui/session/run_controller.h"
+#include "core/study/evaluate.h"
+#include "core/study/operation.h"
 
 #include <chrono>
 
@@ -52,7 +52,7 @@ OutcomePtr runForSeconds(const Project& project, const std::stop_token& stop) {
     const Clock::time_point end = Clock::now() + std::chrono::seconds(once ? 0 : 3);
     OutcomePtr outcome;
     do {
-        outcome = runProject(project, stop);
+        outcome = evaluate(project, stop);
     } while (outcome && Clock::now() < end);
     return outcome;
 }

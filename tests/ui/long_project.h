@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/project/project.h"
-#include "ui/session/outcome.h"
+#include "core/study/outcome.h"
 
 #include <stop_token>
 

@@ -2,8 +2,8 @@
 #include "tests/ui/monkey.h"
 
 #include "tests/ui/text_checks.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/plot/view.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAction>
 #include <QApplication>
@@ -26,7 +26,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int patience = 25;    ///< events a dialog or a menu may stay
+constexpr int patience = 12;    ///< events a dialog or a menu may stay: the window is the larger
 constexpr int notesToTell = 20; ///< of a monkey in trouble
 
 /// Which widget it is, over restarts of the window.
@@ -267,7 +267,7 @@ QWidget* Monkey::place() {
     return usable(*window) ? window : nullptr;
 }
 
-/// Half of the times one that was not used before.
+/// Three times of four one that was not used before, where there is one.
 QWidget* Monkey::pick(QWidget& from) {
     QList<QWidget*> candidates;
     QList<QWidget*> fresh;
@@ -281,7 +281,7 @@ QWidget* Monkey::pick(QWidget& from) {
             }
         }
     }
-    if (!fresh.isEmpty() && random(2) == 0) {
+    if (!fresh.isEmpty() && random(4) != 0) {
         return fresh[random(int(fresh.size()))];
     }
     return candidates.isEmpty() ? &from : candidates[random(int(candidates.size()))];

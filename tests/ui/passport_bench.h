@@ -3,11 +3,11 @@
 
 #include "tests/ui/report_reading.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/dialogs/examples_dialog.h"
-#include "ui/language.h"
-#include "ui/report/passport.h"
-#include "ui/report/report_text.h"
+#include "ui/report/documents/passport.h"
+#include "ui/report/format/report_text.h"
 #include "ui/session/document.h"
+#include "ui/text/language.h"
+#include "ui/window/dialogs/examples_dialog.h"
 
 #include <QDate>
 #include <QTest>

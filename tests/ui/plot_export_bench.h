@@ -2,10 +2,10 @@
 #pragma once
 
 #include "tests/ui/view_fixtures.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/session/settings.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/feeds_view.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/feeds/feeds_plot.h"
+#include "ui/views/feeds/feeds_view.h"
 
 #include <QApplication>
 #include <QDir>

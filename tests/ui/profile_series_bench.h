@@ -4,7 +4,7 @@
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "tests/two_stage_projects.h"
-#include "ui/views/profiles_series.h"
+#include "ui/charts/profiles_series.h"
 
 #include <cmath>
 #include <optional>

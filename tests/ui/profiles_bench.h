@@ -4,12 +4,12 @@
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/band_layer.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/longitudinal_plot.h"
-#include "ui/views/profiles_layers.h"
-#include "ui/views/profiles_plot.h"
-#include "ui/views/profiles_view.h"
+#include "ui/plot/band_layer.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/views/profiles/longitudinal_plot.h"
+#include "ui/views/profiles/profiles_layers.h"
+#include "ui/views/profiles/profiles_plot.h"
+#include "ui/views/profiles/profiles_view.h"
 
 #include <QApplication>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/number_field.h"
-#include "ui/inputs/stage_table.h"
+#include "core/study/operation.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/forms/stage_table.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
 
 #include <QComboBox>
 #include <QTableView>

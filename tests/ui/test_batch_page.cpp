@@ -4,13 +4,13 @@
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/project_file.h"
+#include "core/study/operation.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/inputs/factor_box.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/forms/factor_box.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/number_field.h"
-#include "ui/session/operation.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
+#include "core/study/batch_edits.h"
+#include "core/study/operation.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
-#include "ui/session/batch_edits.h"
 #include "ui/session/batch_runner.h"
-#include "ui/session/operation.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

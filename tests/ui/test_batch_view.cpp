@@ -2,21 +2,21 @@
 // The view "Batch": its figures are the engine's, a stop keeps what was done, the newest wins, the
 // worst part is reproduced by its inputs.
 #include "core/batch/batch_check.h"
+#include "core/study/batch_edits.h"
+#include "core/study/evaluate.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/session/batch_edits.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/session/project_io.h"
-#include "ui/session/run_controller.h"
-#include "ui/view_tabs.h"
-#include "ui/views/batch_figures.h"
-#include "ui/views/batch_text.h"
-#include "ui/views/batch_view.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/histogram_plot.h"
-#include "ui/views/pareto_plot.h"
-#include "ui/views/scatter_plot.h"
-#include "ui/views/sensitivity_plot.h"
+#include "ui/views/batch/batch_figures.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/batch/batch_view.h"
+#include "ui/views/batch/histogram_plot.h"
+#include "ui/views/batch/pareto_plot.h"
+#include "ui/views/batch/scatter_plot.h"
+#include "ui/views/batch/sensitivity_plot.h"
+#include "ui/window/view_tabs.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -42,7 +42,7 @@ constexpr int patience_ms = 60'000;
 constexpr int endless = 1'000'000; ///< parts: a minute or so, too many to run by itself
 
 OutcomePtr run(const Project& project) {
-    return runProject(project, {});
+    return evaluate(project, {});
 }
 
 /// A shipped project with a batch.
@@ -298,7 +298,7 @@ private slots:
                                    while (*held && !stop.stop_requested()) {
                                        QThread::msleep(5);
                                    }
-                                   return runProject(project, stop);
+                                   return evaluate(project, stop);
                                });
         QVERIFY(window.open(shippedBatch()));
         QVERIFY(window.window->showView(QStringLiteral("batch")));

@@ -15,10 +15,10 @@
 #include "tests/ui/passport_bench.h"
 #include "tests/ui/window_bench.h"
 
-#include "ui/file_commands.h"
-#include "ui/session/operation.h"
+#include "core/study/operation.h"
 #include "ui/session/project_io.h"
 #include "ui/session/run_controller.h"
+#include "ui/window/file_commands.h"
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
@@ -127,7 +127,7 @@ private slots:
                         clock.start();
                         stop.request_stop();
                     });
-                    outcome = runProject(longProject(longSections), stop.get_token());
+                    outcome = evaluate(longProject(longSections), stop.get_token());
                 }
                 return outcome ? never_ms : sinceStart_ms(clock); // else it came to its end
             }));

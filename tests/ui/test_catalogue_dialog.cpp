@@ -4,8 +4,8 @@
 #include "tests/ui/catalogue_bench.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/text_checks.h"
-#include "ui/dialogs/catalogue_dialog.h"
-#include "ui/dialogs/entry_name_dialog.h"
+#include "ui/inputs/forms/catalogue_dialog.h"
+#include "ui/inputs/forms/entry_name_dialog.h"
 #include "ui/session/settings.h"
 
 #include <QDir>

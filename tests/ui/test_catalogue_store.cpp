@@ -3,11 +3,11 @@
 #include "core/project/validate.h"
 #include "tests/registry.h"
 #include "tests/ui/catalogue_bench.h"
-#include "ui/session/catalogue_changes.h"
+#include "ui/files/catalogue_changes.h"
 #include "ui/session/project_io.h"
-#include "ui/session/search_text.h"
-#include "ui/session/source_names.h"
-#include "ui/session/texts.h"
+#include "ui/text/search_text.h"
+#include "ui/text/source_names.h"
+#include "ui/text/texts.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -2,9 +2,9 @@
 // The plot of the view "Compare": its curves are those of the runs, read and zoomed.
 #include "tests/registry.h"
 #include "tests/ui/compare_bench.h"
-#include "ui/language.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/plot_tools.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/text/language.h"
 
 #include <QAction>
 #include <QComboBox>

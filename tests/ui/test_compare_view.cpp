@@ -5,11 +5,11 @@
 #include "tests/registry.h"
 #include "tests/ui/compare_bench.h"
 #include "tests/ui/window_bench.h"
-#include "ui/file_commands.h"
-#include "ui/notice_bar.h"
+#include "ui/charts/runs_model.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/session/project_io.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/runs_model.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/notice_bar.h"
 
 #include <QAction>
 #include <QClipboard>

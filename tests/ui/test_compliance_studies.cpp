@@ -6,12 +6,12 @@
 #include "tests/tries.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
+#include "ui/charts/gauge_curves.h"
 #include "ui/session/project_io.h"
-#include "ui/views/compliance_plot.h"
-#include "ui/views/compliance_view.h"
-#include "ui/views/coupling_curves.h"
-#include "ui/views/gauge_curves.h"
-#include "ui/views/names.h"
+#include "ui/text/names.h"
+#include "ui/views/compliance/compliance_plot.h"
+#include "ui/views/compliance/compliance_view.h"
+#include "ui/views/compliance/coupling_curves.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>

@@ -2,11 +2,11 @@
 // The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
 #include "core/project/project_file.h"
 #include "tests/ui/view_fixtures.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/session/project_io.h"
-#include "ui/views/compliance_plot.h"
-#include "ui/views/compliance_view.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/plot_tools.h"
+#include "ui/views/compliance/compliance_plot.h"
+#include "ui/views/compliance/compliance_view.h"
 
 #include "tests/registry.h"
 
@@ -24,7 +24,7 @@ namespace {
 OutcomePtr example(const char* name) {
     const QString path = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
                              .arg(QString::fromLatin1(name));
-    return runProject(loadProject(path).project.value(), {});
+    return evaluate(loadProject(path).project.value(), {});
 }
 
 /// A view as it stands in the window, with a run drawn.

@@ -3,8 +3,8 @@
 #include "tests/registry.h"
 #include "tests/ui/constraints_bench.h"
 #include "tests/ui/window_bench.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/session/cycle_cursor.h"
-#include "ui/views/plot_tools.h"
 
 #include <QCheckBox>
 #include <QComboBox>

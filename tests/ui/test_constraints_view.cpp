@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Constraints": a row leads to its place and its formula, and what is off to its field.
+#include "core/limits/formula.h"
 #include "core/quality/constraint_sheet.h"
-#include "core/quality/formula.h"
 #include "core/quality/power.h"
 #include "tests/registry.h"
 #include "tests/ui/constraints_bench.h"
 #include "tests/ui/window_bench.h"
-#include "ui/session/texts.h"
-#include "ui/view_tabs.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/limit_names.h"
-#include "ui/views/names.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+#include "ui/window/view_tabs.h"
 
 #include <QCheckBox>
 #include <QClipboard>

@@ -2,11 +2,11 @@
 // Check 9: windows are killed at random moments while they are edited; what was typed must be
 // offered, and no damage of the recovery files may stop a start. The windows are processes of
 // their own: this program, started with --edit.
+#include "core/study/operation.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/file_trouble.h"
-#include "ui/file_commands.h"
-#include "ui/main_window.h"
-#include "ui/session/operation.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
 
 #include "core/project/project_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/csv_table.h"
+#include "ui/tables/csv_table.h"
 
 #include "tests/registry.h"
 

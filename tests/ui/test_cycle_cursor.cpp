@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cursor goes through the whole cycle in every unit, and keeps its place in a new run.
+#include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/two_stage_projects.h"
 #include "ui/session/cycle_cursor.h"
-#include "ui/session/run_controller.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -32,7 +32,7 @@ Project plunge() {
 }
 
 OutcomePtr run(const Project& project) {
-    return runProject(project, {});
+    return evaluate(project, {});
 }
 
 } // namespace

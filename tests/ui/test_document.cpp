@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/difference.h"
+#include "core/project/difference.h"
+#include "core/study/operation.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"

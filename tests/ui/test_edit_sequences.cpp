@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks 4 and 25: random edits, runs, saves, undos and redos. All of it undone is the beginning,
 // all of it redone the end, step by step; and what is saved opens as the same.
+#include "core/study/evaluate.h"
+#include "core/study/operation.h"
+#include "core/study/operation_return.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
-#include "ui/session/run_controller.h"
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include "core/project/project_file.h"
 #include "tests/check_line.h"
@@ -86,7 +87,7 @@ private:
             never.wait_for(lock, ended, std::chrono::milliseconds(100), [] { return false; });
             stop.request_stop();
         });
-        const OutcomePtr outcome = runProject(document.project(), stop.get_token());
+        const OutcomePtr outcome = evaluate(document.project(), stop.get_token());
         ++runs;
         failedRuns += !outcome || !outcome->ran();
         QCOMPARE(hashOf(document), before);

@@ -7,10 +7,10 @@
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/watched_work.h"
-#include "ui/export/export_dialog.h"
-#include "ui/view_tabs.h"
-#include "ui/views/feeds_view.h"
-#include "ui/views/plot_tools.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/views/feeds/feeds_view.h"
+#include "ui/window/dialogs/export_dialog.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAction>
 #include <QComboBox>

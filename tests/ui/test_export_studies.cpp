@@ -3,19 +3,19 @@
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
 #include "core/project/project_file.h"
+#include "core/study/evaluate.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/search_fixtures.h"
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/xlsx_reader.h"
 #include "ui/export/export_file.h"
-#include "ui/export/studies_shown.h"
-#include "ui/language.h"
-#include "ui/session/run_controller.h"
-#include "ui/views/batch_text.h"
-#include "ui/views/batch_view.h"
-#include "ui/views/optimise_text.h"
-#include "ui/views/part_rows.h"
+#include "ui/text/language.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/batch/batch_view.h"
+#include "ui/views/batch/part_rows.h"
+#include "ui/views/optimise/optimise_text.h"
+#include "ui/window/studies_shown.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -259,7 +259,7 @@ private slots:
     }
 
     void theDialogOffersWhatIsOfTheInputsOfNow() {
-        const OutcomePtr outcome = runProject(fixtures::shaftBatch(20), {});
+        const OutcomePtr outcome = evaluate(fixtures::shaftBatch(20), {});
         const Study study{.batch = runWholeBatch(fixtures::shaftBatch(20), {})};
         ExportDialog dialog(outcome, ExportFormat::xlsx, nullptr,
                             {{study, {}}, {study, QStringLiteral("too old")}});
@@ -287,7 +287,7 @@ private slots:
         view.resize(700, 520);
         view.show();
         QVERIFY(studiesShown({&view}, project).empty());
-        view.setOutcome(runProject(project, {}));
+        view.setOutcome(evaluate(project, {}));
         QTRY_VERIFY_WITH_TIMEOUT(view.batch() && !view.busy(), 60'000);
         auto offers = studiesShown({&view}, project);
         QCOMPARE(offers.size(), std::size_t{1});

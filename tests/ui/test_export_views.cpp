@@ -6,10 +6,10 @@
 #include "tests/ui/file_trouble.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/view_tabs.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/plot_tools.h"
-#include "ui/views/view.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/plot/view.h"
+#include "ui/window/view_tabs.h"
 
 #include <QContextMenuEvent>
 #include <QFile>

@@ -3,8 +3,8 @@
 // lists, in the overview, and gone back to.
 #include "tests/registry.h"
 #include "tests/ui/feeds_bench.h"
-#include "ui/views/feeds_overview.h"
-#include "ui/views/plot_tools.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/views/feeds/feeds_overview.h"
 
 #include <QComboBox>
 #include <QSpinBox>

@@ -3,10 +3,10 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/feeds_bench.h"
-#include "ui/language.h"
-#include "ui/views/feeds_note.h"
-#include "ui/views/hair_line.h"
-#include "ui/views/legend_strip.h"
+#include "ui/plot/hair_line.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/text/language.h"
+#include "ui/views/feeds/feeds_note.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

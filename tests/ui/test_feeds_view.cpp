@@ -2,7 +2,7 @@
 // What the feeds view draws: its curves, bands and columns, in every state and language.
 #include "tests/registry.h"
 #include "tests/ui/feeds_bench.h"
-#include "ui/views/band_layer.h"
+#include "ui/plot/band_layer.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -4,10 +4,10 @@
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/file_dialogs_bench.h"
-#include "ui/dialogs/examples_dialog.h"
 #include "ui/dialogs/faults_dialog.h"
-#include "ui/notice_bar.h"
-#include "ui/recent_files_menu.h"
+#include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/notice_bar.h"
+#include "ui/window/recent_files_menu.h"
 
 #include <QDropEvent>
 #include <QElapsedTimer>

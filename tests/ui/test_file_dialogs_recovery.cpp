@@ -2,7 +2,7 @@
 // Work of a crash, work that was discarded and earlier versions, offered by the window.
 #include "tests/registry.h"
 #include "tests/ui/file_dialogs_bench.h"
-#include "ui/notice_bar.h"
+#include "ui/window/notice_bar.h"
 
 #include <QLabel>
 #include <QTreeWidget>

@@ -2,7 +2,7 @@
 // The question about unsaved changes, answered with real clicks and keys.
 #include "tests/registry.h"
 #include "tests/ui/file_dialogs_bench.h"
-#include "ui/inputs/number_field.h"
+#include "ui/fields/number_field.h"
 
 #include <QRegularExpression>
 

@@ -3,8 +3,8 @@
 // folder, and none of them empty or with a warning.
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/plot/view.h"
+#include "ui/window/view_tabs.h"
 
 #include <QDir>
 #include <QSet>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of the course hand-out, run again, and the page of their answers.
+#include "core/project/difference.h"
 #include "core/project/project_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/handout_bench.h"
 #include "tests/ui/report_reading.h"
-#include "ui/report/exercises.h"
-#include "ui/report/pages.h"
-#include "ui/session/difference.h"
-#include "ui/views/names.h"
+#include "ui/report/format/pages.h"
+#include "ui/report/handout/exercises.h"
+#include "ui/text/names.h"
 
 #include <QRegularExpression>
 

@@ -3,9 +3,9 @@
 #include "tests/registry.h"
 #include "tests/ui/handout_bench.h"
 #include "tests/ui/report_reading.h"
-#include "ui/report/formula_markup.h"
-#include "ui/report/pages.h"
-#include "ui/session/source_names.h"
+#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/pages.h"
+#include "ui/text/source_names.h"
 
 #include <QRegularExpression>
 

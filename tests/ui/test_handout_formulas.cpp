@@ -3,8 +3,8 @@
 #include "tests/core/formula_reader.h"
 #include "tests/registry.h"
 #include "tests/ui/handout_bench.h"
-#include "ui/report/formula_markup.h"
-#include "ui/views/formula_text.h"
+#include "ui/report/format/formula_markup.h"
+#include "ui/text/formula_text.h"
 
 #include <QRegularExpression>
 

@@ -4,11 +4,11 @@
 #include "tests/registry.h"
 #include "tests/ui/handout_bench.h"
 #include "tests/ui/report_reading.h"
-#include "ui/dialogs/handout_dialog.h"
-#include "ui/report/exercises.h"
-#include "ui/report/pages.h"
+#include "ui/report/format/pages.h"
+#include "ui/report/handout/exercises.h"
 #include "ui/session/cycle_cursor.h"
 #include "ui/session/settings.h"
+#include "ui/window/dialogs/handout_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -11,9 +11,9 @@
 #include "tests/ui/long_project.h"
 #include "tests/ui/window_bench.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/playback_bar.h"
-#include "ui/views/batch_view.h"
-#include "ui/views/view.h"
+#include "ui/plot/view.h"
+#include "ui/views/batch/batch_view.h"
+#include "ui/window/playback_bar.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -212,7 +212,7 @@ QString exampleWithMostVisits() {
     for (const QString& path : examplePaths()) {
         Document document;
         const bool opened = document.open(path).opened();
-        const OutcomePtr outcome = opened ? runProject(document.project(), {}) : nullptr;
+        const OutcomePtr outcome = opened ? evaluate(document.project(), {}) : nullptr;
         if (outcome && outcome->result.visits > visits) {
             visits = outcome->result.visits;
             most = path;

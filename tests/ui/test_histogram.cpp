@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
-#include "ui/views/histogram_plot.h"
+#include "ui/views/batch/histogram_plot.h"
 
 #include <QTest>
 

@@ -3,9 +3,9 @@
 #include "ui/session/kept_runs.h"
 
 #include "core/project/project_file.h"
+#include "core/study/evaluate.h"
+#include "core/study/operation.h"
 #include "tests/registry.h"
-#include "ui/session/operation.h"
-#include "ui/session/run_controller.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -28,7 +28,7 @@ struct Desk {
         project.cycle.stages.front().stock_mm += stock_mm - document.project().part.stock_mm;
         document.edit(std::move(project), editText);
     }
-    [[nodiscard]] OutcomePtr run() const { return runProject(document.project(), {}); }
+    [[nodiscard]] OutcomePtr run() const { return evaluate(document.project(), {}); }
     bool keep() { return kept.keep(*run()) == KeptRuns::Kept::yes; }
     [[nodiscard]] bool settled() {
         return QTest::qWaitFor([this] { return !kept.busy(); }, 20'000);
@@ -230,7 +230,7 @@ private slots:
         document->startUntitled(newProject(Operation::traverse));
         auto kept = std::make_unique<KeptRuns>(*document);
         for (int i = 0; i < 3; ++i) {
-            const OutcomePtr outcome = runProject(document->project(), {});
+            const OutcomePtr outcome = evaluate(document->project(), {});
             QVERIFY(kept->keep(*outcome) == KeptRuns::Kept::yes);
         }
         document.reset(); // as in the window: the document goes first

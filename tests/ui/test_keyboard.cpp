@@ -3,15 +3,15 @@
 #include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/focus_frame.h"
-#include "ui/inputs/form_page.h"
+#include "ui/inputs/forms/form_page.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
-#include "ui/keyboard.h"
-#include "ui/playback_bar.h"
-#include "ui/view_tabs.h"
-#include "ui/views/verdict_panel.h"
-#include "ui/views/view.h"
+#include "ui/kit/focus_frame.h"
+#include "ui/kit/keyboard.h"
+#include "ui/plot/view.h"
+#include "ui/views/verdict/verdict_panel.h"
+#include "ui/window/playback_bar.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAbstractButton>
 #include <QAction>

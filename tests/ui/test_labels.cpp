@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
+#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/dialogs/about_dialog.h"
-#include "ui/dialogs/examples_dialog.h"
-#include "ui/font_size.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/session/operation.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/kit/font_size.h"
+#include "ui/plot/view.h"
+#include "ui/window/dialogs/about_dialog.h"
+#include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/view_tabs.h"
 
 #include <QComboBox>
 #include <QFileInfo>

@@ -3,13 +3,13 @@
 // turns.
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/session/cycle_cursor.h"
-#include "ui/views/layers_plot.h"
-#include "ui/views/layers_surface.h"
-#include "ui/views/layers_view.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/plot_tools.h"
-#include "ui/views/side_plot.h"
+#include "ui/views/layers/layers_plot.h"
+#include "ui/views/layers/layers_surface.h"
+#include "ui/views/layers/layers_view.h"
+#include "ui/views/layers/side_plot.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Torn-off views, the layout that is remembered, and what becomes of a damaged one.
+#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/font_size.h"
-#include "ui/sealed_state.h"
-#include "ui/session/operation.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/sealed_state.h"
+#include "ui/plot/view.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,8 +3,8 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/plot/view.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAbstractAnimation>
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/number_field.h"
+#include "ui/fields/number_field.h"
 
 #include "core/project/validate.h"
-#include "ui/session/number_text.h"
+#include "ui/text/number_text.h"
 
 #include "tests/registry.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/number_text.h"
+#include "ui/text/number_text.h"
 
 #include "core/project/validate.h"
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include "tests/registry.h"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
+#include "core/study/evaluate.h"
+#include "core/study/operation.h"
+#include "core/study/operation_return.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
-#include "ui/session/run_controller.h"
+#include "ui/text/operation_changes.h"
 
 #include "core/optimisation/levels.h"
 #include "core/optimisation/optimise.h"
@@ -177,7 +179,7 @@ private slots:
 
     void aNewProjectHoldsItsDrawingInAFewMinutes() {
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
-            const OutcomePtr outcome = runProject(newProject(operation), {});
+            const OutcomePtr outcome = evaluate(newProject(operation), {});
             QVERIFY(outcome->ran());
             for (const ConstraintResult& c : outcome->constraints) {
                 QVERIFY2(c.holds, constraintName(c.kind));

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
 // edit, and it says when it is of other inputs.
+#include "core/study/search_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/search_fixtures.h"
 #include "tests/ui/window_bench.h"
+#include "ui/charts/compare_plot.h"
+#include "ui/dialogs/copy_table.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/session/search_edits.h"
-#include "ui/view_tabs.h"
-#include "ui/views/compare_plot.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/found_model.h"
-#include "ui/views/optimise_text.h"
-#include "ui/views/optimise_view.h"
-#include "ui/views/stage_count_plot.h"
+#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/optimise_text.h"
+#include "ui/views/optimise/optimise_view.h"
+#include "ui/views/optimise/stage_count_plot.h"
+#include "ui/window/view_tabs.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

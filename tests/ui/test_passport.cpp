@@ -4,15 +4,15 @@
 #include "core/batch/moments.h"
 #include "core/batch/scenario_source.h"
 #include "core/project/leaves.h"
+#include "core/project/member.h"
+#include "core/study/batch_edits.h"
 #include "tests/registry.h"
 #include "tests/ui/passport_bench.h"
-#include "ui/session/batch_edits.h"
-#include "ui/session/field_text.h"
-#include "ui/session/member.h"
-#include "ui/session/number_text.h"
-#include "ui/session/texts.h"
-#include "ui/views/batch_text.h"
-#include "ui/views/names.h"
+#include "ui/text/field_text.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+#include "ui/views/batch/batch_text.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // The playback bar moves the cursor by buttons, keys, slider and by itself.
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/playback_bar.h"
+#include "ui/window/playback_bar.h"
 
 #include <QComboBox>
 #include <QLabel>

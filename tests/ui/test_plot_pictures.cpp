@@ -2,7 +2,7 @@
 // The pictures that the plot tools write, read back: PNG, SVG and PDF, from the disk.
 #include "tests/registry.h"
 #include "tests/ui/plot_export_bench.h"
-#include "ui/language.h"
+#include "ui/text/language.h"
 
 #include <QImage>
 #include <QProcess>

@@ -2,11 +2,11 @@
 // The tools on a plot that has nothing of its own: one axis rect, two axes.
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/legend_strip.h"
-#include "ui/views/names.h"
-#include "ui/views/plot_history.h"
-#include "ui/views/plot_style.h"
-#include "ui/views/plot_tools.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/plot_history.h"
+#include "ui/plot/plot_style.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/text/names.h"
 
 #include <QApplication>
 #include <QClipboard>

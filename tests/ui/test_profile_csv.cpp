@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/profile_csv.h"
+#include "ui/tables/profile_csv.h"
 
 #include "tests/registry.h"
 

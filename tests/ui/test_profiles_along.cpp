@@ -2,7 +2,7 @@
 // The profiles along the axis: zones, sections, limits and the shaft at their places.
 #include "tests/registry.h"
 #include "tests/ui/profile_series_bench.h"
-#include "ui/views/longitudinal_series.h"
+#include "ui/charts/longitudinal_series.h"
 
 #include <QTest>
 

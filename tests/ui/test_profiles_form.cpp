@@ -2,8 +2,8 @@
 // Form in the view "Zone profiles": magnification, reference circles, spectrum.
 #include "tests/registry.h"
 #include "tests/ui/profiles_bench.h"
-#include "ui/views/plot_tools.h"
-#include "ui/views/spectrum_plot.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/views/profiles/spectrum_plot.h"
 
 #include <QCheckBox>
 #include <QComboBox>

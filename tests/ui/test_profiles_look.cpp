@@ -4,8 +4,8 @@
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/profiles_bench.h"
-#include "ui/views/names.h"
-#include "ui/views/plot_tools.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/text/names.h"
 
 #include <QCheckBox>
 #include <QClipboard>

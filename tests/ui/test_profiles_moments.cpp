@@ -2,7 +2,7 @@
 // The profiles of a moment of the cycle, held against its visits.
 #include "tests/registry.h"
 #include "tests/ui/profile_series_bench.h"
-#include "ui/views/longitudinal_series.h"
+#include "ui/charts/longitudinal_series.h"
 
 #include <QTest>
 

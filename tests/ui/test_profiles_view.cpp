@@ -2,7 +2,7 @@
 // The view "Zone profiles", worked with mouse and keys: cells, moments, sections.
 #include "tests/registry.h"
 #include "tests/ui/profiles_bench.h"
-#include "ui/views/names.h"
+#include "ui/text/names.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The log of the session and the versions: complete, bounded, to be copied.
-#include "core/engine_info.h"
+#include "core/study/engine_info.h"
 #include "core/version.h"
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/dialogs/about_dialog.h"
-#include "ui/dialogs/log_dialog.h"
-#include "ui/file_commands.h"
 #include "ui/session/program_log.h"
+#include "ui/window/dialogs/about_dialog.h"
+#include "ui/window/dialogs/log_dialog.h"
+#include "ui/window/file_commands.h"
 
 #include <QAction>
 #include <QClipboard>

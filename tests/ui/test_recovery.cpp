@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/file_trouble.h"
-#include "ui/session/autosave.h"
+#include "ui/files/autosave.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
 
 #include "core/project/project_file.h"
 

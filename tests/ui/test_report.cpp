@@ -2,18 +2,18 @@
 // The cycle card in its three formats, read back with poppler's tools.
 #include "tests/ui/report_reading.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/dialogs/examples_dialog.h"
-#include "ui/language.h"
-#include "ui/report/cycle_card.h"
-#include "ui/report/cycle_card_parts.h"
-#include "ui/report/pages.h"
-#include "ui/report/pdf_details.h"
-#include "ui/report/report_text.h"
+#include "ui/charts/verdict_shop_text.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/format/pages.h"
+#include "ui/report/format/pdf_details.h"
+#include "ui/report/format/report_text.h"
+#include "ui/report/parts/cycle_card_parts.h"
 #include "ui/session/document.h"
-#include "ui/session/number_text.h"
-#include "ui/views/names.h"
-#include "ui/views/verdict_shop_text.h"
-#include "ui/views/verdict_text.h"
+#include "ui/text/language.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/views/verdict/verdict_text.h"
+#include "ui/window/dialogs/examples_dialog.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -35,7 +35,7 @@ OutcomePtr outcomeOf(const QString& path) {
     Document document;
     return hasErrors(document.openCopy(ExamplesDialog::textOf(path)))
                ? nullptr
-               : runProject(document.project(), {});
+               : evaluate(document.project(), {});
 }
 
 QByteArray made(const OutcomePtr& outcome, Format format, const QDate& date = day) {
@@ -160,7 +160,7 @@ private slots:
         Project project = outcome->result.project; // without the texts of the user
         project.title = project.notes = project.author = project.part.name = {};
         project.machine.name = project.material.grade = project.wheel.marking = {};
-        outcome = runProject(project, {});
+        outcome = evaluate(project, {});
         const QString text = textOfHtml(made(outcome, Format::html));
         static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
         QStringList words;

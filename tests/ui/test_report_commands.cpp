@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports from the window: preview, printing into a file, export, and none without a result.
+#include "core/study/operation.h"
 #include "tests/registry.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/report/batch_wait.h"
-#include "ui/session/operation.h"
-#include "ui/views/batch_text.h"
-#include "ui/views/batch_view.h"
+#include "ui/report/documents/batch_wait.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/batch/batch_view.h"
 
 #include <QAction>
 #include <QComboBox>

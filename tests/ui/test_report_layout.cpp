@@ -4,10 +4,10 @@
 #include "tests/registry.h"
 #include "tests/ui/handout_bench.h"
 #include "tests/ui/passport_bench.h"
-#include "ui/report/pages.h"
-#include "ui/report/report_kinds.h"
-#include "ui/report/report_values.h"
-#include "ui/session/number_text.h"
+#include "ui/report/documents/report_kinds.h"
+#include "ui/report/format/pages.h"
+#include "ui/report/parts/report_values.h"
+#include "ui/text/number_text.h"
 
 #include <QPaintEngine>
 #include <QRegularExpression>

@@ -3,11 +3,11 @@
 // its own place.
 #include "tests/registry.h"
 #include "tests/ui/passport_bench.h"
-#include "ui/report/cycle_card_parts.h"
-#include "ui/report/passport_parts.h"
-#include "ui/report/report_values.h"
-#include "ui/views/batch_text.h"
-#include "ui/views/names.h"
+#include "ui/report/documents/passport_parts.h"
+#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/parts/report_values.h"
+#include "ui/text/names.h"
+#include "ui/views/batch/batch_text.h"
 
 #include <memory>
 

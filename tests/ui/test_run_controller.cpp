@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_controller.h"
 
-#include "ui/session/operation.h"
+#include "core/study/operation.h"
 
 #include "tests/registry.h"
 

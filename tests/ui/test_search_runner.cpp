@@ -6,11 +6,11 @@
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"
+#include "core/study/search_edits.h"
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/search_fixtures.h"
-#include "ui/session/search_edits.h"
 #include "ui/session/search_runner.h"
 
 #include <QElapsedTimer>

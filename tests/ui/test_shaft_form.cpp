@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/inputs/form_row.h"
+#include "core/study/operation.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/forms/list_table.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/list_table.h"
-#include "ui/inputs/number_field.h"
 #include "ui/session/document.h"
-#include "ui/session/operation.h"
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"

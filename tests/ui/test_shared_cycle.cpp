@@ -4,14 +4,14 @@
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
-#include "ui/playback_bar.h"
-#include "ui/view_tabs.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/feeds_view.h"
-#include "ui/views/layers_plot.h"
-#include "ui/views/layers_view.h"
-#include "ui/views/profiles_plot.h"
-#include "ui/views/profiles_view.h"
+#include "ui/views/feeds/feeds_plot.h"
+#include "ui/views/feeds/feeds_view.h"
+#include "ui/views/layers/layers_plot.h"
+#include "ui/views/layers/layers_view.h"
+#include "ui/views/profiles/profiles_plot.h"
+#include "ui/views/profiles/profiles_view.h"
+#include "ui/window/playback_bar.h"
+#include "ui/window/view_tabs.h"
 
 #include <QComboBox>
 #include <QSlider>

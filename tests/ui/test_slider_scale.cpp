@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/slider_scale.h"
 
+#include "core/project/member.h"
 #include "core/project/validate.h"
-#include "ui/session/member.h"
-#include "ui/session/operation.h"
+#include "core/study/operation.h"
 
 #include "tests/registry.h"
 

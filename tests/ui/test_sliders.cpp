@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/operation.h"
+#include "ui/fields/number_field.h"
+#include "ui/fields/value_slider.h"
+#include "ui/inputs/forms/row_sliders.h"
+#include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/number_field.h"
-#include "ui/inputs/row_sliders.h"
-#include "ui/inputs/stage_table.h"
-#include "ui/inputs/value_slider.h"
 #include "ui/session/document.h"
-#include "ui/session/number_text.h"
-#include "ui/session/operation.h"
+#include "ui/text/number_text.h"
 
 #include "core/project/project_file.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast the window answers. Prints its figures; fails only at four times the target, so that a
 // busy machine does not turn it red.
-#include "ui/inputs/number_field.h"
-#include "ui/inputs/stage_table.h"
-#include "ui/inputs/value_slider.h"
-#include "ui/main_window.h"
-#include "ui/session/operation.h"
-#include "ui/views/feeds_view.h"
+#include "core/study/operation.h"
+#include "ui/fields/number_field.h"
+#include "ui/fields/value_slider.h"
+#include "ui/inputs/forms/stage_table.h"
+#include "ui/views/feeds/feeds_view.h"
+#include "ui/window/main_window.h"
 
 #include "tests/check_line.h"
 #include "tests/registry.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the stage table shows: its columns, times and shares, the copy of it.
+#include "core/study/evaluate.h"
 #include "tests/registry.h"
 #include "tests/ui/stage_table_bench.h"
-#include "ui/inputs/stage_model.h"
-#include "ui/session/run_controller.h"
+#include "ui/inputs/forms/stage_model.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -66,7 +66,7 @@ private slots:
         Bench bench;
         Project slow = bench.document.project();
         slow.cycle.stages[1].axial_feed_mm_min = 20;
-        bench.table.setOutcome(runProject(slow, {}));
+        bench.table.setOutcome(evaluate(slow, {}));
         const QAbstractItemModel& model = *bench.table.view().model();
         const QString time = model.index(1, model.columnCount() - 1).data().toString();
         QVERIFY2(QLocale().toDouble(time) > 1000 && !time.contains(u'E', Qt::CaseInsensitive),
@@ -75,7 +75,7 @@ private slots:
 
     void copyPutsTheTableOnTheClipboardForASpreadsheet() {
         Bench bench;
-        bench.table.setOutcome(runProject(bench.document.project(), {}));
+        bench.table.setOutcome(evaluate(bench.document.project(), {}));
         QTest::keySequence(&bench.table.view(), QKeySequence::Copy);
         const QStringList lines =
             QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
@@ -98,7 +98,7 @@ private slots:
             return model.index(row, column).data(StageModel::shareRole);
         };
         QVERIFY(!share(0, 2).isValid()); // nothing has run
-        const OutcomePtr outcome = runProject(bench.document.project(), {});
+        const OutcomePtr outcome = evaluate(bench.document.project(), {});
         bench.table.setOutcome(outcome);
         QVERIFY(std::abs(share(0, 2).toDouble() - 0.11 / 0.15) < 1e-12);
         QVERIFY(std::abs(share(1, 2).toDouble() - 0.04 / 0.15) < 1e-12);
@@ -116,7 +116,7 @@ private slots:
         Project project = bench.document.project();
         project.cycle.stages[0].stock_mm = 0.05;
         bench.document.startUntitled(project);
-        bench.table.setOutcome(runProject(project, {}));
+        bench.table.setOutcome(evaluate(project, {}));
         QVERIFY(
             std::abs(bench.table.view().model()->index(0, 2).data(StageModel::shareRole).toDouble()
                      - 0.11 / 0.15)
@@ -126,13 +126,13 @@ private slots:
     void sharesOfTheLastGoodRunAreGreyWhileTheInputsAreFaulty() {
         Bench bench;
         QAbstractItemModel& model = *bench.table.view().model();
-        bench.table.setOutcome(runProject(bench.document.project(), {}));
+        bench.table.setOutcome(evaluate(bench.document.project(), {}));
         const QVariant before = model.index(0, 4).data(StageModel::shareRole);
         QVERIFY(!model.index(0, 4).data(StageModel::staleRole).toBool());
         const QImage good = bench.table.view().grab().toImage();
         Project faulty = bench.document.project();
         faulty.part.radii_per_section = 35;
-        bench.table.setOutcome(runProject(faulty, {}));
+        bench.table.setOutcome(evaluate(faulty, {}));
         QVERIFY(model.index(0, 4).data(StageModel::staleRole).toBool());
         QCOMPARE(model.index(0, 4).data(StageModel::shareRole), before);
         QVERIFY(bench.table.view().grab().toImage() != good);
@@ -144,7 +144,7 @@ private slots:
     void theWholeTableIsInSightWithoutScrolling() {
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
             Bench bench(operation);
-            bench.table.setOutcome(runProject(bench.document.project(), {}));
+            bench.table.setOutcome(evaluate(bench.document.project(), {}));
             QApplication::processEvents();
             QTableView& view = bench.table.view();
             QCOMPARE(view.horizontalScrollBar()->maximum(), 0);

@@ -4,9 +4,9 @@
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
 #include "tests/ui/window_bench.h"
-#include "ui/playback_bar.h"
-#include "ui/views/formula_text.h"
-#include "ui/views/step_sheet.h"
+#include "ui/plot/step_sheet.h"
+#include "ui/text/formula_text.h"
+#include "ui/window/playback_bar.h"
 
 #include <QComboBox>
 #include <QDockWidget>

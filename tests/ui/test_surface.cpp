@@ -4,8 +4,8 @@
 #include "core/units.h"
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/layers_surface.h"
-#include "ui/views/surface_grid.h"
+#include "ui/views/layers/layers_surface.h"
+#include "ui/views/layers/surface_grid.h"
 
 #include <QTest>
 

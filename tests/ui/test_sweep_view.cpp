@@ -2,20 +2,20 @@
 // The view "Sweep": chosen, run, stopped and taken from with mouse and keys; its curves are the
 // engine's; a project from which the varied stage has gone does no harm.
 #include "core/project/number_input.h"
+#include "core/study/evaluate.h"
+#include "core/study/sweep_edits.h"
 #include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
-#include "ui/inputs/number_field.h"
+#include "ui/fields/number_field.h"
+#include "ui/plot/contour_lines.h"
+#include "ui/plot/plot_tools.h"
 #include "ui/session/document.h"
 #include "ui/session/project_io.h"
-#include "ui/session/run_controller.h"
-#include "ui/session/sweep_edits.h"
-#include "ui/views/contour_lines.h"
-#include "ui/views/plot_tools.h"
-#include "ui/views/sweep_curves.h"
-#include "ui/views/sweep_map.h"
-#include "ui/views/sweep_view.h"
+#include "ui/views/sweep/sweep_curves.h"
+#include "ui/views/sweep/sweep_map.h"
+#include "ui/views/sweep/sweep_view.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -70,7 +70,7 @@ struct Bench {
         view.show();
         QTest::qWait(20);
     }
-    void give() { view.setOutcome(runProject(document.project(), {})); }
+    void give() { view.setOutcome(evaluate(document.project(), {})); }
     [[nodiscard]] bool settled() {
         QTest::qWait(20);
         return QTest::qWaitFor([this] { return view.sweep() && !view.busy() && !view.stale(); },

@@ -3,13 +3,13 @@
 // table.
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
+#include "ui/charts/light_icon.h"
+#include "ui/fields/mark.h"
+#include "ui/fields/number_field.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/mark.h"
-#include "ui/inputs/number_field.h"
-#include "ui/view_tabs.h"
-#include "ui/views/feeds_plot.h"
-#include "ui/views/light_icon.h"
-#include "ui/views/plot_style.h"
+#include "ui/plot/plot_style.h"
+#include "ui/views/feeds/feeds_plot.h"
+#include "ui/window/view_tabs.h"
 
 #include <QAction>
 #include <QApplication>
@@ -271,7 +271,7 @@ private slots:
             "|Qt::(black|white)\\b|setStyleSheet|:/icons/(?!sparkout\\.svg|%1)"));
         QStringList offenders;
         for (const QString& path : sources()) {
-            const bool table = path.contains(QStringLiteral("/ui/theme"));
+            const bool table = path.contains(QStringLiteral("/ui/kit/theme"));
             int number = 0;
             for (const QString& line : textOf(path).split(u'\n')) {
                 ++number;

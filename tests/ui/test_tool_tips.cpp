@@ -2,11 +2,11 @@
 // Tool tips have lines that can be read, and show what a file says letter by letter.
 #include "tests/registry.h"
 #include "tests/ui/window_bench.h"
-#include "ui/inputs/hint_strip.h"
-#include "ui/inputs/hint_text.h"
-#include "ui/tool_tips.h"
-#include "ui/view_tabs.h"
-#include "ui/views/view.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/kit/tool_tips.h"
+#include "ui/plot/view.h"
+#include "ui/text/hint_text.h"
+#include "ui/window/view_tabs.h"
 
 #include <QHeaderView>
 #include <QHelpEvent>

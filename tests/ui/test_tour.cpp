@@ -3,10 +3,10 @@
 #include "tests/registry.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/dialogs/examples_dialog.h"
-#include "ui/help/help_desk.h"
 #include "ui/help/tour.h"
 #include "ui/help/tour_balloon.h"
+#include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/help_desk.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Check 10: two windows, one file. The other window is a process of its own: this program, started
 // with --hold.
+#include "core/study/operation.h"
 #include "tests/ui/dialog_answers.h"
 #include "tests/ui/file_trouble.h"
-#include "ui/file_commands.h"
-#include "ui/main_window.h"
-#include "ui/session/operation.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/main_window.h"
 
 #include "core/project/project_file.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
-#include "ui/inputs/form_row.h"
-#include "ui/inputs/hint_strip.h"
-#include "ui/inputs/hint_text.h"
+#include "core/study/evaluate.h"
+#include "core/study/operation.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/forms/stage_table.h"
 #include "ui/inputs/inputs_panel.h"
-#include "ui/inputs/number_field.h"
-#include "ui/inputs/stage_table.h"
-#include "ui/session/operation.h"
-#include "ui/session/run_controller.h"
-#include "ui/session/texts.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/texts.h"
 
 #include "core/project/validate.h"
 
@@ -38,7 +38,7 @@ struct Bench {
         panel.show();
         QApplication::setActiveWindow(&panel);
         QObject::connect(&document, &Document::changed, &panel, [this] {
-            const OutcomePtr outcome = runProject(document.project(), {});
+            const OutcomePtr outcome = evaluate(document.project(), {});
             faulty = faulty || !outcome->ran();
             panel.setOutcome(outcome);
         });

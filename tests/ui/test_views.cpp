@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/registry.h"
 #include "tests/ui/view_fixtures.h"
-#include "ui/views/verdict_model.h"
-#include "ui/views/verdict_panel.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/views/verdict/verdict_panel.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Workbooks, read back by another program.
-#include "ui/session/xlsx_book.h"
+#include "ui/tables/xlsx_book.h"
 
 #include "tests/registry.h"
 #include "tests/ui/xlsx_reader.h"
-#include "ui/session/xlsx_parts.h"
+#include "ui/tables/xlsx_parts.h"
 
 #include <QFile>
 #include <QTemporaryDir>

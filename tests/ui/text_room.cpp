@@ -2,8 +2,8 @@
 // Whether visible texts have room.
 #include "tests/ui/text_checks.h"
 
-#include "ui/inputs/column_header.h"
-#include "ui/views/legend_strip.h"
+#include "ui/inputs/forms/column_header.h"
+#include "ui/plot/legend_strip.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/run_controller.h"
-#include "ui/views/copy_table.h"
-#include "ui/views/verdict_panel.h"
-#include "ui/views/verdict_shop.h"
-#include "ui/views/verdict_shop_model.h"
+#include "core/study/evaluate.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/views/verdict/verdict_panel.h"
+#include "ui/views/verdict/verdict_shop.h"
+#include "ui/views/verdict/verdict_shop_model.h"
 
 #include <QIcon>
 #include <QLabel>
@@ -54,7 +54,7 @@ inline Project plungeProject(int sections, int stages = 2) {
 }
 
 inline OutcomePtr run(const Project& project) {
-    return runProject(project, {});
+    return evaluate(project, {});
 }
 
 /// A test of the panel on a traverse and on a plunge of twenty sections.

@@ -2,9 +2,9 @@
 // Projects, outcomes and events for the tests of the views.
 #pragma once
 
+#include "core/study/evaluate.h"
 #include "tests/two_stage_projects.h"
-#include "ui/session/run_controller.h"
-#include "ui/views/view.h"
+#include "ui/plot/view.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -21,7 +21,7 @@ namespace fixtures {
 using namespace sparkout;
 
 inline OutcomePtr run(const Project& project) {
-    return runProject(project, {});
+    return evaluate(project, {});
 }
 
 inline OutcomePtr refused() {

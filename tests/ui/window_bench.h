@@ -2,8 +2,8 @@
 // What the tests of the whole window share.
 #pragma once
 
-#include "ui/main_window.h"
-#include "ui/theme.h"
+#include "ui/kit/theme.h"
+#include "ui/window/main_window.h"
 
 #include <QStringList>
 
@@ -18,7 +18,7 @@ namespace sparkout {
 /// A window as a user with a small laptop has it.
 struct Bench {
     explicit Bench(const QString& language, Theme theme = Theme::light,
-                   RunController::Runner runner = runProject);
+                   RunController::Runner runner = evaluate);
     ~Bench();
 
     /// Opens a project and waits until the views have drawn its outcome; false when they do not.

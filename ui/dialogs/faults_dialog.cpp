@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/faults_dialog.h"
 
-#include "ui/help/help_topic.h"
-#include "ui/inputs/mark.h"
-#include "ui/session/texts.h"
+#include "ui/fields/mark.h"
+#include "ui/kit/help_topic.h"
+#include "ui/text/texts.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

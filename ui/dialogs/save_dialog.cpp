@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/save_dialog.h"
 
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include <QApplication>
 #include <QDir>

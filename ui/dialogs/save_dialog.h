@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/safe_file.h"
-#include "ui/session/sheet.h"
+#include "core/files/safe_file.h"
+#include "ui/tables/sheet.h"
 
 #include <QByteArray>
 #include <QString>

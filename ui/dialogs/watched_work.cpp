@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/watched_work.h"
 
-#include "ui/metrics.h"
-#include "ui/session/texts.h"
+#include "ui/kit/metrics.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
 #include <QDialog>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/export_file.h"
 
-#include "ui/views/table_file.h"
+#include "ui/dialogs/table_file.h"
 
 #include <QCoreApplication>
 #include <QLocale>

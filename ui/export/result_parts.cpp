@@ -5,13 +5,13 @@
 #include "core/quality/result_json.h"
 #include "core/quality/run_summary.h"
 #include "core/units.h"
+#include "ui/charts/result_tables.h"
+#include "ui/charts/run_table.h"
+#include "ui/dialogs/table_file.h"
 #include "ui/export/trace_sheet.h"
-#include "ui/session/example_texts.h"
-#include "ui/session/texts.h"
-#include "ui/views/names.h"
-#include "ui/views/result_tables.h"
-#include "ui/views/run_table.h"
-#include "ui/views/table_file.h"
+#include "ui/text/example_texts.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
 

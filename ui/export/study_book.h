@@ -4,7 +4,7 @@
 #include "ui/session/batch_runner.h"
 #include "ui/session/search_runner.h"
 #include "ui/session/sweep_runner.h"
-#include "ui/session/xlsx_book.h"
+#include "ui/tables/xlsx_book.h"
 
 #include <QString>
 

@@ -3,8 +3,8 @@
 
 #include "core/simulation/progress.h"
 #include "core/units.h"
-#include "ui/session/texts.h"
-#include "ui/views/names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/session/outcome.h"
-#include "ui/session/sheet.h"
+#include "core/study/outcome.h"
+#include "ui/tables/sheet.h"
 
 namespace sparkout {
 

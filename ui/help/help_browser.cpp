@@ -3,8 +3,8 @@
 
 #include "ui/help/help_book.h"
 #include "ui/help/help_words.h"
-#include "ui/metrics.h"
-#include "ui/theme.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme.h"
 
 #include <QEvent>
 #include <QScrollBar>

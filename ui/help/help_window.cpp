@@ -3,9 +3,9 @@
 
 #include "ui/help/help_book.h"
 #include "ui/help/help_browser.h"
-#include "ui/keyboard.h"
-#include "ui/metrics.h"
-#include "ui/theme.h"
+#include "ui/kit/keyboard.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme.h"
 
 #include <QAction>
 #include <QEvent>

@@ -50,7 +50,7 @@ private:
     QLineEdit* m_search;
     QTreeWidget* m_list;
     HelpBrowser* m_browser;
-    QString m_page; ///< that is shown
+    QString m_page;         ///< that is shown
     QTimer m_renewal;       ///< once the language is changed in everything
     bool m_showing = false; ///< the list follows the page
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/tour_balloon.h"
 
-#include "ui/metrics.h"
+#include "ui/kit/metrics.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/inputs_panel.h"
 
-#include "ui/font_size.h"
-#include "ui/inputs/form_metrics.h"
-#include "ui/inputs/hint_strip.h"
-#include "ui/inputs/list_table.h"
-#include "ui/inputs/number_field.h"
-#include "ui/metrics.h"
-#include "ui/session/texts.h"
-#include "ui/theme.h"
+#include "ui/fields/number_field.h"
+#include "ui/inputs/editors/form_metrics.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/forms/list_table.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme.h"
+#include "ui/text/texts.h"
 
 #include <QApplication>
 #include <QButtonGroup>

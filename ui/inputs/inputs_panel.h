@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/form_page.h"
-#include "ui/session/outcome.h"
+#include "core/study/outcome.h"
+#include "ui/inputs/forms/form_page.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/messages_panel.h"
 
-#include "ui/help/help_topic.h"
-#include "ui/session/texts.h"
+#include "ui/kit/help_topic.h"
+#include "ui/text/texts.h"
 
 namespace sparkout {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/inputs/form_page.h"
-#include "ui/inputs/mark.h"
-#include "ui/session/outcome.h"
+#include "core/study/outcome.h"
+#include "ui/fields/mark.h"
+#include "ui/inputs/forms/form_page.h"
 
 #include <QListWidget>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/simulation/progress.h"
-#include "ui/session/outcome.h"
+#include "core/study/outcome.h"
 
 #include <QObject>
 

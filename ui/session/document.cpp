@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/document.h"
 
+#include "core/project/difference.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
-#include "ui/session/difference.h"
-#include "ui/session/example_texts.h"
+#include "ui/text/example_texts.h"
 
 #include <QCoreApplication>
 #include <QUndoCommand>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include "core/printable.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/outcome.h"
 #include "ui/session/document.h"
-#include "ui/session/outcome.h"
 #include "ui/session/run_recall.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/program_log.h"
 
-#include "ui/session/texts.h"
+#include "ui/text/texts.h"
 
 #include <atomic>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
-#include "core/project/safe_file.h"
 
 #include <QByteArray>
 #include <QString>

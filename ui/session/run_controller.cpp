@@ -1,40 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_controller.h"
 
-#include "core/project/validate.h"
-#include "core/quality/remarks.h"
-#include "core/simulation/simulate.h"
-
 #include <QElapsedTimer>
 
 namespace sparkout {
-
-OutcomePtr runProject(const Project& project, const std::stop_token& stop) {
-    auto outcome = std::make_shared<Outcome>();
-    outcome->issues = validate(project);
-    if (hasErrors(outcome->issues)) {
-        return outcome;
-    }
-    // Once to learn how much there is to record, then again to record it: a run is short, and a
-    // trajectory of the longest ones would not fit into memory.
-    outcome->result = simulate(project, nullptr, stop);
-    if (!stop.stop_requested() && outcome->result.visits <= maxRecordedVisits) {
-        outcome->trajectory.visits.reserve(static_cast<std::size_t>(outcome->result.visits));
-        outcome->result = simulate(project, &outcome->trajectory, stop);
-    }
-    if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {
-        return nullptr;
-    }
-    outcome->accuracy = accuracyOf(outcome->result);
-    outcome->constraints = evaluateConstraints(outcome->result, outcome->accuracy);
-    outcome->limits = makeLimitSeries(outcome->result, outcome->trajectory);
-    outcome->shop = shopNumbers(outcome->result);
-    const Issues remarks = remarksOn(outcome->result);
-    outcome->issues.insert(outcome->issues.end(), remarks.begin(), remarks.end());
-    outcome->feeds = makeFeedSeries(outcome->result, outcome->trajectory);
-    outcome->layers = makeLayerSeries(outcome->result, outcome->trajectory);
-    return outcome;
-}
 
 RunController::RunController(QObject* parent, Runner runner)
     : QObject(parent), m_runner(std::move(runner)) {}

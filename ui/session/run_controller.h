@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/study/evaluate.h"
 #include "ui/session/newest_job.h"
-#include "ui/session/outcome.h"
 
 #include <QObject>
 
@@ -10,9 +10,6 @@
 #include <stop_token>
 
 namespace sparkout {
-
-/// Checks a project, runs its cycle and holds it against the drawing. Null when stopped.
-[[nodiscard]] OutcomePtr runProject(const Project& project, const std::stop_token& stop);
 
 /// Runs projects off the window's thread. A project is taken by value, its outcome comes back as a
 /// signal in the thread of the controller; a newer request stops the older one, whose result is
@@ -23,7 +20,7 @@ class RunController : public QObject {
 public:
     using Runner = std::function<OutcomePtr(const Project&, const std::stop_token&)>;
 
-    explicit RunController(QObject* parent = nullptr, Runner runner = runProject);
+    explicit RunController(QObject* parent = nullptr, Runner runner = evaluate);
 
     void request(Project project);
     void stop(); ///< and drops its outcome

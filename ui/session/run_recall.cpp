@@ -1,39 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_recall.h"
 
-#include "core/project/project_file.h"
-#include "ui/session/run_controller.h"
-
 #include <algorithm>
 
 namespace sparkout {
-
-namespace {
-
-RecalledRun recall(const std::string& inputs, const std::stop_token& stop) {
-    RecalledRun run;
-    ReadResult read = readProject(inputs);
-    run.issues = std::move(read.issues);
-    if (!read.project) {
-        return run;
-    }
-    const OutcomePtr outcome = runProject(*read.project, stop);
-    if (!outcome) {
-        return run; // stopped: nobody asks any more
-    }
-    run.issues = outcome->issues;
-    if (outcome->ran()) {
-        run.summary = summarise(outcome->result, outcome->accuracy, outcome->constraints);
-        FeedSeries feeds = outcome->feeds;
-        for (FeedColumn& column : feeds.columns) {
-            column.passIndex = {}; // the trajectory is gone
-        }
-        run.feeds = std::make_shared<const FeedSeries>(std::move(feeds));
-    }
-    return run;
-}
-
-} // namespace
 
 const RecalledRun* RunRecall::find(const std::string& inputs) const {
     const auto found = m_runs.find(inputs);
@@ -67,7 +37,7 @@ void RunRecall::setRuns(std::set<std::string> all, std::set<std::string> wanted)
     m_pending = {open.begin(), open.end()};
     m_job.start([this, open](const std::stop_token& stop, const NewestJob::Post& post) {
         for (const std::string& inputs : open) {
-            RecalledRun run = recall(inputs, stop);
+            RecalledRun run = recallRun(inputs, stop);
             if (stop.stop_requested()) {
                 return;
             }

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/issue.h"
-#include "core/quality/run_summary.h"
-#include "core/simulation/feed_series.h"
+#include "core/study/recalled_run.h"
 #include "ui/session/newest_job.h"
 
 #include <QObject>
 
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace sparkout {
-
-/// A kept run computed again: as this version of the engine has it.
-struct RecalledRun {
-    Issues issues;                           ///< with errors nothing was run
-    std::optional<RunSummary> summary;       ///< nothing: refused
-    std::shared_ptr<const FeedSeries> feeds; ///< of the wanted ones; null: not asked for
-};
 
 /// Computes kept runs again, one after the other, off the window's thread: all for their summaries,
 /// the wanted ones for their feeds too. Runs are told apart by their inputs, which never change.

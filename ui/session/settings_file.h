@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/safe_file.h"
+#include "core/files/safe_file.h"
 
 #include <QObject>
 #include <QString>

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/catalogue/catalogue.h"
+
+#include "core/catalogue/catalogue_check.h"
+#include "core/project/project_file.h"
+#include "core/project/strict_json.h"
+#include "core/project/table_reader.h"
+#include "core/text.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using namespace catalogue;
+
+constexpr const char* catalogueFormat = "sparkout-catalogue";
+
+/// What makes a kind of catalogue: its name in the file, and where its value stands in a project.
+template <class Entry>
+struct Kindred;
+template <>
+struct Kindred<MaterialEntry> {
+    static constexpr const char* name = "materials";
+    static constexpr const char* key = "material";
+    static constexpr auto member = &Project::material;
+};
+template <>
+struct Kindred<WheelEntry> {
+    static constexpr const char* name = "wheels";
+    static constexpr const char* key = "wheel";
+    static constexpr auto member = &Project::wheel;
+};
+template <>
+struct Kindred<MachineEntry> {
+    static constexpr const char* name = "machines";
+    static constexpr const char* key = "machine";
+    static constexpr auto member = &Project::machine;
+};
+
+template <class Entry>
+const StructInfo& valueTable() {
+    return tableOf<decltype(Entry::value)>();
+}
+
+/// The header, and the list of entries when there is one.
+const json* checkHeader(const json& root, const char* kind, Issues& issues) {
+    const auto refuse = [&](IssueCode code, const char* path, std::string value,
+                            std::string limit) {
+        issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
+    };
+    if (!root.is_object()) {
+        refuse(IssueCode::wrongType, "", quoted(root), SPARKOUT_NOOP("Limit", "object"));
+        return nullptr;
+    }
+    for (const auto& [key, value] : root.items()) {
+        if (key != "format" && key != "version" && key != "kind" && key != "entries") {
+            refuse(IssueCode::unknownKey, ("/" + pathStep(key)).c_str(), quoted(json(key)),
+                   "format, version, kind, entries");
+        }
+    }
+    const auto expect = [&](const char* key, const json& expected, IssueCode wrong) {
+        const auto found = root.find(key);
+        const std::string path = std::string("/") + key;
+        if (found == root.end()) {
+            refuse(IssueCode::missingKey, path.c_str(), {}, quoted(expected));
+        } else if (*found != expected) {
+            refuse(wrong, path.c_str(), quoted(*found), quoted(expected));
+        }
+    };
+    expect("format", catalogueFormat, IssueCode::notOneOf);
+    expect("version", catalogueVersion, IssueCode::notOneOf);
+    expect("kind", kind, IssueCode::notOneOf);
+    const auto entries = root.find("entries");
+    if (entries == root.end() || !entries->is_array()) {
+        refuse(entries == root.end() ? IssueCode::missingKey : IssueCode::wrongType, "/entries",
+               entries == root.end() ? std::string() : quoted(*entries),
+               SPARKOUT_NOOP("Limit", "list of objects"));
+        return nullptr;
+    }
+    return &*entries;
+}
+
+template <class Entry>
+void readEntry(const json& text, const std::string& path, Entry& entry, Issues& issues) {
+    const std::size_t before = issues.size();
+    std::vector<MissingKey> missing;
+    readByTable(text, tableOf<Entry>(), &entry, path, issues, missing);
+    for (const char* key : {"name", "value"}) {
+        if (text.is_object() && !text.contains(key)) {
+            issues.push_back({IssueCode::missingKey, Severity::error, path + "/" + key, {}, key});
+        }
+    }
+    if (issues.size() == before) {
+        checkSources(text.at("value"), valueTable<Entry>(), entry.sources, path, issues);
+        Project project;
+        project.*Kindred<Entry>::member = entry.value;
+        checkLimits(project, Kindred<Entry>::key, entry.sources, path, issues);
+        if constexpr (std::is_same_v<Entry, MaterialEntry>) {
+            if (entry.thermal) {
+                checkThermal(*entry.thermal, path + "/thermal", issues);
+            }
+        }
+    }
+}
+
+/// Between the rows [x, y], whose x rise; nothing outside.
+std::optional<double> between(const NumberRows& rows, double x) {
+    for (std::size_t i = 0; rows && i + 1 < rows->size(); ++i) {
+        const auto& a = (*rows)[i];
+        const auto& b = (*rows)[i + 1];
+        if (a.size() == 2 && b.size() == 2 && a[0] <= x && x <= b[0] && a[0] < b[0]) {
+            return a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+const ValueSource* sourceOf(const std::vector<ValueSource>& sources, std::string_view key) {
+    const auto found = std::find_if(sources.begin(), sources.end(),
+                                    [&](const ValueSource& source) { return source.key == key; });
+    return found == sources.end() ? nullptr : &*found;
+}
+
+template <class Entry>
+CatalogueRead<Entry> readCatalogue(std::string_view text) {
+    CatalogueRead<Entry> read;
+    const auto root = parseStrictly(text, read.issues);
+    if (!root) {
+        return read;
+    }
+    const json* list = checkHeader(*root, Kindred<Entry>::name, read.issues);
+    std::vector<Entry> entries(list ? list->size() : 0);
+    for (std::size_t i = 0; i < entries.size() && read.issues.size() < limits::issues; ++i) {
+        readEntry((*list)[i], "/entries/" + std::to_string(i), entries[i], read.issues);
+    }
+    if (!hasErrors(read.issues)) {
+        read.entries = std::move(entries);
+    }
+    return read;
+}
+
+template <class Entry>
+std::string writeCatalogue(const std::vector<Entry>& entries) {
+    ordered_json root = {
+        {"format", catalogueFormat}, {"version", catalogueVersion}, {"kind", Kindred<Entry>::name}};
+    ordered_json& list = root["entries"] = ordered_json::array();
+    for (const Entry& entry : entries) {
+        ordered_json text = writeByTable(tableOf<Entry>(), &entry);
+        text["value"] = givenPart(text["value"], valueTable<Entry>(), entry.sources);
+        list.push_back(std::move(text));
+    }
+    return printJson(root);
+}
+
+template <class Entry>
+std::optional<CatalogueFault> saveCatalogue(const std::filesystem::path& path,
+                                            const std::vector<Entry>& entries) {
+    const std::string text = writeCatalogue(entries);
+    CatalogueRead<Entry> again = readCatalogue<Entry>(text);
+    if (!again.entries || writeCatalogue(*again.entries) != text) {
+        return CatalogueFault{std::move(again.issues), std::nullopt};
+    }
+    if (const auto error = writeFileSafely(path, text, {.keepBackup = true})) {
+        return CatalogueFault{{}, error};
+    }
+    return std::nullopt;
+}
+
+template <class Entry>
+std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped, const std::vector<Entry>& own) {
+    std::vector<Entry> all = own;
+    for (const Entry& entry : shipped) {
+        const bool replaced = std::any_of(
+            own.begin(), own.end(), [&](const Entry& mine) { return mine.name == entry.name; });
+        if (!replaced) {
+            all.push_back(entry);
+        }
+    }
+    std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {
+        return strverscmp(a.name.c_str(), b.name.c_str()) < 0; // 50×… before 400×…
+    });
+    return all;
+}
+
+template <class Entry>
+void applyEntry(const Entry& entry, Project& project) {
+    auto& target = project.*Kindred<Entry>::member;
+    const ordered_json given = givenPart(writeByTable(valueTable<Entry>(), &entry.value),
+                                         valueTable<Entry>(), entry.sources);
+    Issues issues;
+    std::vector<MissingKey> missing;
+    readByTable(json(given), valueTable<Entry>(), &target, {}, issues, missing);
+}
+
+template <class Entry>
+Entry entryOf(const Project& project, std::string name) {
+    Entry entry;
+    entry.name = std::move(name);
+    entry.value = project.*Kindred<Entry>::member;
+    const ordered_json value = writeByTable(valueTable<Entry>(), &entry.value);
+    eachValue(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
+        ValueSource source;
+        source.key = key;
+        entry.sources.push_back(std::move(source));
+    });
+    return entry;
+}
+
+std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius) {
+    const auto conductivity = between(data.conductivity_w_mk_at_c, celsius);
+    const auto capacity = between(data.heat_capacity_j_kgk_at_c, celsius);
+    if (!conductivity || !capacity || !data.density_kg_m3) {
+        return std::nullopt;
+    }
+    constexpr double mm2PerM2 = units::mmPerM * units::mmPerM;
+    return ThermalPoint{*conductivity,
+                        *conductivity / (*data.density_kg_m3 * *capacity) * mm2PerM2};
+}
+
+#define SPARKOUT_CATALOGUE(Entry)                                                                  \
+    template CatalogueRead<Entry> readCatalogue<Entry>(std::string_view);                          \
+    template std::string writeCatalogue<Entry>(const std::vector<Entry>&);                         \
+    template std::optional<CatalogueFault> saveCatalogue<Entry>(const std::filesystem::path&,      \
+                                                                const std::vector<Entry>&);        \
+    template std::vector<Entry> mergedEntries<Entry>(const std::vector<Entry>&,                    \
+                                                     const std::vector<Entry>&);                   \
+    template void applyEntry<Entry>(const Entry&, Project&);                                       \
+    template Entry entryOf<Entry>(const Project&, std::string)
+SPARKOUT_CATALOGUE(MaterialEntry);
+SPARKOUT_CATALOGUE(WheelEntry);
+SPARKOUT_CATALOGUE(MachineEntry);
+#undef SPARKOUT_CATALOGUE
+
+} // namespace sparkout

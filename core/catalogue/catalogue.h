@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/safe_file.h"
+#include "core/issue.h"
+#include "core/project/project.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Catalogues of materials, wheels and machines: one UTF-8 JSON file a kind, read and written by
+/// the tables of the project. An entry gives some values of a Material, Wheel or Machine, never
+/// all, and for every number says where it comes from. The shipped catalogues stand in
+/// resources/catalogue, the user's own in files of the same form beside them.
+namespace sparkout {
+
+inline constexpr int catalogueVersion = 1;
+
+/// Where one number of an entry comes from.
+struct ValueSource {
+    std::string key;    ///< of the value, "stiffness_n_um/headstock" for one inside another
+    std::string source; ///< key of core/SOURCES.md; empty: an estimate, to be calibrated
+    std::optional<std::vector<double>> range; ///< [lowest, highest] it plausibly has, in its unit
+    std::string note;                         ///< under which conditions it holds
+    std::string note_ru; ///< the same for the Russian window; empty: `note` serves both
+};
+
+/// A material's heat data over temperature, for whoever wants another temperature than at_c.
+struct ThermalData {
+    double at_c = 400;                   ///< at which the entry's λ and Ω are taken [°C]
+    std::optional<double> density_kg_m3; ///< ρ [kg/m³]
+    NumberRows conductivity_w_mk_at_c;   ///< rows of [°C, W/(m·K)]
+    NumberRows heat_capacity_j_kgk_at_c; ///< rows of [°C, J/(kg·K)]
+    std::string source;                  ///< key of core/SOURCES.md
+};
+
+struct MaterialEntry {
+    std::string name;
+    std::string note, note_ru; ///< what it is used for
+    Material value;
+    std::vector<ValueSource> sources; ///< one for each number of `value` that is given
+    std::optional<ThermalData> thermal;
+};
+
+struct WheelEntry {
+    std::string name;
+    std::string note, note_ru; ///< what it is used for
+    Wheel value;
+    std::vector<ValueSource> sources;
+};
+
+struct MachineEntry {
+    std::string name;
+    std::string note, note_ru; ///< what it is used for
+    Machine value;
+    std::vector<ValueSource> sources;
+};
+
+template <class Entry>
+struct CatalogueRead {
+    std::optional<std::vector<Entry>> entries; ///< given when there is no error
+    Issues issues;
+};
+
+/// Reads a catalogue's text strictly: unknown and doubled keys, wrong types, values outside the
+/// hard limits, a number without its source and a source without its number are faults.
+/// For MaterialEntry, WheelEntry and MachineEntry.
+template <class Entry>
+[[nodiscard]] CatalogueRead<Entry> readCatalogue(std::string_view text);
+
+/// The text of a catalogue: of each value what has a source, and its texts. Same entries, same
+/// bytes.
+template <class Entry>
+[[nodiscard]] std::string writeCatalogue(const std::vector<Entry>& entries);
+
+/// Why a catalogue was not saved: faults that would keep it from being read again, or the disk.
+struct CatalogueFault {
+    Issues issues;
+    std::optional<FileError> file;
+};
+
+/// Saves a catalogue with the one safe writer, the last version beside it; nothing when it went
+/// well. What could not be read again is not written at all.
+template <class Entry>
+[[nodiscard]] std::optional<CatalogueFault> saveCatalogue(const std::filesystem::path& path,
+                                                          const std::vector<Entry>& entries);
+
+/// The shipped entries and the user's: one of his takes the place of the shipped one of that name.
+/// By name, numbers in it by their value.
+template <class Entry>
+[[nodiscard]] std::vector<Entry> mergedEntries(const std::vector<Entry>& shipped,
+                                               const std::vector<Entry>& own);
+
+/// Puts what an entry gives into the project; everything else stays.
+template <class Entry>
+void applyEntry(const Entry& entry, Project& project);
+
+/// An entry that gives what the project has: "save as mine". Its numbers are estimates until their
+/// sources are filled in.
+template <class Entry>
+[[nodiscard]] Entry entryOf(const Project& project, std::string name);
+
+/// The source of a value by its key, null when the entry does not give it.
+[[nodiscard]] const ValueSource* sourceOf(const std::vector<ValueSource>& sources,
+                                          std::string_view key);
+
+/// Whether a number is an estimate, to be calibrated.
+[[nodiscard]] inline bool isEstimate(const ValueSource& source) {
+    return source.source.empty();
+}
+
+/// λ [W/(m·K)] and Ω = λ/(ρ·c) [mm²/s] at a temperature, linear between the rows; nothing outside
+/// them or without the data.
+struct ThermalPoint {
+    double conductivity_w_mk = 0, diffusivity_mm2_s = 0;
+};
+[[nodiscard]] std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius);
+
+} // namespace sparkout

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/catalogue/catalogue_check.h"
+
+#include "core/project/range_check.h"
+#include "core/project/strict_json.h"
+#include "core/project/validate.h"
+
+#include <algorithm>
+
+namespace sparkout::catalogue {
+
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+bool isValue(Kind kind) {
+    switch (kind) {
+    case Kind::text:
+    case Kind::object:
+    case Kind::optionalObject: return false;
+    default: return true;
+    }
+}
+
+void refuse(Issues& issues, IssueCode code, std::string path, std::string value,
+            std::string limit) {
+    issues.push_back({code, Severity::error, std::move(path), std::move(value), std::move(limit)});
+}
+
+std::string joined(const std::vector<std::string>& keys) {
+    std::string text;
+    for (const std::string& key : keys) {
+        text += (text.empty() ? "" : ", ") + key;
+    }
+    return text;
+}
+
+/// A path inside a value without the indices of lists: what its source is called by.
+std::string keyOf(const std::string& path) {
+    std::string key = path;
+    for (std::size_t slash = key.rfind('/'); slash != std::string::npos; slash = key.rfind('/')) {
+        if (key.find_first_not_of("0123456789", slash + 1) != std::string::npos) {
+            break;
+        }
+        key.resize(slash);
+    }
+    return key;
+}
+
+void checkRange(const ordered_json& number, const ValueSource& source, const std::string& path,
+                Issues& issues) {
+    if (!source.range || source.range->size() != 2 || !number.is_number()) {
+        return;
+    }
+    const Range range{(*source.range)[0], (*source.range)[1]};
+    if (!range.contains(number.get<double>())) {
+        refuse(issues, IssueCode::outOfRange, path, numberText(number.get<double>()),
+               rangeText(range, ""));
+    }
+}
+
+void checkRows(const NumberRows& rows, const std::string& path, Issues& issues) {
+    for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+        const auto& row = (*rows)[i];
+        const std::string at = path + "/" + std::to_string(i);
+        if (row.size() != 2) {
+            refuse(issues, IssueCode::wrongCount, at, std::to_string(row.size()), "2");
+        } else if (row[1] <= 0) {
+            refuse(issues, IssueCode::outOfRange, at + "/1", numberText(row[1]), "> 0");
+        } else if (i > 0 && (*rows)[i - 1].size() == 2 && row[0] <= (*rows)[i - 1][0]) {
+            refuse(issues, IssueCode::outOfRange, at + "/0", numberText(row[0]),
+                   "> " + numberText((*rows)[i - 1][0]));
+        }
+    }
+}
+
+} // namespace
+
+void eachValue(const ordered_json& value, const StructInfo& table, const std::string& prefix,
+               const std::function<void(const std::string&, const ordered_json&)>& visit) {
+    for (const Field& field : table.fields) {
+        const auto found = value.find(field.key);
+        if (found == value.end() || found->is_null()) {
+            continue;
+        }
+        const std::string key = prefix + field.key;
+        if (isValue(field.kind)) {
+            visit(key, *found);
+        } else if (field.nested && found->is_object()) {
+            eachValue(*found, *field.nested, key + "/", visit);
+        }
+    }
+}
+
+ordered_json givenPart(const ordered_json& value, const StructInfo& table,
+                       const std::vector<ValueSource>& sources, const std::string& prefix) {
+    ordered_json given = ordered_json::object();
+    for (const Field& field : table.fields) {
+        const auto found = value.find(field.key);
+        if (found == value.end() || found->is_null()) {
+            continue;
+        }
+        const std::string key = prefix + field.key;
+        if (isValue(field.kind)) {
+            if (sourceOf(sources, key)) {
+                given[field.key] = *found;
+            }
+        } else if (field.kind == Kind::text) {
+            if (*found != "") {
+                given[field.key] = *found;
+            }
+        } else if (field.nested && found->is_object()) {
+            ordered_json part = givenPart(*found, *field.nested, sources, key + "/");
+            if (!part.empty()) {
+                given[field.key] = std::move(part);
+            }
+        }
+    }
+    return given;
+}
+
+void checkSources(const json& value, const StructInfo& table,
+                  const std::vector<ValueSource>& sources, const std::string& path,
+                  Issues& issues) {
+    std::vector<std::string> keys;
+    eachValue(
+        ordered_json(value), table, {}, [&](const std::string& key, const ordered_json& number) {
+            keys.push_back(key);
+            if (const ValueSource* source = sourceOf(sources, key)) {
+                checkRange(number, *source, path + "/value/" + key, issues);
+            } else {
+                refuse(issues, IssueCode::sourceMissing, path + "/value/" + key, key, "sources");
+            }
+        });
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const ValueSource& source = sources[i];
+        const std::string at = path + "/sources/" + std::to_string(i);
+        if (std::find(keys.begin(), keys.end(), source.key) == keys.end()) {
+            refuse(issues, IssueCode::unknownKey, at + "/key", quoted(json(source.key)),
+                   joined(keys));
+        } else if (sourceOf(sources, source.key) != &source) {
+            refuse(issues, IssueCode::duplicateKey, at + "/key", quoted(json(source.key)), {});
+        }
+        if (source.range && source.range->size() != 2) {
+            refuse(issues, IssueCode::wrongCount, at + "/range",
+                   std::to_string(source.range->size()), "2");
+        }
+    }
+}
+
+void checkLimits(const Project& project, const std::string& key,
+                 const std::vector<ValueSource>& sources, const std::string& path, Issues& issues) {
+    const std::string inProject = "/" + key + "/";
+    for (Issue& issue : checkRanges(project)) {
+        if (issue.severity != Severity::error
+            || issue.path.compare(0, inProject.size(), inProject) != 0) {
+            continue;
+        }
+        const std::string inValue = issue.path.substr(inProject.size());
+        if (sourceOf(sources, keyOf(inValue))) {
+            issue.path = path + "/value/" + inValue;
+            issues.push_back(std::move(issue));
+        }
+    }
+}
+
+void checkThermal(const ThermalData& data, const std::string& path, Issues& issues) {
+    const Field& density = *tableOf<ThermalData>().find("density_kg_m3");
+    if (data.density_kg_m3 && !density.hard.contains(*data.density_kg_m3)) {
+        refuse(issues, IssueCode::outOfRange, path + "/density_kg_m3",
+               numberText(*data.density_kg_m3), rangeText(density.hard, density.unit));
+    }
+    checkRows(data.conductivity_w_mk_at_c, path + "/conductivity_w_mk_at_c", issues);
+    checkRows(data.heat_capacity_j_kgk_at_c, path + "/heat_capacity_j_kgk_at_c", issues);
+}
+
+} // namespace sparkout::catalogue

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/catalogue/catalogue.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What a catalogue's reader and writer know of an entry's value: which numbers and choices it
+/// gives, and whether each stands with its source.
+namespace sparkout::catalogue {
+
+/// Calls visit(key, value) for each number or choice of a value's JSON, a list or table as one.
+void eachValue(const nlohmann::ordered_json& value, const StructInfo& table,
+               const std::string& prefix,
+               const std::function<void(const std::string&, const nlohmann::ordered_json&)>& visit);
+
+/// Of a value's JSON what has a source, and the texts that are not empty.
+[[nodiscard]] nlohmann::ordered_json givenPart(const nlohmann::ordered_json& value,
+                                               const StructInfo& table,
+                                               const std::vector<ValueSource>& sources,
+                                               const std::string& prefix = {});
+
+/// Every number and choice its source, every source its value, and the number in the range stated
+/// for it.
+void checkSources(const nlohmann::json& value, const StructInfo& table,
+                  const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
+
+/// The hard limits of the project's tables, through a project that holds the value under `key`.
+void checkLimits(const Project& project, const std::string& key,
+                 const std::vector<ValueSource>& sources, const std::string& path, Issues& issues);
+
+/// Rows of two, at rising temperatures, of positive values.
+void checkThermal(const ThermalData& data, const std::string& path, Issues& issues);
+
+} // namespace sparkout::catalogue

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/safe_file.h"
+#include "core/text.h"
+
+namespace sparkout {
+
+const char* fileStepText(FileStep step) {
+    switch (step) {
+    case FileStep::inspect: return SPARKOUT_NOOP("FileError", "the path cannot be reached");
+    case FileStep::notRegular: return SPARKOUT_NOOP("FileError", "what stands there is not a file");
+    case FileStep::readOnly: return SPARKOUT_NOOP("FileError", "the file is read-only");
+    case FileStep::open: return SPARKOUT_NOOP("FileError", "it cannot be opened");
+    case FileStep::create:
+        return SPARKOUT_NOOP("FileError", "no file can be created in the folder");
+    case FileStep::permissions: return SPARKOUT_NOOP("FileError", "its permissions cannot be set");
+    case FileStep::write:
+    case FileStep::sync:
+    case FileStep::close: return SPARKOUT_NOOP("FileError", "the disk did not take the data");
+    case FileStep::backup: return SPARKOUT_NOOP("FileError", "the previous version cannot be kept");
+    case FileStep::rename: return SPARKOUT_NOOP("FileError", "the new file cannot be put in place");
+    case FileStep::verify:
+        return SPARKOUT_NOOP("FileError", "the disk gave back other data than written");
+    case FileStep::read: return SPARKOUT_NOOP("FileError", "it cannot be read");
+    case FileStep::tooLarge: return SPARKOUT_NOOP("FileError", "the file is too large");
+    }
+    return "";
+}
+
+} // namespace sparkout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The steps that saving a file whole (safe_file.cpp) and writing one bit by bit
+// (safe_file_writer.cpp) have in common.
+
+#include "core/files/safe_file.h"
+#include "core/files/temporary_file.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <sys/stat.h>
+
+namespace sparkout {
+
+/// Why a step failed.
+struct StepFailure {
+    FileStep step;
+    int systemError;
+    bool replaced = false; ///< see FileError::replaced
+};
+/// What a step hands back: nothing when it went well.
+using StepOutcome = std::optional<StepFailure>;
+
+/// The file a save replaces: its folder, its name there and, if it exists, the opened old file.
+struct SaveTarget {
+    Descriptor folder;
+    std::string name;
+    Descriptor old;
+    struct stat oldStat {};
+};
+
+/// Finds the target behind a path, symbolic links followed, and opens what it needs.
+[[nodiscard]] StepOutcome openTarget(std::filesystem::path path, SaveTarget& target);
+
+/// Removes what killed saves of the target left, then makes its temporary file. A new file gets
+/// its mode from the umask, a replaced one stays private until it is whole.
+[[nodiscard]] StepOutcome beginTemporary(const SaveTarget& target, Descriptor& file,
+                                         std::string& name);
+
+[[nodiscard]] StepOutcome writeAll(int fd, std::string_view bytes);
+
+/// Gives the temporary file owner, group and mode of the old one. A group that cannot be kept
+/// gets no more rights than everybody.
+[[nodiscard]] StepOutcome copyOwnerAndMode(int fd, const struct stat& old);
+
+[[nodiscard]] StepOutcome syncFile(int fd);
+
+/// Closes one descriptor of two, since close() may be where a network file system reports that
+/// a write failed; the other keeps the lock. On Linux an interrupted close has closed.
+[[nodiscard]] StepOutcome closeKeepingLock(Descriptor& file);
+
+/// Renames the temporary file to the target's name.
+[[nodiscard]] StepOutcome moveIntoPlace(const SaveTarget& target, const std::string& temporary);
+
+/// After the rename: makes it durable and opens the file that stands under the target's name.
+[[nodiscard]] StepOutcome openPlaced(const SaveTarget& target, Descriptor& placed);
+
+/// Whether two descriptors are of one file.
+[[nodiscard]] bool sameFile(const Descriptor& a, const Descriptor& b);
+
+/// The failure as the caller gets it, with the free space of the target's disk.
+[[nodiscard]] FileError errorOf(const StepFailure& failure, const std::filesystem::path& path,
+                                const SaveTarget& target);
+
+} // namespace sparkout

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/cylindricity.h"
+#include "core/form/roundness.h"
+#include "core/limits/formula.h"
+
+#include <span>
+#include <vector>
+
+namespace sparkout {
+
+/// What the mean radius does along the length.
+enum class LongitudinalForm { straight, taper, barrel, saddle };
+
+/// Linear and quadratic part of the mean radii along the length, least squares [MODEL-7], both over
+/// the span from the first section to the last, in radius. Of one section neither, of two no
+/// quadratic part.
+struct LongitudinalProfile {
+    double taper_mm = 0; ///< last end less first end of the linear part
+    double crown_mm = 0; ///< middle less ends of the quadratic part: > 0 barrel, < 0 saddle
+    LongitudinalForm form = LongitudinalForm::straight; ///< the larger of the two
+};
+
+/// Below it, in either part, a profile counts as straight: a hundredth of a micrometre.
+inline constexpr double straight_mm = 1e-5;
+
+/// One section against the drawing.
+struct SectionAccuracy {
+    double meanRadius_mm = 0;
+    double radialRunout_mm = 0; ///< R_max − R_min about the centre axis, and the machine's own
+    RoundnessZone leastSquares;
+    RoundnessZone minimumZone;
+};
+
+/// A part against the drawing.
+struct PartAccuracy {
+    std::vector<SectionAccuracy> sections;
+    CylinderZone leastSquares;
+    CylinderZone minimumZone;
+    double totalRunout_mm = 0; ///< R_max − R_min over all sections, and the machine's own
+    LongitudinalProfile profile;
+};
+
+/// R_max − R_min about the centre axis + the machine's geometric runout, which adds linearly
+/// [MODEL-7]; of one section the radial runout, of all the total radial runout.
+double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
+              FormulaSheet* sheet = nullptr);
+
+[[nodiscard]] LongitudinalProfile longitudinalProfile(std::span<const double> positions_mm,
+                                                      std::span<const double> meanRadii_mm);
+
+/// All of it, for sections of equally many radii (K ≥ 4) at different positions.
+[[nodiscard]] PartAccuracy partAccuracy(std::span<const SectionShape> sections,
+                                        double geometricRunout_mm);
+
+[[nodiscard]] FormulaSheet radialRunoutSheet(const SectionShape& section,
+                                             double geometricRunout_mm);
+[[nodiscard]] FormulaSheet totalRunoutSheet(std::span<const SectionShape> sections,
+                                            double geometricRunout_mm);
+[[nodiscard]] FormulaSheet roundnessSheet(const RoundnessZone& zone);
+[[nodiscard]] FormulaSheet cylindricitySheet(const CylinderZone& zone);
+
+} // namespace sparkout

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/form/cylindricity.h"
+
+#include "core/form/chebyshev_fit.h"
+#include "core/form/value_range.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A trial axis: it passes (x, y) at ζ = 0 and (x + u, y + v) at ζ = 1.
+struct Axis {
+    double x = 0, y = 0, u = 0, v = 0;
+};
+
+/// The sections along the axis, ζ from their mean position on, 1 at the farthest.
+class Surface3d {
+public:
+    Surface3d(std::span<const SectionShape> sections, const Directions& directions)
+        : m_sections(sections), m_directions(directions), m_zeta(sections.size()) {
+        for (const SectionShape& section : sections) {
+            assert(section.radii_mm.size() == directions.size());
+            m_middle += section.position_mm / static_cast<double>(sections.size());
+        }
+        for (const SectionShape& section : sections) {
+            m_reach = std::max(m_reach, std::abs(section.position_mm - m_middle));
+        }
+        for (std::size_t j = 0; j < sections.size(); ++j) {
+            m_zeta[j] = (sections[j].position_mm - m_middle) / m_reach;
+            m_zetaSquares += m_zeta[j] * m_zeta[j];
+        }
+    }
+
+    [[nodiscard]] AxisSight emptySight() const {
+        AxisSight sight(m_sections.size(), m_directions.size());
+        sight.zeta = m_zeta;
+        return sight;
+    }
+
+    // Offset q from the axis at the point's own position; along the leaning axis, direction (t, 1),
+    // the foot is λ = q·t/(1 + t²) further on. d = |q − λ·(t, 1)|, and as the foot is the nearest
+    // point of the axis, ∂d/∂(shift) = −(nx, ny) and ∂d/∂(lean) = −ζ_foot·(nx, ny). For the foot's
+    // place the section's is taken: λ is some R·t beside it.
+    void look(const Axis& axis, AxisSight& sight) const {
+        const double tx = axis.u / m_reach, ty = axis.v / m_reach, t2 = tx * tx + ty * ty;
+        const double along = 1 / (1 + t2);
+        const std::size_t K = sight.K;
+        const double* __restrict c = m_directions.cosines().data();
+        const double* __restrict s = m_directions.sines().data();
+        for (std::size_t j = 0; j < sight.sections; ++j) {
+            const double cx = axis.x + m_zeta[j] * axis.u, cy = axis.y + m_zeta[j] * axis.v;
+            const double* __restrict R = m_sections[j].radii_mm.data();
+            double* __restrict d = sight.d.data() + j * K;
+            double* __restrict nx = sight.nx.data() + j * K;
+            double* __restrict ny = sight.ny.data() + j * K;
+#pragma omp simd
+            for (std::size_t k = 0; k < K; ++k) {
+                const double qx = R[k] * c[k] - cx, qy = R[k] * s[k] - cy;
+                const double foot = (qx * tx + qy * ty) * along;
+                const double rx = qx - foot * tx, ry = qy - foot * ty;
+                const double distance = std::sqrt(rx * rx + ry * ry + foot * foot);
+                const double inverse = 1 / distance;
+                d[k] = distance;
+                nx[k] = rx * inverse;
+                ny[k] = ry * inverse;
+            }
+        }
+    }
+
+    [[nodiscard]] CylinderZone zone(const Axis& axis, const AxisSight& sight) const {
+        const auto [low, high] = rangeOf(sight.d);
+        CylinderZone found;
+        found.position_mm = m_middle;
+        found.x_mm = axis.x;
+        found.y_mm = axis.y;
+        found.slopeX = axis.u / m_reach;
+        found.slopeY = axis.v / m_reach;
+        found.inner_mm = low;
+        found.outer_mm = high;
+        found.reference_mm = (low + high) / 2;
+        return found;
+    }
+
+    [[nodiscard]] Axis axisOf(const CylinderZone& zone) const {
+        return {zone.x_mm, zone.y_mm, zone.slopeX * m_reach, zone.slopeY * m_reach};
+    }
+    /// The regression line through the sections' centres, up to some form/R of it.
+    [[nodiscard]] Axis throughCentres() const {
+        const std::vector<double>& c = m_directions.cosines();
+        const std::vector<double>& s = m_directions.sines();
+        const double share = 2 / static_cast<double>(c.size());
+        const auto J = static_cast<double>(m_sections.size());
+        Axis axis;
+        for (std::size_t j = 0; j < m_sections.size(); ++j) {
+            double x = 0, y = 0;
+            for (std::size_t k = 0; k < c.size(); ++k) {
+                x += share * m_sections[j].radii_mm[k] * c[k];
+                y += share * m_sections[j].radii_mm[k] * s[k];
+            }
+            axis.x += x / J;
+            axis.y += y / J;
+            axis.u += m_zeta[j] * x / m_zetaSquares;
+            axis.v += m_zeta[j] * y / m_zetaSquares;
+        }
+        return axis;
+    }
+    [[nodiscard]] double reach() const {
+        return m_reach;
+    }
+    [[nodiscard]] double zetaSquares() const {
+        return m_zetaSquares;
+    }
+
+private:
+    std::span<const SectionShape> m_sections;
+    const Directions& m_directions;
+    std::vector<double> m_zeta;
+    double m_middle = 0, m_reach = 0, m_zetaSquares = 0;
+};
+
+CylinderZone fromCircles(const SectionShape& section, const RoundnessZone& circles) {
+    CylinderZone found;
+    found.position_mm = section.position_mm;
+    found.x_mm = circles.x_mm;
+    found.y_mm = circles.y_mm;
+    found.inner_mm = circles.inner_mm;
+    found.outer_mm = circles.outer_mm;
+    found.reference_mm = circles.reference_mm;
+    return found;
+}
+
+/// Mean distance r and the Gauss-Newton step of the axis, up to some form/R of it: the directions
+/// are all but orthogonal. The foot of a point stands λ = d·(n·t) beside its section.
+AxisFit leastSquaresStep(const AxisSight& sight, const Surface3d& surface, const Axis& axis) {
+    const std::size_t K = sight.K;
+    double sum = 0;
+    for (const double d : sight.d) {
+        sum += d - sight.d[0];
+    }
+    AxisFit by;
+    by.r = sight.d[0] + sum / static_cast<double>(sight.d.size());
+    const double lean = 2 / (static_cast<double>(K) * surface.zetaSquares());
+    const double shift = 2 / static_cast<double>(sight.d.size());
+    const double perReach = 1 / surface.reach();
+    const double tx = axis.u * perReach * perReach, ty = axis.v * perReach * perReach;
+    for (std::size_t j = 0; j < sight.sections; ++j) {
+        const double* __restrict d = sight.d.data() + j * K;
+        const double* __restrict nx = sight.nx.data() + j * K;
+        const double* __restrict ny = sight.ny.data() + j * K;
+        double x = 0, y = 0, u = 0, v = 0;
+#pragma omp simd reduction(+ : x, y, u, v)
+        for (std::size_t k = 0; k < K; ++k) {
+            const double ex = (d[k] - by.r) * nx[k], ey = (d[k] - by.r) * ny[k];
+            const double beside = d[k] * (nx[k] * tx + ny[k] * ty);
+            x += ex;
+            y += ey;
+            u += ex * beside;
+            v += ey * beside;
+        }
+        by.x += shift * x;
+        by.y += shift * y;
+        by.u += lean * (sight.zeta[j] * x + u);
+        by.v += lean * (sight.zeta[j] * y + v);
+    }
+    return by;
+}
+
+Axis moved(const Axis& axis, const AxisFit& fit, double share) {
+    return {axis.x + share * fit.x, axis.y + share * fit.y, axis.u + share * fit.u,
+            axis.v + share * fit.v};
+}
+
+/// Gauss-Newton on the axis: each step is the best axis of the distances made linear about the
+/// last one, halved until the true zone gets narrower.
+class ZoneSearch {
+public:
+    ZoneSearch(const Surface3d& surface, const CylinderZone& start)
+        : m_surface(surface)
+        , m_axis(surface.axisOf(start))
+        , m_sight(surface.emptySight())
+        , m_tolerance(8 * epsilon * start.outer_mm) {
+        surface.look(m_axis, m_sight);
+        m_best = surface.zone(m_axis, m_sight);
+    }
+
+    CylinderZone run() {
+        constexpr int mostSteps = 50;
+        ChebyshevFit chebyshev(m_sight, 0, m_sight.sections - 1);
+        for (int step = 0; step < mostSteps; ++step) {
+            const AxisFit fit = chebyshev.run(m_sight, m_tolerance / 2);
+            m_gain = m_best.deviation() - 2 * fit.level;
+            if (m_gain <= m_tolerance + curvature(fit) || !narrow(fit)) {
+                break;
+            }
+        }
+        m_surface.look(m_axis, m_sight);
+        takeContacts(chebyshev.contacts());
+        return m_best;
+    }
+
+private:
+    /// What the distances' curvature makes of a step: less than this a linear step cannot gain.
+    [[nodiscard]] double curvature(const AxisFit& fit) const {
+        const double R = m_best.inner_mm;
+        const double shift = std::hypot(fit.x, fit.y) + std::hypot(fit.u, fit.v);
+        const double lean = std::hypot(fit.u, fit.v) / m_surface.reach();
+        return shift * shift / (2 * R) + R * lean * lean / 2;
+    }
+    bool narrow(const AxisFit& fit) {
+        for (double share = 1; share > 1e-3; share /= 2) {
+            const Axis tried = moved(m_axis, fit, share);
+            m_surface.look(tried, m_sight);
+            const CylinderZone zone = m_surface.zone(tried, m_sight);
+            if (zone.deviation() < m_best.deviation()) {
+                m_best = zone;
+                m_axis = tried;
+                return true;
+            }
+        }
+        return false;
+    }
+    void takeContacts(const std::vector<ChebyshevFit::Point>& points) {
+        const double near = std::max(m_gain, 0.0) + m_tolerance;
+        for (const ChebyshevFit::Point& point : points) {
+            const bool outer = point.sign > 0;
+            const double radius = outer ? m_best.outer_mm : m_best.inner_mm;
+            if (std::abs(m_sight.d[point.index] - radius) <= near) {
+                m_best.contacts.push_back(
+                    {point.index / m_sight.K, point.index % m_sight.K, outer});
+            }
+        }
+    }
+
+    const Surface3d& m_surface;
+    Axis m_axis;
+    AxisSight m_sight;
+    CylinderZone m_best;
+    double m_tolerance;
+    double m_gain = 0; ///< what the last linear step promised
+};
+
+} // namespace
+
+CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
+                                  const Directions& directions) {
+    if (sections.size() == 1) {
+        return fromCircles(sections[0], leastSquaresCircle(sections[0].radii_mm, directions));
+    }
+    constexpr int mostSteps = 200;
+    const Surface3d surface(sections, directions);
+    AxisSight sight = surface.emptySight();
+    Axis axis = surface.throughCentres();
+    double r = 0, share = 1;
+    double last = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < mostSteps; ++step) {
+        surface.look(axis, sight);
+        const AxisFit by = leastSquaresStep(sight, surface, axis);
+        r = by.r;
+        const double size = std::abs(by.x) + std::abs(by.y) + std::abs(by.u) + std::abs(by.v);
+        if (size <= 256 * epsilon * r || step + 1 == mostSteps) {
+            break;
+        }
+        share = size > last ? share / 2 : share; // far from round the steps may overshoot
+        last = size;
+        axis = moved(axis, by, share);
+    }
+    CylinderZone found = surface.zone(axis, sight);
+    found.reference_mm = r;
+    return found;
+}
+
+CylinderZone minimumZoneCylinder(std::span<const SectionShape> sections,
+                                 const Directions& directions) {
+    return minimumZoneCylinder(sections, directions, leastSquaresCylinder(sections, directions));
+}
+
+CylinderZone minimumZoneCylinder(std::span<const SectionShape> sections,
+                                 const Directions& directions, const CylinderZone& leastSquares) {
+    if (sections.size() == 1) {
+        const RoundnessZone circles = minimumZoneCircles(sections[0].radii_mm, directions);
+        CylinderZone found = fromCircles(sections[0], circles);
+        for (std::size_t m = 0; m < circles.contacts.size(); ++m) {
+            found.contacts.push_back({0, circles.contacts[m], m % 2 == 0});
+        }
+        return found;
+    }
+    const Surface3d surface(sections, directions);
+    ZoneSearch search(surface, leastSquares);
+    return search.run();
+}
+
+} // namespace sparkout

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/form/harmonics.h"
+
+#include <cmath>
+
+namespace sparkout {
+
+// cos(n·φ_k) is the direction n·k mod K; the mean goes first, so that small lobes on a large radius
+// keep their digits.
+std::vector<Harmonic> harmonics(std::span<const double> radii, const Directions& directions) {
+    const std::size_t K = radii.size();
+    const auto count = static_cast<double>(K);
+    const std::vector<double>& cosines = directions.cosines();
+    const std::vector<double>& sines = directions.sines();
+    double mean = radii[0];
+    for (const double R : radii) {
+        mean += (R - radii[0]) / count;
+    }
+    std::vector<Harmonic> found{{0, mean, 0}};
+    for (std::size_t n = 1; n <= K / 2; ++n) {
+        double c = 0, s = 0;
+        for (std::size_t k = 0, at = 0; k < K; ++k, at = at + n < K ? at + n : at + n - K) {
+            c += (radii[k] - mean) * cosines[at];
+            s += (radii[k] - mean) * sines[at];
+        }
+        const bool half = 2 * n == K;
+        const double share = (half ? 1 : 2) / count;
+        if (half) {
+            s = 0; // sin(K/2·φ_k) is 0 at every sample
+        }
+        found.push_back({static_cast<int>(n), share * std::hypot(c, s), std::atan2(s, c)});
+    }
+    return found;
+}
+
+} // namespace sparkout

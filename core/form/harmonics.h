@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/roundness.h"
+
+#include <span>
+#include <vector>
+
+namespace sparkout {
+
+/// One lobe number of a profile: amplitude·cos(lobes·φ − phase).
+struct Harmonic {
+    int lobes = 0;
+    double amplitude_mm = 0; ///< ≥ 0; of lobe number 0 the mean radius
+    double phase_rad = 0;    ///< −π…π; a crest stands at φ = phase/lobes
+};
+
+/// The discrete Fourier sum of a section's K radii, lobe numbers 0 to ⌊K/2⌋:
+///
+///     R_k = Σ amplitude_n·cos(n·φ_k − phase_n)      exactly, for every k
+///
+/// Lobe number 1 is the eccentricity. Of lobe number K/2 the samples see the cosine only.
+/// Parseval: (1/K)·ΣR_k² = A_0² + ½·ΣA_n² + A_(K/2)².
+[[nodiscard]] std::vector<Harmonic> harmonics(std::span<const double> radii_mm,
+                                              const Directions& directions);
+
+} // namespace sparkout

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/form/roundness.h"
+
+#include "core/form/value_range.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace sparkout {
+
+Directions::Directions(std::size_t K) : m_cos(K), m_sin(K) {
+    assert(K >= 4);
+    for (std::size_t k = 0; k < K; ++k) {
+        const double phi = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(K);
+        m_cos[k] = std::cos(phi);
+        m_sin[k] = std::sin(phi);
+    }
+}
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// What a zone may be off by for its distances' last bits, over the radius.
+constexpr double roundings = 8 * epsilon;
+
+/// The points of a section as seen from a centre: distance and direction.
+struct Sight {
+    explicit Sight(std::size_t K) : d(K), nx(K), ny(K) {}
+
+    void take(std::span<const double> radii, const Directions& directions, double x, double y) {
+        const double* __restrict R = radii.data();
+        const double* __restrict c = directions.cosines().data();
+        const double* __restrict s = directions.sines().data();
+        double* __restrict distance = d.data();
+        double* __restrict nxk = nx.data();
+        double* __restrict nyk = ny.data();
+        const std::size_t K = radii.size();
+#pragma omp simd
+        for (std::size_t k = 0; k < K; ++k) {
+            const double px = R[k] * c[k] - x, py = R[k] * s[k] - y;
+            const double dk = std::sqrt(px * px + py * py);
+            const double inverse = 1 / dk;
+            distance[k] = dk;
+            nxk[k] = px * inverse;
+            nyk[k] = py * inverse;
+        }
+    }
+    void takeLimacon(std::span<const double> radii, const Directions& directions) {
+        std::copy(radii.begin(), radii.end(), d.begin());
+        std::copy(directions.cosines().begin(), directions.cosines().end(), nx.begin());
+        std::copy(directions.sines().begin(), directions.sines().end(), ny.begin());
+    }
+
+    std::vector<double> d, nx, ny;
+};
+
+/// d_k ≈ r + x·nx_k + y·ny_k ± level.
+struct Fit {
+    double r = 0, x = 0, y = 0;
+    double level = 0; ///< signed: reference point m is off by level·(−1)^m
+
+    [[nodiscard]] double residual(const Sight& s, std::size_t k) const {
+        return s.d[k] - r - x * s.nx[k] - y * s.ny[k];
+    }
+};
+
+/// Remez's exchange for {1, nx, ny} on the points of one section: four reference points by rising
+/// angle, their residuals equal and alternating; the point that stands out furthest takes the place
+/// of its neighbour of the same sign. Every exchange raises the level, so none returns.
+class Exchange {
+public:
+    explicit Exchange(std::size_t K) : m_reference{0, K / 4, K / 2, K / 2 + K / 4}, m_off(K) {}
+
+    Fit run(const Sight& sight, double tolerance) {
+        Fit fit = solve(sight);
+        for (std::size_t step = 0; step < 4 * sight.d.size() + 64; ++step) {
+            const std::size_t k = furthest(sight, fit);
+            const double residual = fit.residual(sight, k);
+            if (std::abs(residual) <= std::abs(fit.level) + tolerance || isReference(k)) {
+                break;
+            }
+            exchange(k, residual > 0, fit.level >= 0);
+            fit = solve(sight);
+        }
+        return fit;
+    }
+
+    /// Reference points from one that touches the outer circle on.
+    [[nodiscard]] std::array<std::size_t, 4> contacts(const Fit& fit) const {
+        std::array<std::size_t, 4> found = m_reference;
+        if (fit.level < 0) {
+            std::rotate(found.begin(), found.begin() + 1, found.end());
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] bool isReference(std::size_t k) const {
+        return std::find(m_reference.begin(), m_reference.end(), k) != m_reference.end();
+    }
+
+    [[nodiscard]] Fit solve(const Sight& s) const {
+        Eigen::Matrix4d A;
+        Eigen::Vector4d d;
+        for (int m = 0; m < 4; ++m) {
+            const std::size_t k = m_reference[static_cast<std::size_t>(m)];
+            A.row(m) << 1, s.nx[k], s.ny[k], m % 2 == 0 ? 1 : -1;
+            d[m] = s.d[k];
+        }
+        const Eigen::Vector4d v = A.partialPivLu().solve(d);
+        return {v[0], v[1], v[2], v[3]};
+    }
+
+    std::size_t furthest(const Sight& sight, const Fit& fit) {
+        const double* __restrict d = sight.d.data();
+        const double* __restrict nx = sight.nx.data();
+        const double* __restrict ny = sight.ny.data();
+        double* __restrict off = m_off.data();
+        const std::size_t K = m_off.size();
+#pragma omp simd
+        for (std::size_t k = 0; k < K; ++k) {
+            off[k] = std::abs(d[k] - fit.r - fit.x * nx[k] - fit.y * ny[k]);
+        }
+        const auto most = std::find(m_off.begin(), m_off.end(), rangeOf(m_off).high);
+        // Where nothing is a number any more, as with a centre in one of the points, a reference
+        // point ends the exchange.
+        return most != m_off.end() ? static_cast<std::size_t>(most - m_off.begin())
+                                   : m_reference.front();
+    }
+
+    // The signs alternate all around, so just one of the two neighbours has the new point's sign.
+    void exchange(std::size_t k, bool outside, bool evenIsOutside) {
+        const auto next = static_cast<std::size_t>(
+            std::upper_bound(m_reference.begin(), m_reference.end(), k) - m_reference.begin());
+        const std::size_t after = next % 4, before = (next + 3) % 4;
+        const bool afterIsOutside = (after % 2 == 0) == evenIsOutside;
+        m_reference[afterIsOutside == outside ? after : before] = k;
+        std::sort(m_reference.begin(), m_reference.end());
+    }
+
+    std::array<std::size_t, 4> m_reference;
+    std::vector<double> m_off; ///< of each point
+};
+
+RoundnessZone zone(const Sight& sight, double x, double y) {
+    RoundnessZone found;
+    found.x_mm = x;
+    found.y_mm = y;
+    const ValueRange distances = rangeOf(sight.d);
+    found.inner_mm = distances.low;
+    found.outer_mm = distances.high;
+    found.reference_mm = (found.inner_mm + found.outer_mm) / 2;
+    return found;
+}
+
+RoundnessZone limaconZone(std::span<const double> radii, const Directions& directions) {
+    const double tolerance = roundings * rangeOf(radii).high;
+    Sight sight(radii.size());
+    sight.takeLimacon(radii, directions);
+    Exchange exchange(radii.size());
+    const Fit fit = exchange.run(sight, tolerance);
+    RoundnessZone found;
+    found.x_mm = fit.x;
+    found.y_mm = fit.y;
+    found.reference_mm = fit.r;
+    found.inner_mm = fit.r - std::abs(fit.level);
+    found.outer_mm = fit.r + std::abs(fit.level);
+    found.contacts = exchange.contacts(fit);
+    return found;
+}
+
+/// Mean distance, and the shift of the centre that the directions, all but orthogonal, give.
+struct Step {
+    double r = 0, x = 0, y = 0;
+};
+
+Step leastSquaresStep(const Sight& sight) {
+    const double* __restrict d = sight.d.data();
+    const double* __restrict nx = sight.nx.data();
+    const double* __restrict ny = sight.ny.data();
+    const std::size_t K = sight.d.size();
+    double sum = 0, x = 0, y = 0, sumX = 0, sumY = 0;
+#pragma omp simd reduction(+ : sum, x, y, sumX, sumY)
+    for (std::size_t k = 0; k < K; ++k) {
+        const double e = d[k] - d[0];
+        sum += e;
+        x += e * nx[k];
+        y += e * ny[k];
+        sumX += nx[k];
+        sumY += ny[k];
+    }
+    const auto count = static_cast<double>(K);
+    const double mean = sum / count;
+    return {d[0] + mean, 2 / count * (x - mean * sumX), 2 / count * (y - mean * sumY)};
+}
+
+} // namespace
+
+RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions& directions) {
+    constexpr int mostSteps = 200;
+    Sight sight(radii.size());
+    double x = 0, y = 0, r = 0, share = 1;
+    double last = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < mostSteps; ++step) {
+        sight.take(radii, directions, x, y);
+        const Step by = leastSquaresStep(sight);
+        const double size = std::abs(by.x) + std::abs(by.y);
+        r = by.r;
+        if (size <= 32 * epsilon * r || step + 1 == mostSteps) {
+            break;
+        }
+        share = size > last ? share / 2 : share; // far from round the steps may overshoot
+        last = size;
+        x += share * by.x;
+        y += share * by.y;
+    }
+    RoundnessZone found = zone(sight, x, y);
+    found.reference_mm = r;
+    return found;
+}
+
+// Gauss-Newton on the centre: each step is the exact minimum zone of the distances made linear
+// about the last centre, halved until the true zone gets narrower.
+RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions& directions,
+                                 const RoundnessZone& leastSquares) {
+    constexpr int mostSteps = 50;
+    const double tolerance = roundings * leastSquares.outer_mm;
+    RoundnessZone best = leastSquares;
+    Sight sight(radii.size());
+    Exchange exchange(radii.size());
+    sight.take(radii, directions, best.x_mm, best.y_mm);
+    for (int step = 0; step < mostSteps; ++step) {
+        const Fit fit = exchange.run(sight, tolerance / 2);
+        best.contacts = exchange.contacts(fit);
+        const double gain = best.deviation() - 2 * std::abs(fit.level);
+        bool narrower = false;
+        for (double share = 1; gain > tolerance && !narrower && share > 1e-3; share /= 2) {
+            const double x = best.x_mm + share * fit.x, y = best.y_mm + share * fit.y;
+            sight.take(radii, directions, x, y);
+            const RoundnessZone tried = zone(sight, x, y);
+            narrower = tried.deviation() < best.deviation();
+            if (narrower) {
+                best = tried;
+                best.contacts = exchange.contacts(fit);
+            }
+        }
+        if (!narrower) {
+            break;
+        }
+    }
+    best.reference_mm = (best.inner_mm + best.outer_mm) / 2;
+    return best;
+}
+
+RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions& directions,
+                                 ZoneModel model) {
+    return model == ZoneModel::limacons
+               ? limaconZone(radii, directions)
+               : minimumZoneCircles(radii, directions, leastSquaresCircle(radii, directions));
+}
+
+} // namespace sparkout

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reference/json_schema.h"
+
+#include "core/project/conditions.h"
+#include "core/project/project_file.h"
+#include "core/project/strict_json.h"
+#include "core/project/table_reader.h"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace sparkout {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json objectSchema(const StructInfo& table);
+
+ordered_json withRange(ordered_json schema, const Range& range) {
+    if (std::isfinite(range.low)) {
+        schema[range.lowOpen ? "exclusiveMinimum" : "minimum"] = range.low;
+    }
+    if (std::isfinite(range.high)) {
+        schema["maximum"] = range.high;
+    }
+    return schema;
+}
+
+ordered_json numberSchema(const Field& field) {
+    return withRange({{"type", "number"}}, field.hard);
+}
+ordered_json integerSchema(const Field& field) {
+    return withRange({{"type", "integer"}}, field.hard);
+}
+
+ordered_json numbersSchema(const Field& field) {
+    ordered_json schema = {{"type", "array"}, {"items", numberSchema(field)}};
+    if (field.count != 0) {
+        schema["minItems"] = field.count;
+        schema["maxItems"] = field.count;
+    }
+    return schema;
+}
+
+ordered_json closedObject(ordered_json properties, ordered_json required) {
+    ordered_json schema = {{"type", "object"}, {"properties", std::move(properties)}};
+    if (!required.empty()) {
+        schema["required"] = std::move(required);
+    }
+    schema["additionalProperties"] = false;
+    return schema;
+}
+
+/// An object whose keys are all numbers of the field's range.
+ordered_json numbersByName(const Field& field, std::initializer_list<const char*> keys) {
+    ordered_json properties = ordered_json::object();
+    ordered_json required = ordered_json::array();
+    for (const char* key : keys) {
+        properties[key] = numberSchema(field);
+        required.push_back(key);
+    }
+    return closedObject(std::move(properties), std::move(required));
+}
+
+ordered_json anyOf(std::initializer_list<ordered_json> schemas) {
+    ordered_json list = ordered_json::array();
+    for (const ordered_json& schema : schemas) {
+        list.push_back(schema);
+    }
+    return {{"anyOf", std::move(list)}};
+}
+
+ordered_json orNull(ordered_json schema) {
+    schema["type"] = {schema["type"], "null"};
+    return schema;
+}
+
+ordered_json listSchema(const Field& field) {
+    ordered_json schema = {{"type", "array"}, {"items", objectSchema(*field.nested)}};
+    if (!field.hard.unbounded()) {
+        schema["minItems"] = static_cast<int>(field.hard.low);
+        schema["maxItems"] = static_cast<int>(field.hard.high);
+    }
+    return schema;
+}
+
+ordered_json choiceSchema(const Field& field) {
+    ordered_json keys = ordered_json::array();
+    for (const Choice& choice : field.choices) {
+        keys.push_back(choice.key);
+    }
+    return {{"type", "string"}, {"enum", std::move(keys)}};
+}
+
+ordered_json kindSchema(const Field& field) {
+    const ordered_json null = {{"type", "null"}};
+    switch (field.kind) {
+    case Kind::number: return numberSchema(field);
+    case Kind::optionalNumber: return orNull(numberSchema(field));
+    case Kind::integer: return integerSchema(field);
+    case Kind::optionalInteger: return orNull(integerSchema(field));
+    case Kind::boolean: return {{"type", "boolean"}};
+    case Kind::text: return {{"type", "string"}};
+    case Kind::choice: return choiceSchema(field);
+    case Kind::numberList: return numbersSchema(field);
+    case Kind::optionalNumberList: return orNull(numbersSchema(field));
+    case Kind::object: return objectSchema(*field.nested);
+    case Kind::optionalObject: return orNull(objectSchema(*field.nested));
+    case Kind::objectList: return listSchema(field);
+    case Kind::sparkOut: return anyOf({integerSchema(field), {{"enum", {"until_size"}}}, null});
+    case Kind::compliance:
+        return anyOf({numbersByName(field, {"rz1", "nz", "rz2"}), numbersSchema(field), null});
+    case Kind::levels:
+        return anyOf({numbersSchema(field), numbersByName(field, {"from", "to", "step"}), null});
+    case Kind::numberRows: return orNull({{"type", "array"}, {"items", numbersSchema(field)}});
+    case Kind::jsonText: return {{"type", "object"}};
+    }
+    return {};
+}
+
+std::string description(const Field& field) {
+    std::string text = field.hint;
+    const auto append = [&](const std::string& sentence) {
+        text += (text.empty() ? "" : " ") + sentence;
+    };
+    if (*field.unit) {
+        append("[" + std::string(field.unit) + "]");
+    }
+    if (*field.nullMeaning) {
+        append("null: " + std::string(field.nullMeaning) + ".");
+    }
+    return text;
+}
+
+bool alwaysRequired(const Field& field) {
+    return field.required == conditions::always;
+}
+
+ordered_json fieldSchema(const Field& field, const ordered_json& defaults) {
+    ordered_json schema = {{"title", field.label}};
+    if (const std::string text = description(field); !text.empty()) {
+        schema["description"] = text;
+    }
+    schema.update(kindSchema(field));
+    if (!field.nested && !alwaysRequired(field)) {
+        const auto found = defaults.find(field.key);
+        schema["default"] = found == defaults.end() ? ordered_json(nullptr) : *found;
+    }
+    return schema;
+}
+
+ordered_json objectSchema(const StructInfo& table) {
+    const ordered_json defaults = writeByTable(table, table.defaults);
+    ordered_json properties = ordered_json::object();
+    ordered_json required = ordered_json::array();
+    for (const Field& field : table.fields) {
+        properties[field.key] = fieldSchema(field, defaults);
+        if (alwaysRequired(field)) {
+            required.push_back(field.key);
+        }
+    }
+    return closedObject(std::move(properties), std::move(required));
+}
+
+/// Keys of a table that the reader requires for some projects only.
+void addConditional(const StructInfo& table, const std::string& path, std::string& list) {
+    for (const Field& field : table.fields) {
+        const std::string here = path + "/" + field.key;
+        if (field.required && !alwaysRequired(field)) {
+            list += (list.empty() ? "" : ", ") + here;
+        }
+        if (field.nested) {
+            addConditional(*field.nested, here + (field.kind == Kind::objectList ? "/N" : ""),
+                           list);
+        }
+    }
+}
+
+/// What the reader refuses and the schema does not.
+std::string gaps() {
+    std::string conditional;
+    addConditional(tableOf<Project>(), {}, conditional);
+    return "The program's reader refuses all that this schema refuses, and beyond it: keys that "
+           "only some projects need ("
+           + conditional
+           + "); rules between values, such as a lower deviation that is not below the upper one, "
+             "a "
+             "ground length that leaves no zone between the reversals, a list with another number "
+             "of values than sections, or a spark-out before the last stage; among the levels of "
+             "/optimisation/spark_out and in /optimisation/stages what is not a whole number; the "
+             "inputs of a kept run, which are a project of their own, and its summary; a key given "
+             "twice in one object; a number beyond the range of a double; a file of more than "
+           + std::to_string(limits::fileBytes >> 20U) + " MB, " + std::to_string(limits::values)
+           + " values or " + std::to_string(limits::depth) + " levels, a text of more than "
+           + std::to_string(limits::stringBytes >> 10U)
+           + " kB. sparkout-cli validate names each of them.";
+}
+
+} // namespace
+
+std::string projectSchema() {
+    const ordered_json project = objectSchema(tableOf<Project>());
+    ordered_json properties = {{"format", {{"const", "sparkout-project"}}},
+                               {"version", {{"const", projectVersion}}}};
+    properties.update(project.at("properties"));
+    ordered_json required = {"format", "version"};
+    for (const ordered_json& key : project.at("required")) {
+        required.push_back(key);
+    }
+    ordered_json root = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                         {"title", "Sparkout project"},
+                         {"description", gaps()}};
+    root.update(closedObject(std::move(properties), std::move(required)));
+    return printJson(root);
+}
+
+} // namespace sparkout

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The public face of the core: a project read and checked, its cycle simulated, held against the
+// drawing and evaluated, its batch, its sweep, its search.
+
+#include "core/batch/batch_check.h"
+#include "core/batch/batch_run.h"
+#include "core/batch/batch_summary.h"
+#include "core/project/project_file.h"
+#include "core/project/validate.h"
+#include "core/quality/constraints.h"
+#include "core/quality/result_json.h"
+#include "core/quality/shop_numbers.h"
+#include "core/simulation/simulate.h"
+#include "core/study/evaluate.h"
+#include "core/study/grid_search.h"
+#include "core/study/whole_search.h"
+#include "core/sweep/sweep_run.h"

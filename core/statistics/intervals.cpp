@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/statistics/intervals.h"
+
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+double tailOf(double confidence) {
+    return (1 - confidence) / 2;
+}
+
+} // namespace
+
+Interval studentInterval(double mean, double deviation, std::int64_t count, double confidence) {
+    const auto n = static_cast<double>(count);
+    const double t = boost::math::quantile(
+        boost::math::complement(boost::math::students_t(n - 1), tailOf(confidence)));
+    const double half = t * deviation / std::sqrt(n);
+    return {mean - half, mean + half};
+}
+
+Interval clopperPearson(std::int64_t hits, std::int64_t count, double confidence) {
+    const auto k = static_cast<double>(hits), n = static_cast<double>(count);
+    const double tail = tailOf(confidence);
+    Interval found{0, 1};
+    if (hits > 0) {
+        found.low = boost::math::quantile(boost::math::beta_distribution<>(k, n - k + 1), tail);
+    }
+    if (hits < count) {
+        found.high = boost::math::quantile(
+            boost::math::complement(boost::math::beta_distribution<>(k + 1, n - k), tail));
+    }
+    return found;
+}
+
+// With B the number of values below the quantile, x_(r) lies above it when B < r, x_(s) below it
+// when B ≥ s: r is the greatest with P(B < r) ≤ tail, s the least with P(B ≥ s) ≤ tail.
+std::optional<Ranks> quantileRanks(std::int64_t count, double order, double confidence) {
+    const double tail = tailOf(confidence);
+    const boost::math::binomial below(static_cast<double>(count), order);
+    const auto least = [&](auto&& holds) { // of 0…count+1, the first that holds; monotone
+        std::int64_t low = 0, high = count + 1;
+        while (low < high) {
+            const std::int64_t middle = low + (high - low) / 2;
+            holds(middle) ? high = middle : low = middle + 1;
+        }
+        return low;
+    };
+    const auto cdf = [&](std::int64_t k) {
+        return k < 0 ? 0.0 : k >= count ? 1.0 : boost::math::cdf(below, static_cast<double>(k));
+    };
+    const auto upper = [&](std::int64_t k) {
+        return k < 0 ? 1.0
+               : k >= count
+                   ? 0.0
+                   : boost::math::cdf(boost::math::complement(below, static_cast<double>(k)));
+    };
+    const std::int64_t r = least([&](std::int64_t k) { return cdf(k - 1) > tail; }) - 1;
+    const std::int64_t s = least([&](std::int64_t k) { return upper(k - 1) <= tail; });
+    if (r < 1 || s > count) {
+        return std::nullopt;
+    }
+    return Ranks{r, s};
+}
+
+Interval ppInterval(double pp, std::int64_t count, double confidence) {
+    const auto freedom = static_cast<double>(count - 1);
+    const boost::math::chi_squared chi(freedom);
+    const double tail = tailOf(confidence);
+    return {pp * std::sqrt(boost::math::quantile(chi, tail) / freedom),
+            pp * std::sqrt(boost::math::quantile(boost::math::complement(chi, tail)) / freedom)};
+}
+
+Interval ppkInterval(double ppk, std::int64_t count, double confidence) {
+    const auto n = static_cast<double>(count);
+    const double half =
+        -normalQuantile(tailOf(confidence)) * std::sqrt(1 / (9 * n) + ppk * ppk / (2 * (n - 1)));
+    return {ppk - half, ppk + half};
+}
+
+double normalQuantile(double p) {
+    return boost::math::quantile(boost::math::normal(), p);
+}
+
+double normalShare(double z) {
+    return boost::math::cdf(boost::math::normal(), z);
+}
+
+} // namespace sparkout

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/batch_edits.h"
+
+#include "core/batch/batch_check.h"
+#include "core/batch/factor_law.h"
+#include "core/batch/scenario_source.h"
+#include "core/project/project_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double leastShare = 0.93, mostShare = 1.07; ///< of a value that scatters about itself
+constexpr int betweenDressings = 25;                  ///< parts
+constexpr int shownDigits = 6;                        ///< of a part's numbers
+
+/// To two digits.
+double toTwoDigits(double value) {
+    if (value == 0) {
+        return 0;
+    }
+    const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
+    // Divided where the step is below 1, so that 0.14 comes out as it is written.
+    return step < 1 ? std::round(value / step) / std::round(1 / step)
+                    : std::round(value / step) * step;
+}
+
+std::vector<double> times(double value, std::initializer_list<double> shares) {
+    std::vector<double> values;
+    for (const double share : shares) {
+        values.push_back(share == 1 ? value : toTwoDigits(value * share));
+    }
+    return values;
+}
+
+Factor uniformFactor(std::vector<double> ends) {
+    Factor factor;
+    factor.uniform = std::move(ends);
+    return factor;
+}
+
+Factor growingFactor(std::vector<double> ends, std::optional<int> partsBetweenDressings) {
+    Factor factor;
+    factor.grows = std::move(ends);
+    factor.parts_between_dressings = partsBetweenDressings;
+    return factor;
+}
+
+Factor normalFactor(std::vector<double> normal, std::vector<double> within) {
+    Factor factor;
+    factor.normal = std::move(normal);
+    factor.within = std::move(within);
+    return factor;
+}
+
+/// To as many digits as a person reads; what a part measures then differs by less than its digits.
+void shorten(double& value) {
+    if (value != 0 && std::isfinite(value)) {
+        const int digits =
+            shownDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+        const double scale = std::pow(10, std::abs(digits));
+        value = digits >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+    }
+}
+
+/// The numbers that the factors of a batch scale, where they are not the nominal ones.
+Project shortened(Project made, const Project& nominal) {
+    const auto tidy = [](double& value, double before) {
+        if (value != before) {
+            shorten(value);
+        }
+    };
+    Machine& machine = made.machine;
+    tidy(machine.wheel_speed_m_s, nominal.machine.wheel_speed_m_s);
+    tidy(made.part.shaft.youngs_modulus_gpa, nominal.part.shaft.youngs_modulus_gpa);
+    if (made.part.shaft.youngs_modulus_gpa == nominal.part.shaft.youngs_modulus_gpa) {
+        return made; // the compliance is the nominal one
+    }
+    if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
+        for (double* gamma : {&zones->rz1, &zones->nz, &zones->rz2}) {
+            shorten(*gamma);
+        }
+    } else if (auto* each = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
+        std::ranges::for_each(*each, shorten);
+    }
+    if (machine.stiffness_n_um) {
+        for (double* stiffness :
+             {&machine.stiffness_n_um->headstock, &machine.stiffness_n_um->tailstock,
+              &machine.stiffness_n_um->wheel_head}) {
+            shorten(*stiffness);
+        }
+    }
+    for (SteadyRest& rest : made.part.shaft.steady_rests) {
+        shorten(rest.stiffness_n_um);
+    }
+    if (machine.wheel_contact && machine.wheel_contact->n_um_at_n) {
+        for (std::vector<double>& row : *machine.wheel_contact->n_um_at_n) {
+            shorten(row[1]);
+        }
+    }
+    if (made.gauge.compliance_mm_per_n) {
+        shorten(*made.gauge.compliance_mm_per_n);
+    }
+    return made;
+}
+
+/// What does not make a part and stays with the user's project.
+void keepOwn(Project& of, Project from) {
+    of.title = std::move(from.title);
+    of.author = std::move(from.author);
+    of.notes = std::move(from.notes);
+    of.batch = std::move(from.batch);
+    of.optimisation = std::move(from.optimisation);
+    of.sweep = std::move(from.sweep);
+    of.runs = std::move(from.runs);
+}
+
+Project batchOnly(Project project) {
+    Project names;
+    names.batch = std::move(project.batch);
+    keepOwn(project, std::move(names));
+    return project;
+}
+
+/// The law of a factor in the project's batch.
+std::optional<Factor>& lawOf(Batch& batch, FactorKind kind) {
+    const Field& field = tableOf<Factors>().fields[static_cast<std::size_t>(kind)];
+    return field.as<std::optional<Factor>>(&batch.factors);
+}
+
+/// The place of a kind among the given factors, or where it would be.
+std::size_t placeOf(FactorKind kind, const std::vector<GivenFactor>& given) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(given, [kind](const GivenFactor& f) { return f.kind < kind; }));
+}
+
+/// Whether there is a matrix of so many factors; a file may hold another one.
+bool isMatrixOf(const NumberRows& matrix, std::size_t count) {
+    return matrix && matrix->size() == count
+           && std::ranges::all_of(
+               *matrix, [count](const std::vector<double>& row) { return row.size() == count; });
+}
+
+/// The correlations without those of laws over the batch, which have none; nothing when all are 0.
+void tidyCorrelation(Project& project) {
+    NumberRows& matrix = project.batch->correlation;
+    if (!matrix) {
+        return;
+    }
+    const std::vector<GivenFactor> given = givenFactors(project);
+    bool correlated = false;
+    for (std::size_t i = 0; i < matrix->size(); ++i) {
+        for (std::size_t j = 0; j < (*matrix)[i].size(); ++j) {
+            const bool law =
+                i < given.size() && j < given.size() && (given[i].isLaw() || given[j].isLaw());
+            double& value = (*matrix)[i][j];
+            value = i != j && law ? 0 : value;
+            correlated = correlated || (i != j && value != 0);
+        }
+    }
+    if (!correlated) {
+        matrix.reset();
+    }
+}
+
+/// Whether a law has its form with all its values; a file may hold one without.
+bool isWhole(const Factor& law) {
+    const auto holds = [](const std::optional<std::vector<double>>& values, std::size_t count) {
+        return values && values->size() == count;
+    };
+    return holds(law.uniform, 2) || holds(law.normal, 2) || holds(law.triangular, 3)
+           || holds(law.grows, 2) || (law.measured && !law.measured->empty());
+}
+
+/// A given factor of the batch, a usual one in place of a broken law.
+GivenFactor factorOf(const Project& project, FactorKind kind) {
+    const std::vector<GivenFactor> given = givenFactors(project);
+    GivenFactor found = *std::ranges::find(given, kind, &GivenFactor::kind);
+    if (!isWhole(found.law)) {
+        found.law = usualFactor(kind, project);
+    }
+    return found;
+}
+
+} // namespace
+
+FactorForm formOf(const Factor& factor) {
+    if (factor.normal) {
+        return FactorForm::normal;
+    }
+    if (factor.triangular) {
+        return FactorForm::triangular;
+    }
+    if (factor.measured) {
+        return FactorForm::measured;
+    }
+    if (factor.grows) {
+        return FactorForm::grows;
+    }
+    const auto& ends = factor.uniform;
+    return ends && ends->size() == 2 && (*ends)[0] == (*ends)[1] ? FactorForm::constant
+                                                                 : FactorForm::uniform;
+}
+
+Factor withForm(const Project& project, FactorKind kind, FactorForm form) {
+    const FactorEnds ends = cornerEnds(factorOf(project, kind));
+    double low = std::min(ends.low, ends.high), high = std::max(ends.low, ends.high);
+    const double middle = std::clamp(toTwoDigits((low + high) / 2), low, high);
+    if (low == high && form != FactorForm::constant) {
+        low *= leastShare;
+        high *= mostShare;
+    }
+    Factor made;
+    switch (form) {
+    case FactorForm::constant: made.uniform = {middle, middle}; break;
+    case FactorForm::uniform: made.uniform = {low, high}; break;
+    case FactorForm::normal:
+        made.normal = {middle, toTwoDigits((high - low) / 6)};
+        made.within = {low, high};
+        break;
+    case FactorForm::triangular: made.triangular = {low, middle, high}; break;
+    case FactorForm::measured: made.measured = {{middle}}; break;
+    case FactorForm::grows: made = growingFactor({low, high}, betweenDressings); break;
+    }
+    return made;
+}
+
+Factor withTruncation(const Project& project, FactorKind kind, bool truncated) {
+    GivenFactor factor = factorOf(project, kind);
+    factor.law.within.reset();
+    if (truncated) {
+        const FactorEnds ends = cornerEnds(factor);
+        factor.law.within = {ends.low, ends.high};
+    }
+    return factor.law;
+}
+
+Project withFactor(Project project, FactorKind kind, std::optional<Factor> law) {
+    const std::vector<GivenFactor> before = givenFactors(project);
+    const bool was = lawOf(*project.batch, kind).has_value(), is = law.has_value();
+    lawOf(*project.batch, kind) = std::move(law);
+    NumberRows& matrix = project.batch->correlation;
+    if (was != is && isMatrixOf(matrix, before.size())) {
+        const auto at = static_cast<std::ptrdiff_t>(placeOf(kind, before));
+        if (is) {
+            for (std::vector<double>& row : *matrix) {
+                row.insert(row.begin() + at, 0);
+            }
+            std::vector<double> own(before.size() + 1);
+            own[static_cast<std::size_t>(at)] = 1;
+            matrix->insert(matrix->begin() + at, std::move(own));
+        } else {
+            matrix->erase(matrix->begin() + at);
+            for (std::vector<double>& row : *matrix) {
+                row.erase(row.begin() + at);
+            }
+        }
+    }
+    tidyCorrelation(project);
+    return project;
+}
+
+Project withCorrelation(Project project, std::size_t first, std::size_t second, double value) {
+    const std::size_t count = givenFactors(project).size();
+    NumberRows& matrix = project.batch->correlation;
+    if (!isMatrixOf(matrix, count)) {
+        matrix.emplace(count, std::vector<double>(count));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        (*matrix)[i][i] = 1;
+    }
+    (*matrix)[first][second] = (*matrix)[second][first] = value;
+    tidyCorrelation(project);
+    return project;
+}
+
+Factor usualFactor(FactorKind kind, const Project& project) {
+    switch (kind) {
+    case FactorKind::stock:
+        return uniformFactor(times(project.part.stock_mm, {leastShare, mostShare}));
+    case FactorKind::runout: {
+        const double runout = project.part.initial_runout_mm;
+        return runout > 0 ? normalFactor(times(runout, {1, 0.25}), times(runout, {0.25, 2}))
+                          : uniformFactor({0, 0.01});
+    }
+    case FactorKind::dullness:
+        return growingFactor(times(project.wheel.dullness, {0.75, 1.5}), betweenDressings);
+    case FactorKind::wheelDiameter:
+        return growingFactor(times(project.wheel.diameter_mm, {1, 0.9}), betweenDressings);
+    case FactorKind::flowStress: {
+        const double stress = project.material.flow_stress_mpa;
+        return normalFactor(times(stress, {1, 0.05}), times(stress, {0.85, 1.15}));
+    }
+    case FactorKind::compliance: return uniformFactor({0.9, 1.1});
+    case FactorKind::contactWidth:
+        return uniformFactor(times(project.operation == Operation::traverse
+                                       ? project.wheel.width_mm
+                                       : project.part.length_mm,
+                                   {0.96, 1}));
+    }
+    return {};
+}
+
+Project withUsualBatch(Project project) {
+    project.batch = Batch{};
+    const auto tryFactor = [&project](FactorKind kind, std::optional<Factor> Factors::*member) {
+        Factors& factors = project.batch->factors;
+        factors.*member = usualFactor(kind, project);
+        if (!checkBatch(project).empty()) {
+            (factors.*member).reset();
+        }
+    };
+    tryFactor(FactorKind::stock, &Factors::stock_mm);
+    if (project.part.initial_runout_mm > 0) {
+        tryFactor(FactorKind::runout, &Factors::initial_runout_mm);
+    }
+    if (project.wheel.dullness > 0) {
+        tryFactor(FactorKind::dullness, &Factors::dullness);
+    }
+    return project;
+}
+
+Project withPart(Project project, const BatchResult& batch, std::int64_t part) {
+    const ScenarioSource source(batch.project);
+    std::vector<double> values = source.values(part);
+    std::ranges::for_each(values, shorten);
+    Project made = shortened(source.projectWith(values), source.nominal());
+    keepOwn(made, std::move(project));
+    return made;
+}
+
+bool sameBatch(const Project& a, const Project& b) {
+    return sameProject(batchOnly(a), batchOnly(b));
+}
+
+} // namespace sparkout

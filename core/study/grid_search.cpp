@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/grid_search.h"
+
+#include "core/optimisation/binding.h"
+#include "core/optimisation/grace_stop.h"
+#include "core/optimisation/limit.h"
+#include "core/simulation/simulate.h"
+#include "core/study/refine_answer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+const std::vector<Project>& scenariosAdded(const GridSearchReport& report) {
+    static const std::vector<Project> none;
+    return report.robust ? report.robust->added : none;
+}
+
+/// The limit, and what binds the best of the grid.
+void aboutTheBest(GridSearchReport& report, const std::stop_token& stop) {
+    const GraceStop grace(stop);
+    report.limit_s = steplessLimit_s(report.project, grace.token());
+    if (report.search.status == SearchStatus::stopped
+        || isHeuristic(report.method)) { // no cycle at all is quicker than that
+        report.search.bound_s = std::max(report.search.bound_s, report.limit_s);
+    }
+    if (report.search.best) {
+        report.binding = bindingRequirements(report.project, *report.search.best,
+                                             scenariosAdded(report), grace.token());
+    }
+}
+
+RefineSummary refined(const GridSearchReport& report, const std::stop_token& stop) {
+    std::optional<RobustTrail> robust;
+    if (report.robust) {
+        robust = {report.robust->added, report.robust->candidates};
+    }
+    return refineAnswer({.asked = report.project,
+                         .best = withBest(report.project, report.search),
+                         .cycle = report.search.cycle,
+                         .robust = std::move(robust)},
+                        stop);
+}
+
+GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
+    GivenCycle given;
+    const SimulationResult result = simulateUnchecked(project, nullptr, stop);
+    given.isStopped = result.status == RunStatus::stopped;
+    if (result.status == RunStatus::completed) {
+        given.time_s = result.time_s;
+        for (const ConstraintResult& each : worstByKind(evaluateConstraints(result))) {
+            if (!each.holds) {
+                given.fails.push_back(each.kind);
+            }
+        }
+    }
+    return given;
+}
+
+} // namespace
+
+GridSearchReport searchGrid(const Project& project, const GridSearchOptions& options) {
+    SearchOptions search;
+    search.method = options.method;
+    search.threads = options.threads;
+    search.onProgress = options.onProgress;
+    search.stop = options.stop;
+    GridSearchReport report;
+    report.project = project;
+    report.method = options.method;
+    if (options.robust || asksForABatch(project)) {
+        report.robust =
+            optimiseRobustly(project, scenariosAskedFor(project, options.stop), {.search = search});
+        report.search = report.robust->search;
+    } else {
+        report.search = optimise(project, search);
+    }
+    aboutTheBest(report, options.stop);
+    if (options.refine && hasAnswer(report)) {
+        report.refined = refined(report, options.stop);
+    }
+    const GraceStop grace(options.stop);
+    report.given = givenCycle(project, grace.token());
+    if (isRefined(report)) {
+        report.binding =
+            bindingRequirements(withBest(project, report.search), report.refined->cycle,
+                                report.refined->time_us, scenariosAdded(report), grace.token());
+    }
+    return report;
+}
+
+bool isRefined(const GridSearchReport& report) {
+    return report.refined && report.refined->isQuicker;
+}
+
+bool hasAnswer(const GridSearchReport& report) {
+    return report.search.best && (!report.robust || report.robust->holdsInSample);
+}
+
+const Cycle& cycleFound(const GridSearchReport& report) {
+    return isRefined(report) ? report.refined->cycle : report.search.cycle;
+}
+
+Project withAnswer(const GridSearchReport& report) {
+    Project project = withBest(report.project, report.search);
+    project.cycle = cycleFound(report);
+    return project;
+}
+
+bool asksForABatch(const Project& project) {
+    return project.optimisation->scenarios != OptimisationScenarios::nominal;
+}
+
+} // namespace sparkout

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/optimisation/optimise.h"
+#include "core/optimisation/refine.h"
+#include "core/optimisation/robust.h"
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// The search of a whole grid at once by any method, with what its answer is to be read with.
+namespace sparkout {
+
+struct GridSearchOptions {
+    SearchMethod method = SearchMethod::pruned;
+    unsigned threads = 0; ///< of the full search; 0: as many as the machine has
+    /// The answer must hold in every phase of the stock too. One that the project asks to hold for
+    /// its batch does so whatever is wished.
+    bool robust = false;
+    bool refine = false; ///< go on off the grid
+    std::function<void(const SearchProgress&)> onProgress;
+    std::stop_token stop;
+};
+
+/// The project's own cycle, beside the one found.
+struct GivenCycle {
+    bool isStopped = false;       ///< before its end: nothing is known of it
+    std::optional<double> time_s; ///< when it ends by itself
+    std::vector<ConstraintKind> fails;
+};
+
+/// A search and what its answer is to be read with.
+struct GridSearchReport {
+    Project project; ///< as read: the given cycle
+    SearchMethod method = SearchMethod::pruned;
+    SearchSummary search;
+    std::optional<RobustSummary> robust; ///< of which the search is the last
+    std::optional<RefineSummary> refined;
+    double limit_s = 0;                                 ///< stepless
+    std::optional<std::vector<ConstraintKind>> binding; ///< nothing: not known, or no cycle
+    GivenCycle given;
+};
+
+/// Searches the grid of a project that has one, and whose batch checkBatch() passes if the answer
+/// must hold for it. A stop keeps the best so far.
+[[nodiscard]] GridSearchReport searchGrid(const Project& project, const GridSearchOptions& options);
+
+/// Whether the answer was found off the grid, by refinement.
+[[nodiscard]] bool isRefined(const GridSearchReport& report);
+
+/// Whether there is a cycle to give: feasible, and tested where it must be robust.
+[[nodiscard]] bool hasAnswer(const GridSearchReport& report);
+
+/// The cycle to give: refined, or the best of the grid.
+[[nodiscard]] const Cycle& cycleFound(const GridSearchReport& report);
+/// The project with that cycle and its machine.
+[[nodiscard]] Project withAnswer(const GridSearchReport& report);
+
+/// Whether the answer must hold for the project's batch.
+[[nodiscard]] bool asksForABatch(const Project& project);
+
+} // namespace sparkout

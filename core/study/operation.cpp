@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/operation.h"
+
+#include "core/project/member.h"
+#include "core/study/search_edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double usualCompliance_mm_per_n = 1.5e-4;
+
+/// mm/min of plunge feed for one mm per double stroke: a usual pair is 0.4 and 0.004.
+constexpr double plungePerTraverseFeed = 100;
+
+/// Cut to six significant digits, as one would enter it.
+double rounded(double value) {
+    if (value == 0) {
+        return 0;
+    }
+    const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
+}
+
+/// The compliance at a share 0…1 of the ground length, between the zones' values.
+double between(const ZoneCompliance& zones, double share) {
+    return share < 0.5 ? zones.rz1 + (zones.nz - zones.rz1) * 2 * share
+                       : zones.nz + (zones.rz2 - zones.nz) * (2 * share - 1);
+}
+
+/// The listed compliance at a share of the ground length.
+double between(const std::vector<double>& sections, double share) {
+    const double at =
+        std::clamp(share * double(sections.size()) - 0.5, 0.0, double(sections.size() - 1));
+    const auto low = static_cast<std::size_t>(at);
+    const std::size_t high = std::min(low + 1, sections.size() - 1);
+    return sections[low] + (sections[high] - sections[low]) * (at - double(low));
+}
+
+/// Compliance along the part, from the headstock: zones may be entered from the other side.
+double complianceAt(const Project& project, double share) {
+    const GivenCompliance& given = project.machine.compliance_mm_per_n;
+    if (const auto* zones = std::get_if<ZoneCompliance>(&given)) {
+        const bool turned = project.machine.entry_side == EntrySide::tailstock;
+        return between(*zones, turned ? 1 - share : share);
+    }
+    const auto* sections = std::get_if<std::vector<double>>(&given);
+    return sections && !sections->empty() ? between(*sections, share) : usualCompliance_mm_per_n;
+}
+
+/// Of sections on the first `reach_mm` of the ground length.
+std::vector<double> sectionCompliance(const Project& project, int count, double reach_mm) {
+    const double share = reach_mm / project.part.length_mm;
+    std::vector<double> values;
+    for (int j = 0; j < count; ++j) {
+        values.push_back(rounded(complianceAt(project, share * (j + 0.5) / count)));
+    }
+    return values;
+}
+
+ZoneCompliance zoneCompliance(const Project& project) {
+    const bool turned = project.machine.entry_side == EntrySide::tailstock;
+    return {rounded(complianceAt(project, turned ? 1 : 0)), rounded(complianceAt(project, 0.5)),
+            rounded(complianceAt(project, turned ? 0 : 1))};
+}
+
+void makePlunge(Project& project) {
+    for (Stage& stage : project.cycle.stages) {
+        if (stage.radial_feed_mm && feeds(stage)) {
+            stage.radial_feed_mm_min =
+                rounded(std::clamp(*stage.radial_feed_mm * plungePerTraverseFeed, 0.02, 5.0));
+        }
+        stage.radial_feed_mm.reset();
+        stage.axial_feed_mm_min.reset();
+    }
+    project = fitted(std::move(project), Operation::plunge);
+}
+
+/// Leaves a zone between the reversals: L_p > (B − o1) + (B − o2), each bracket above zero.
+void fitZones(Project& project) {
+    const double length = project.part.length_mm;
+    double& width = project.wheel.width_mm;
+    Machine& machine = project.machine;
+    const auto zones = [&] {
+        return 2 * width - machine.overrun_entry_mm - machine.overrun_exit_mm;
+    };
+    if (zones() >= length || machine.overrun_entry_mm >= width
+        || machine.overrun_exit_mm >= width) {
+        const double narrowest =
+            findMember(std::as_const(project), "/wheel/width_mm").field->hard.low;
+        width = std::max(rounded(std::min(width, length / 2)), narrowest);
+        machine.overrun_entry_mm = rounded(width / 4);
+        machine.overrun_exit_mm = rounded(width / 4);
+    }
+}
+
+void makeTraverse(Project& project) {
+    auto& stages = project.cycle.stages;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        Stage& stage = stages[i];
+        if (stage.radial_feed_mm_min && feeds(stage)) {
+            stage.radial_feed_mm = rounded(
+                std::clamp(*stage.radial_feed_mm_min / plungePerTraverseFeed, 0.0005, 0.02));
+        }
+        stage.radial_feed_mm_min.reset();
+        if (!stage.axial_feed_mm_min) {
+            const bool roughing = i + 1 < stages.size();
+            stage.axial_feed_mm_min = roughing ? 1800 : 300;
+        }
+    }
+    project.part.surface = Surface::external;
+    project.gauge.section.reset();
+    project.gauge.position_mm.reset();
+    project.gauge.compliance_mm_per_n.reset();
+    project = fitted(std::move(project), Operation::traverse);
+    const bool computed =
+        std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    if (computed && !complianceComputable(project)) { // a bore has no shaft
+        project.machine.compliance_mm_per_n = zoneCompliance(project);
+    }
+}
+
+/// A plain shaft: the ground length with an overhang at both ends.
+void giveUsualShaft(Part& part) {
+    const double overhang = std::clamp(rounded(part.diameter_mm), 20.0, 100.0);
+    double length = part.length_mm + 2 * overhang;
+    for (const SteadyRest& rest : part.shaft.steady_rests) {
+        length = std::max(length, rest.position_mm);
+    }
+    part.shaft.ground_from_mm = overhang;
+    part.shaft.segments = {{length, part.diameter_mm}};
+}
+
+/// A quill that reaches through the bore behind a wheel thicker than itself.
+Quill usualQuill(const Project& project) {
+    Quill quill;
+    quill.length_mm = std::min(rounded(project.part.length_mm + 20), 2000.0);
+    quill.diameter_mm =
+        rounded(std::min(project.wheel.diameter_mm, project.part.diameter_mm) * 0.6);
+    return quill;
+}
+
+} // namespace
+
+bool complianceComputable(const Project& project) {
+    const bool body = project.part.surface == Surface::internal
+                          ? project.part.shaft.quill.has_value()
+                          : !project.part.shaft.segments.empty();
+    return body && project.machine.stiffness_n_um;
+}
+
+Project fitted(Project project, Operation operation) {
+    if (operation == Operation::traverse) {
+        fitZones(project);
+    } else { // a plunge grinds what the wheel that is there covers
+        project.part.length_mm = std::min(project.part.length_mm, project.wheel.width_mm);
+    }
+    return project;
+}
+
+Project withOperation(Project project, Operation operation) {
+    if (project.operation == operation) {
+        return project;
+    }
+    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    if (operation == Operation::plunge) {
+        if (given) {
+            const double reach_mm = fitted(project, operation).part.length_mm;
+            project.machine.compliance_mm_per_n =
+                sectionCompliance(project, project.sections, reach_mm);
+        }
+        makePlunge(project);
+    } else {
+        if (given) {
+            project.machine.compliance_mm_per_n = zoneCompliance(project);
+        }
+        makeTraverse(project);
+    }
+    project.operation = operation;
+    return withSearchFor(std::move(project));
+}
+
+Project withSections(Project project, int sections) {
+    auto& given = project.machine.compliance_mm_per_n;
+    const auto* list = std::get_if<std::vector<double>>(&given);
+    if (list && list->size() != static_cast<std::size_t>(sections)) {
+        given = sectionCompliance(project, sections, project.part.length_mm);
+    }
+    if (project.gauge.section && *project.gauge.section >= sections) {
+        project.gauge.section.reset();
+    }
+    project.sections = sections;
+    return project;
+}
+
+Project withGivenCompliance(Project project, bool given) {
+    auto& compliance = project.machine.compliance_mm_per_n;
+    if (!given) {
+        compliance = std::monostate{};
+        project = withComputable(std::move(project));
+    } else if (project.operation == Operation::traverse) {
+        compliance = zoneCompliance(project);
+    } else {
+        compliance = sectionCompliance(project, project.sections, project.part.length_mm);
+    }
+    return project;
+}
+
+Project withComputable(Project project) {
+    if (!std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n)) {
+        return project;
+    }
+    if (!project.machine.stiffness_n_um) {
+        project.machine.stiffness_n_um.emplace();
+    }
+    Shaft& shaft = project.part.shaft;
+    if (project.part.surface == Surface::internal) {
+        shaft.quill = shaft.quill ? shaft.quill : usualQuill(project);
+    } else if (shaft.segments.empty()) {
+        giveUsualShaft(project.part);
+    }
+    return project;
+}
+
+Project withRadii(Project project, std::vector<double> radii_um) {
+    project.part.radii_per_section = static_cast<int>(radii_um.size());
+    project.part.radii_um = std::move(radii_um);
+    project.part.profile = ProfileForm::measured;
+    return project;
+}
+
+bool feeds(const Stage& stage) {
+    return stage.spark_out.mode == SparkOut::Mode::none;
+}
+
+Project newProject(Operation operation) {
+    Project project;
+    project.part.tolerance.radial_runout_um = 6;
+    project.machine.dwell_entry_s = 0.333;
+    project.machine.compliance_mm_per_n = ZoneCompliance{1.2e-4, 1.7e-4, 1.5e-4};
+    Stage rough;
+    rough.radial_feed_mm = 0.004;
+    rough.axial_feed_mm_min = 1800;
+    rough.stock_mm = 0.11;
+    Stage finish;
+    // becomes 0.1 mm/min of plunge feed: twice as much falls below the field at the stiff end
+    finish.radial_feed_mm = operation == Operation::traverse ? 0.002 : 0.001;
+    finish.axial_feed_mm_min = 1000;
+    finish.stock_mm = 0.04;
+    project.cycle.stages = {rough, finish};
+    if (operation == Operation::plunge) {
+        project.part.length_mm = 40;
+    }
+    return withOperation(std::move(project), operation);
+}
+
+} // namespace sparkout

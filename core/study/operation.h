@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <vector>
+
+/// Edits that must change several inputs together.
+namespace sparkout {
+
+/// A small complete cycle of each operation, to start from.
+[[nodiscard]] Project newProject(Operation operation);
+
+/// The project under the other operation: feeds, compliance, wheel and gauge get values the new
+/// operation can run with; what it does not read is cleared. A search gets levels for the feeds of
+/// the new operation.
+[[nodiscard]] Project withOperation(Project project, Operation operation);
+
+/// Whether a stage feeds, which a spark-out does not.
+[[nodiscard]] bool feeds(const Stage& stage);
+
+/// The project with what suits an operation: for traverse wheel width and overruns that leave a
+/// zone between the reversals, for plunge a ground length that the wheel covers.
+[[nodiscard]] Project fitted(Project project, Operation operation);
+
+/// The project with another number of plunge sections; a listed compliance follows.
+[[nodiscard]] Project withSections(Project project, int sections);
+
+/// The project with its compliance entered directly (true) or computed from stiffness and shaft,
+/// which get usual values where they are not given.
+[[nodiscard]] Project withGivenCompliance(Project project, bool given);
+
+/// The project with what a compliance left to stiffness and shaft needs; otherwise unchanged.
+[[nodiscard]] Project withComputable(Project project);
+
+/// The project with a measured profile as the form of its blank, a radius a value.
+[[nodiscard]] Project withRadii(Project project, std::vector<double> radii_um);
+
+/// Whether stiffness and shaft are there to compute the compliance from.
+[[nodiscard]] bool complianceComputable(const Project& project);
+
+} // namespace sparkout

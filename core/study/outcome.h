@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/quality/constraints.h"
+#include "core/quality/limit_series.h"
+#include "core/quality/shop_numbers.h"
+#include "core/simulation/feed_series.h"
+#include "core/simulation/result.h"
+#include "core/simulation/stock_layers.h"
+#include "core/simulation/trajectory.h"
+
+#include <memory>
+#include <vector>
+
+namespace sparkout {
+
+/// All that is asked of one run: an immutable value. With errors among the issues nothing was run
+/// and the rest is empty.
+struct Outcome {
+    Issues issues; ///< errors and warnings of the inputs
+    SimulationResult result;
+    Trajectory trajectory;
+    FeedSeries feeds;      ///< the trajectory summed up pass by pass
+    LayerSeries layers;    ///< and layer by layer, the means over the radii
+    PartAccuracy accuracy; ///< form of every zone or section and of the part
+    std::vector<ConstraintResult> constraints;
+    LimitSeries limits; ///< the cuts against the limits of the feed
+    ShopNumbers shop;
+
+    [[nodiscard]] bool ran() const { return !hasErrors(issues); }
+};
+
+using OutcomePtr = std::shared_ptr<const Outcome>;
+
+} // namespace sparkout

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/whole_search.h"
+
+#include "core/batch/batch_check.h"
+#include "core/optimisation/binding.h"
+#include "core/optimisation/grace_stop.h"
+#include "core/optimisation/judge.h"
+#include "core/optimisation/limit.h"
+#include "core/optimisation/robust.h"
+#include "core/optimisation/trade_off.h"
+#include "core/study/refine_answer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// Searches number of stages by number, and gathers what it comes upon.
+class Search {
+public:
+    using Clock = std::chrono::steady_clock;
+    using Note = std::function<void(const SearchState&)>;
+
+    Search(const Project& project, SearchWish wish, std::stop_token stop, Note note)
+        : m_outcome(std::make_shared<SearchOutcome>())
+        , m_variants(project, stop)
+        , m_refine(wish.refine)
+        , m_stop(std::move(stop))
+        , m_note(std::move(note)) {
+        m_outcome->project = project;
+        m_outcome->fault = m_variants.fault();
+        if (m_outcome->fault == GridFault::none) {
+            const bool asked = project.optimisation->scenarios != OptimisationScenarios::nominal;
+            m_outcome->robust = wish.phases || asked;
+            if (asked) {
+                m_outcome->batchIssues = checkBatch(project);
+            }
+        }
+    }
+
+    SearchOutcomePtr run() {
+        m_began = Clock::now();
+        if (m_outcome->ran()) {
+            for (const double stages : m_outcome->project.optimisation->stages) {
+                if (m_stop.stop_requested()) {
+                    m_outcome->stopped = true;
+                    break;
+                }
+                searchNumber(static_cast<int>(stages));
+            }
+            if (!m_outcome->stopped && !m_outcome->robust && !m_found.empty()) {
+                lookForMargins();
+            }
+            finish();
+            if (m_refine && m_outcome->best()) {
+                m_outcome->refines = true;
+                refineBest();
+            }
+        }
+        return m_outcome;
+    }
+
+private:
+    void searchNumber(int stages) {
+        Project project = m_outcome->project;
+        project.optimisation->stages = {static_cast<double>(stages)};
+        if (Variants(project, m_stop).fault() != GridFault::none) {
+            return; // the stock cannot be divided so often
+        }
+        SearchOptions options;
+        options.stop = m_stop;
+        options.onProgress = [this, stages](const SearchProgress& progress) {
+            if (progress.best && !m_outcome->robust) {
+                addFound(*progress.best);
+            }
+            tell(stages, progress.bound_s, progress.evaluations);
+        };
+        SearchedNumber number{.stages = stages};
+        int candidate = 0;
+        if (m_outcome->robust) {
+            RobustSummary robust =
+                optimiseRobustly(project, scenariosAskedFor(project, m_stop), {.search = options});
+            candidate = m_candidates + robust.candidate;
+            m_candidates += robust.candidates;
+            number.scenariosAdded = static_cast<int>(robust.added.size());
+            number.holds = robust.holdsInSample;
+            number.nominalTime_s = robust.nominalTime_s;
+            std::ranges::move(robust.added, std::back_inserter(m_scenarios));
+            number.search = std::move(robust.search);
+        } else {
+            number.search = optimise(project, options);
+        }
+        if (number.search.status == SearchStatus::stopped) {
+            m_outcome->stopped = true;
+        }
+        if (number.search.best && number.holds) {
+            addFound(*number.search.best, FoundBy::search, candidate);
+        }
+        m_outcome->numbers.push_back(std::move(number));
+    }
+
+    struct Noted {
+        FeasibleCycle cycle;
+        FoundBy by = FoundBy::search;
+        int candidate = 0; ///< on fresh phases
+    };
+
+    /// A cycle is noted once.
+    void addFound(const FeasibleCycle& cycle, FoundBy by = FoundBy::search, int candidate = 0) {
+        const auto known = std::ranges::find_if(m_found, [&cycle](const Noted& each) {
+            return each.cycle.variant == cycle.variant && each.cycle.cycle == cycle.cycle;
+        });
+        if (known == m_found.end()) {
+            m_found.push_back({cycle, by, candidate});
+        } else if (by == FoundBy::margin) {
+            known->by = by;
+        }
+    }
+
+    void tell(int stages, double bound_s, long long evaluations,
+              FoundBy looksFor = FoundBy::search) const {
+        SearchState state{
+            .looksFor = looksFor, .stages = stages, .bound_s = bound_s, .evaluations = evaluations};
+        for (const Noted& each : m_found) {
+            const double time_s = each.cycle.time_s;
+            state.best_s = std::min(state.best_s.value_or(time_s), time_s);
+        }
+        m_note(state);
+    }
+
+    /// Time against margin, about as long as the search took.
+    void lookForMargins() {
+        constexpr std::size_t most = 12;
+        constexpr std::chrono::seconds grace(2);
+        const Clock::time_point end = Clock::now() + (Clock::now() - m_began) + grace;
+        const SearchSummary* quickest = nullptr;
+        for (const SearchedNumber& number : m_outcome->numbers) {
+            if (number.search.best
+                && (!quickest
+                    || isBetter(*number.search.best, *quickest->best,
+                                m_variants.grid(number.search.best->variant)))) {
+                quickest = &number.search;
+            }
+        }
+        std::stop_source ends;
+        const std::stop_callback stopped(m_stop, [&ends] { ends.request_stop(); });
+        SearchOptions options;
+        options.stop = ends.get_token();
+        options.onProgress = [&](const SearchProgress& progress) {
+            if (Clock::now() > end) {
+                ends.request_stop();
+            }
+            tell(0, 0, progress.evaluations, FoundBy::margin);
+        };
+        for (const SearchSummary& each :
+             tradeOff(m_outcome->project, *quickest, options, most).cycles) {
+            addFound(*each.best, FoundBy::margin);
+        }
+    }
+
+    /// From the best of the grid, as it stands in the outcome.
+    void refineBest() {
+        tell(0, 0, 0, FoundBy::refinement);
+        const FoundCycle best = *m_outcome->best();
+        Project project = m_outcome->project;
+        setMachine(project, best.machine);
+        const RefineSummary refined = refineAnswer(
+            {.asked = m_outcome->project,
+             .best = project,
+             .cycle = best.cycle,
+             .robust = m_outcome->robust ? std::optional(RobustTrail{m_scenarios, m_candidates})
+                                         : std::nullopt},
+            m_stop);
+        if (refined.isQuicker) {
+            m_outcome->found.insert(m_outcome->found.begin(),
+                                    {.by = FoundBy::refinement,
+                                     .cycle = refined.cycle,
+                                     .machine = best.machine,
+                                     .time_s = refined.time_s,
+                                     .leastRelativeMargin = refined.leastRelativeMargin,
+                                     .candidate = refined.candidate});
+            const GraceStop grace(m_stop);
+            m_outcome->binding = bindingRequirements(project, refined.cycle, refined.time_us,
+                                                     m_scenarios, grace.token());
+        }
+    }
+
+    void finish() {
+        std::ranges::sort(m_found, [this](const Noted& a, const Noted& b) {
+            return isBetter(a.cycle, b.cycle, m_variants.grid(a.cycle.variant));
+        });
+        std::vector<std::size_t> numbers; // of stages, met already
+        for (const auto& [each, by, candidate] : m_found) {
+            const bool first = std::ranges::find(numbers, each.cycle.size()) == numbers.end();
+            m_outcome->found.push_back(
+                {.by = by,
+                 .cycle = m_variants.grid(each.variant).cycle(each.cycle),
+                 .machine = machineSettings(m_variants.project(each.variant)),
+                 .time_s = each.time_s,
+                 .leastRelativeMargin = each.leastRelativeMargin,
+                 .isBest = numbers.empty(),
+                 .isBestOfItsNumber = first,
+                 .candidate = candidate});
+            if (first) {
+                numbers.push_back(each.cycle.size());
+            }
+        }
+        const GraceStop grace(m_stop); // for both
+        m_outcome->limit_s = steplessLimit_s(m_outcome->project, grace.token());
+        m_outcome->bound_s = bound();
+        if (!m_found.empty()) {
+            m_outcome->binding = bindingRequirements(m_outcome->project, m_found.front().cycle,
+                                                     m_scenarios, grace.token());
+        }
+    }
+
+    /// Of the whole grid: the least of those of the numbers of stages, if all were searched.
+    [[nodiscard]] double bound() const {
+        if (m_outcome->numbers.empty()
+            || m_outcome->numbers.size() < m_outcome->project.optimisation->stages.size()) {
+            return m_outcome->limit_s;
+        }
+        double least = std::numeric_limits<double>::infinity();
+        for (const SearchedNumber& number : m_outcome->numbers) {
+            const bool none = number.search.status == SearchStatus::infeasible;
+            least = none ? least : std::min(least, number.search.bound_s);
+        }
+        return std::max(least, m_outcome->limit_s);
+    }
+
+    std::shared_ptr<SearchOutcome> m_outcome;
+    Variants m_variants;
+    bool m_refine;
+    Clock::time_point m_began;
+    std::stop_token m_stop;
+    Note m_note;
+    std::vector<Noted> m_found;
+    std::vector<Project> m_scenarios;
+    int m_candidates = 0; ///< cycles tried on fresh phases so far
+};
+
+} // namespace
+
+const FoundCycle* SearchOutcome::best() const {
+    const auto ofTheGrid = [](const FoundCycle& each) { return each.by != FoundBy::refinement; };
+    const auto at = std::ranges::find_if(found, ofTheGrid);
+    return at == found.end() ? nullptr : &*at;
+}
+
+const FoundCycle* SearchOutcome::refined() const {
+    const bool given = !found.empty() && found.front().by == FoundBy::refinement;
+    return given ? &found.front() : nullptr;
+}
+
+std::array<long long, constraintKinds> SearchOutcome::cuts() const {
+    std::array<long long, constraintKinds> sum{};
+    for (const SearchedNumber& number : numbers) {
+        for (std::size_t kind = 0; kind < sum.size(); ++kind) {
+            sum[kind] += number.search.cuts[kind];
+        }
+    }
+    return sum;
+}
+
+bool SearchOutcome::unresolved() const {
+    return std::ranges::any_of(numbers, [this](const SearchedNumber& number) {
+        return !number.holds && number.search.best
+               && (!best() || number.search.best->time_s < best()->time_s);
+    });
+}
+
+double SearchOutcome::nominal_s() const {
+    double least_s = 0;
+    for (const SearchedNumber& number : numbers) {
+        if (number.nominalTime_s > 0 && (least_s == 0 || number.nominalTime_s < least_s)) {
+            least_s = number.nominalTime_s;
+        }
+    }
+    return least_s;
+}
+
+SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::stop_token stop,
+                                std::function<void(const SearchState&)> note) {
+    return Search(project, wish, std::move(stop), std::move(note)).run();
+}
+
+} // namespace sparkout

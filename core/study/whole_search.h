@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/optimisation/optimise.h"
+#include "core/optimisation/variants.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+/// The whole search of a project's grid, number of stages by number: the quickest cycle, proved or
+/// robust, slower ones farther from their limits, the refinement, and what binds.
+namespace sparkout {
+
+/// How a search came upon a cycle.
+enum class FoundBy {
+    search,    ///< it was the best so far
+    margin,    ///< none of the grid is both quicker and farther from its nearest limit
+    refinement ///< between the levels of the grid; not proved
+};
+
+/// A feasible cycle that a search came upon.
+struct FoundCycle {
+    FoundBy by = FoundBy::search;
+    Cycle cycle;
+    MachineSettings machine; ///< that it is run with
+    double time_s = 0;
+    double leastRelativeMargin = 0;
+    bool isBest = false;            ///< of the whole grid, as far as it was searched
+    bool isBestOfItsNumber = false; ///< of stages
+    int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
+};
+
+/// The search of the cycles of one number of stages.
+struct SearchedNumber {
+    int stages = 0;
+    SearchSummary search = {};
+    int scenariosAdded = 0;
+    double nominalTime_s = 0; ///< of the best one before any was added; 0: none
+    bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
+};
+
+/// All that one search gives: an immutable value. With a fault nothing was searched.
+struct SearchOutcome {
+    Project project; ///< as searched
+    GridFault fault = GridFault::none;
+    Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
+    bool robust = false;
+    bool refines = false;                ///< looked between the levels too
+    std::vector<SearchedNumber> numbers; ///< of stages, as listed; fewer when it was stopped
+    std::vector<FoundCycle> found;       ///< the quickest first
+    double limit_s = 0;                  ///< of the stepless cycle
+    double bound_s = 0; ///< no cycle of the grid that holds is quicker; 0: not known
+    /// What binds the quickest of `found`; nothing: not known, as it was stopped before.
+    std::optional<std::vector<ConstraintKind>> binding;
+    bool stopped = false;
+
+    [[nodiscard]] bool ran() const { return fault == GridFault::none && batchIssues.empty(); }
+    [[nodiscard]] const FoundCycle* best() const;    ///< of the grid
+    [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
+    /// The rounds ran out for a number of stages that might have had a quicker cycle.
+    [[nodiscard]] bool unresolved() const;
+    /// The quickest time [s] of a robust search before scenarios were added; 0: none.
+    [[nodiscard]] double nominal_s() const;
+    [[nodiscard]] bool proved() const { return best() && !stopped && !unresolved(); }
+    /// How often each requirement cut, over all numbers of stages.
+    [[nodiscard]] std::array<long long, constraintKinds> cuts() const;
+};
+
+using SearchOutcomePtr = std::shared_ptr<const SearchOutcome>;
+
+/// What a search is to do beyond finding the quickest cycle of the grid.
+struct SearchWish {
+    bool phases = false; ///< hold in every phase of the stock too
+    bool refine = false; ///< go on between the levels
+};
+
+/// How far a search is.
+struct SearchState {
+    FoundBy looksFor = FoundBy::search;
+    int stages = 0;                    ///< the number that is searched now
+    std::optional<double> best_s = {}; ///< quickest so far
+    double bound_s = 0;                ///< no cycle with so many stages is quicker
+    long long evaluations = 0;         ///< of these
+    double took_s = 0;
+};
+
+/// Searches a project's grid in this thread; `note` is told how far that is, in any thread.
+[[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish,
+                                              std::stop_token stop,
+                                              std::function<void(const SearchState&)> note);
+
+} // namespace sparkout

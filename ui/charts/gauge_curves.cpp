@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/gauge_curves.h"
+
+#include "core/process/system_compliance.h"
+#include "core/units.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::size_t mostSections = 6; ///< drawn as lines of their own
+
+QString gaugeWord(const char* text) {
+    return QCoreApplication::translate("GaugeCurves", text);
+}
+
+} // namespace
+
+GaugeCurves::GaugeCurves(QCPAxisRect& rect)
+    : LengthCurves(rect)
+    , m_lowest(addGraph(spreadKey))
+    , m_highest(addGraph(spreadKey))
+    , m_farthest(addGraph(farthestKey))
+    , m_present(addGraph(presentKey))
+    , m_best(addGraph(bestKey)) {
+    m_highest->setChannelFillGraph(m_lowest);
+    for (QCPGraph* mark : {m_present, m_best}) {
+        mark->setLineStyle(QCPGraph::lsImpulse);
+    }
+}
+
+double GaugeCurves::middle_um() const {
+    const Part& part = m_outcome->result.project.part;
+    return (part.upper_deviation_um + part.lower_deviation_um) / 2;
+}
+
+double GaugeCurves::farthest_um(const GaugePosition& position) const {
+    return std::max(position.deviationMax_mm * units::umPerMm - middle_um(),
+                    middle_um() - position.deviationMin_mm * units::umPerMm);
+}
+
+double GaugeCurves::farthestNow_um() const {
+    double farthest = 0;
+    for (const SectionResult& section : m_outcome->result.sections) {
+        for (const double deviation_mm :
+             {section.diameterDeviationMin_mm, section.diameterDeviationMax_mm}) {
+            farthest = std::max(farthest, std::abs(deviation_mm * units::umPerMm - middle_um()));
+        }
+    }
+    return farthest;
+}
+
+const GaugePosition* GaugeCurves::best() const {
+    return m_placement && m_placement->best ? &m_placement->positions[*m_placement->best] : nullptr;
+}
+
+std::vector<GaugeCurves::Drawn> GaugeCurves::drawn() const {
+    std::vector<Drawn> places;
+    const Project& project = m_outcome->result.project;
+    const auto zones = compliantPoints(project);
+    for (const GaugePosition& position : m_placement->positions) {
+        if (project.operation == Operation::traverse) {
+            const CompliantPoint& zone = zones[static_cast<std::size_t>(position.zone)];
+            places.push_back({zone.position_mm - zone.length_mm / 2, &position});
+            places.push_back({zone.position_mm + zone.length_mm / 2, &position});
+        } else {
+            places.push_back({position.position_mm, &position});
+        }
+    }
+    return places;
+}
+
+/// All of a few, else some from end to end.
+std::vector<std::size_t> GaugeCurves::drawnSections() const {
+    const std::size_t all = m_outcome ? m_outcome->result.sections.size() : 0;
+    const std::size_t count = std::min(all, mostSections);
+    std::vector<std::size_t> sections;
+    for (std::size_t i = 0; i < count; ++i) {
+        sections.push_back(count < 2 ? 0 : i * (all - 1) / (count - 1));
+    }
+    return sections;
+}
+
+void GaugeCurves::show(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm) {
+    m_placement = std::move(placement);
+    m_outcome = std::move(outcome);
+    const std::vector<Drawn> places = drawn();
+    QVector<double> x, low, high, far;
+    constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& [x_mm, position] : places) {
+        const bool ended = position->status == RunStatus::completed;
+        x << x_mm;
+        low << (ended ? position->deviationMin_mm * units::umPerMm - middle_um() : gap);
+        high << (ended ? position->deviationMax_mm * units::umPerMm - middle_um() : gap);
+        far << (ended ? farthest_um(*position) : gap);
+    }
+    m_lowest->setData(x, low, true);
+    m_highest->setData(x, high, true);
+    m_farthest->setData(x, far, true);
+    drawSections(places, x);
+    const GaugePosition* best = this->best();
+    m_best->setData(best ? QVector<double>{best->position_mm} : QVector<double>(),
+                    best ? QVector<double>{farthest_um(*best)} : QVector<double>(), true);
+    m_present->setData({present_mm}, {farthestNow_um()}, true);
+    drawLimits(m_outcome->result.project.part);
+    restyle(m_dim);
+}
+
+void GaugeCurves::drawSections(const std::vector<Drawn>& places, const QVector<double>& x) {
+    const std::vector<std::size_t> sections = drawnSections();
+    while (m_sections.size() < sections.size()) {
+        m_sections.push_back(addGraph(sectionKey + static_cast<int>(m_sections.size())));
+    }
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+        QVector<double> mean;
+        for (const Drawn& place : places) {
+            const auto& means = place.position->meanDeviations_mm;
+            const bool known = place.position->status == RunStatus::completed && i < sections.size()
+                               && sections[i] < means.size();
+            mean << (known ? means[sections[i]] * units::umPerMm - middle_um()
+                           : std::numeric_limits<double>::quiet_NaN());
+        }
+        m_sections[i]->setData(x, mean, true);
+    }
+}
+
+QString GaugeCurves::nameOf(std::size_t section) const {
+    return Names::zone(m_outcome->result.sections[section].zone, static_cast<int>(section));
+}
+
+QColor GaugeCurves::colourOf(std::size_t section) const {
+    static constexpr style::Hue hues[] = {style::Hue::blue,   style::Hue::orange, style::Hue::green,
+                                          style::Hue::purple, style::Hue::yellow, style::Hue::sky};
+    return style::dimmed(style::colour(hues[section % std::size(hues)], palette()), m_dim);
+}
+
+LegendEntries GaugeCurves::legendEntries() const {
+    if (!m_placement) {
+        return {};
+    }
+    const QColor text = style::dimmed(palette().color(QPalette::Text), m_dim);
+    LegendEntries entries{
+        entry(farthestKey, text, Qt::SolidLine,
+              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "farthest from the middle"))),
+        entry(bestKey, style::dimmed(style::colour(style::Hue::green, palette()), m_dim), Qt::NoPen,
+              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "best place"))),
+        entry(presentKey, style::dimmed(style::colour(style::Hue::vermilion, palette()), m_dim),
+              Qt::NoPen, gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "present place"))),
+        entry(spreadKey, style::dimmed(style::colour(style::Hue::sky, palette()), m_dim), Qt::NoPen,
+              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "all diameters")))};
+    const std::vector<std::size_t> sections = drawnSections();
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        entries.push_back(entry(sectionKey + static_cast<int>(i), colourOf(i), Qt::SolidLine,
+                                nameOf(sections[i])));
+    }
+    entries.push_back(limitsEntry());
+    return entries;
+}
+
+void GaugeCurves::restyle(bool dim) {
+    m_dim = dim;
+    QColor spread = style::dimmed(style::colour(style::Hue::sky, palette()), dim);
+    m_lowest->setPen(Qt::NoPen);
+    m_highest->setPen(Qt::NoPen);
+    spread.setAlpha(spread.alpha() / 4);
+    m_highest->setBrush(spread);
+    m_farthest->setPen(QPen(style::dimmed(palette().color(QPalette::Text), dim), 2.5));
+    const auto mark = [&](QCPGraph* graph, style::Hue hue, QCPScatterStyle::ScatterShape shape,
+                          double size) {
+        const QColor colour = style::dimmed(style::colour(hue, palette()), dim);
+        graph->setPen(QPen(colour, 1.5, Qt::DotLine));
+        graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 2), colour, size));
+    };
+    mark(m_best, style::Hue::green, QCPScatterStyle::ssDiamond, 12);
+    mark(m_present, style::Hue::vermilion, QCPScatterStyle::ssDisc, 9);
+    for (std::size_t i = 0; i < m_sections.size(); ++i) {
+        m_sections[i]->setPen(QPen(colourOf(i), 1.5));
+    }
+    restyleLimits(dim);
+}
+
+CsvTable GaugeCurves::table() const {
+    CsvTable table;
+    if (!m_placement) {
+        return table;
+    }
+    table.header << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Gauge at, mm"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Compliance there, mm/N"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Smallest diameter, µm"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Largest diameter, µm"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Farthest from the middle, µm"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Margin to the limits, µm"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Time, s"))
+                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "End of the cycle"));
+    for (std::size_t i = 0; i < m_outcome->result.sections.size(); ++i) {
+        table.header
+            << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "%1, mean diameter, µm")).arg(nameOf(i));
+    }
+    for (const GaugePosition& position : m_placement->positions) {
+        std::vector<CsvCell> row{position.position_mm,
+                                 position.compliance_mm_per_n,
+                                 position.deviationMin_mm * units::umPerMm - middle_um(),
+                                 position.deviationMax_mm * units::umPerMm - middle_um(),
+                                 farthest_um(position),
+                                 position.margin_mm * units::umPerMm,
+                                 position.time_s,
+                                 Names::status(position.status)};
+        for (const double mean_mm : position.meanDeviations_mm) {
+            row.emplace_back(mean_mm * units::umPerMm - middle_um());
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+QString GaugeCurves::valuesAt(double x_mm) const {
+    if (!m_placement || m_placement->positions.empty()) {
+        return {};
+    }
+    const std::vector<Drawn> places = drawn();
+    const auto nearest = std::ranges::min_element(
+        places, {}, [x_mm](const Drawn& place) { return std::abs(place.x_mm - x_mm); });
+    const GaugePosition& at = *nearest->position;
+    if (at.status != RunStatus::completed) {
+        return gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Gauge at %1 mm: %2"))
+            .arg(QLocale().toString(at.position_mm, 'f', 1), Names::status(at.status));
+    }
+    return gaugeWord(QT_TRANSLATE_NOOP(
+                         "GaugeCurves",
+                         "Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from "
+                         "the middle of the field"))
+        .arg(QLocale().toString(at.position_mm, 'f', 1),
+             Names::signedMicrometres(at.deviationMin_mm * units::umPerMm - middle_um()),
+             nameOf(at.sectionOfMin),
+             Names::signedMicrometres(at.deviationMax_mm * units::umPerMm - middle_um()),
+             nameOf(at.sectionOfMax), Names::micrometres(farthest_um(at)));
+}
+
+} // namespace sparkout

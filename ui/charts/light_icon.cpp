@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/light_icon.h"
+
+#include "ui/kit/theme.h"
+
+#include <QGuiApplication>
+#include <QPainter>
+#include <QPixmapCache>
+#include <QPolygonF>
+
+namespace sparkout {
+
+namespace {
+
+QColor lightColour(Light light) {
+    const QPalette palette = QGuiApplication::palette();
+    switch (light) {
+    case Light::holds: return tone(Tone::green, palette);
+    case Light::close: return tone(Tone::orange, palette);
+    case Light::fails: break;
+    }
+    return tone(Tone::vermilion, palette);
+}
+
+void paintLight(QPainter& painter, Light light, const QRectF& box) {
+    switch (light) {
+    case Light::holds: painter.drawEllipse(box); break;
+    case Light::close:
+        painter.drawPolygon(
+            QPolygonF({QPointF(box.center().x(), box.top()), box.bottomRight(), box.bottomLeft()}));
+        break;
+    case Light::fails: painter.drawRect(box.adjusted(1, 1, -1, -1)); break;
+    }
+}
+
+} // namespace
+
+QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
+    const QColor colour = lightColour(light);
+    // Qt keeps what it draws of an icon by the identity of its picture: a new one for every result
+    // would fill that memory.
+    const QString key = QStringLiteral("sparkout-light %1 %2 %3 %4 %5")
+                            .arg(int(light))
+                            .arg(size)
+                            .arg(ratio)
+                            .arg(grey)
+                            .arg(colour.rgb());
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = QPixmap(QSize(size, size) * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setOpacity(grey ? 0.4 : 1);
+        painter.setBrush(colour);
+        paintLight(painter, light, QRectF(1, 1, size - 2, size - 2));
+        painter.end();
+        QPixmapCache::insert(key, pixmap);
+    }
+    return pixmap;
+}
+
+} // namespace sparkout

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/verdict_model.h"
+
+#include <QPixmap>
+
+namespace sparkout {
+
+/// Circle, triangle or square in the light's colour of the present theme, told apart without
+/// colour too.
+[[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
+
+} // namespace sparkout

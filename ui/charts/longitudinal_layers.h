@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/longitudinal_series.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace sparkout {
+
+/// The body of the part in a section through its axis, drawn to scale: the steps of a shaft, or the
+/// wall around a bore; and the centre line.
+class ShaftLayer : public QCPLayerable {
+    Q_OBJECT
+public:
+    explicit ShaftLayer(QCPAxisRect* rect);
+
+    /// Without steps the ground length alone stands for the shaft.
+    void setBody(std::vector<ShaftStep> steps, double length_mm, double radius_mm, bool bore);
+    [[nodiscard]] QRectF bounds() const { return m_bounds; } ///< [mm], y upwards
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    [[nodiscard]] QRectF pixels(double from, double to, double low, double high) const;
+
+    QCPAxisRect* m_rect;
+    std::vector<ShaftStep> m_steps;
+    double m_length_mm = 0;
+    double m_radius_mm = 0;
+    bool m_bore = false;
+    QRectF m_bounds;
+};
+
+} // namespace sparkout

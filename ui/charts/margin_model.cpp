@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/margin_model.h"
+
+#include "ui/charts/result_tables.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/kit/theme.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <QApplication>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double fullBar = 1.25; ///< usage at the end of a bar
+constexpr int barWidth = 76;
+constexpr int air = 4;
+constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
+constexpr double tiny = 1e-12;                      ///< in place of 0, to divide by
+
+Tone toneOf(Light light) {
+    switch (light) {
+    case Light::holds: return Tone::green;
+    case Light::close: return Tone::orange;
+    case Light::fails: break;
+    }
+    return Tone::vermilion;
+}
+
+/// What fails first; settings of the machine last, which hold up to the ends of their ranges.
+std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
+    return {!c.holds, scopeOf(c.kind) != ConstraintScope::setting, usageOf(c)};
+}
+
+} // namespace
+
+double usageOf(const ConstraintResult& requirement) {
+    if (!Names::isRange(requirement.kind)) {
+        return std::max(1 - requirement.relativeMargin, 0.0);
+    }
+    const double end = requirement.limit, value = requirement.value;
+    return end <= 0 ? 0 : requirement.isLeast ? end / std::max(value, tiny) : value / end;
+}
+
+std::optional<double> placeInRange(const ConstraintResult& requirement) {
+    if (!requirement.otherEnd) {
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
+    const double value = std::clamp(requirement.value, low, high);
+    if (high <= low) {
+        return 0.5;
+    }
+    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+QString rangeText(const ConstraintResult& c) {
+    if (!c.otherEnd) {
+        return Names::inRange(c, false);
+    }
+    const auto [low, high] = std::minmax(c.limit, *c.otherEnd);
+    return MarginModel::tr("%1, range %2…%3 %4")
+        .arg(Names::inRange(c, false), Names::amount(c.kind, low, false),
+             Names::amount(c.kind, high, false), unitText(constraintUnit(c.kind)));
+}
+
+void MarginModel::setOutcome(OutcomePtr outcome) {
+    m_outcome = std::move(outcome);
+    fill();
+}
+
+void MarginModel::setAllPlaces(bool all) {
+    m_all = all;
+    fill();
+}
+
+void MarginModel::setIcons(const std::array<QIcon, 3>& icons) {
+    m_icons = icons;
+    retranslate();
+}
+
+void MarginModel::retranslate() {
+    if (!m_rows.empty()) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
+    }
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
+}
+
+void MarginModel::fill() {
+    beginResetModel();
+    m_rows.clear();
+    if (m_outcome) {
+        m_rows = m_all ? m_outcome->constraints : worstByKind(m_outcome->constraints);
+        std::ranges::stable_sort(m_rows, [](const ConstraintResult& a, const ConstraintResult& b) {
+            return rankOf(a) > rankOf(b);
+        });
+    }
+    endResetModel();
+}
+
+int MarginModel::rowOf(const ConstraintResult& wanted) const {
+    const auto same = std::ranges::find_if(m_rows, [&](const ConstraintResult& c) {
+        return c.kind == wanted.kind && c.section == wanted.section && c.stage == wanted.stage;
+    });
+    const auto found = same != m_rows.end()
+                           ? same
+                           : std::ranges::find(m_rows, wanted.kind, &ConstraintResult::kind);
+    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
+}
+
+int MarginModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int MarginModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnCount_;
+}
+
+QString MarginModel::text(const ConstraintResult& c, int column) {
+    switch (column) {
+    case requirement:
+        return QStringLiteral("%1, %2").arg(Names::constraint(c.kind), Names::where(c));
+    case usage:
+        return Names::isRange(c.kind) ? Names::inRange(c, true)
+               : c.isWhole            ? LimitNames::percent(usageOf(c))
+                                      : QStringLiteral("–");
+    case value:
+        return QStringLiteral("%1 / %2 %3")
+            .arg(Names::value(c), Names::limit(c), unitText(constraintUnit(c.kind)))
+            .trimmed();
+    default: return {};
+    }
+}
+
+QVariant MarginModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const ConstraintResult& c = at(index.row());
+    const int column = index.column();
+    const Light light = lightOf(c);
+    switch (role) {
+    case Qt::DisplayRole: return text(c, column);
+    case Qt::DecorationRole:
+        return column == requirement ? QVariant(m_icons[static_cast<std::size_t>(light)])
+                                     : QVariant();
+    case Qt::TextAlignmentRole:
+        return static_cast<int>((column == value ? Qt::AlignRight : Qt::AlignLeft)
+                                | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return (Names::isRange(c.kind) ? tr("%1, %2, %3: %4") : tr("%1, %2 used, %3: %4"))
+            .arg(text(c, requirement), Names::isRange(c.kind) ? rangeText(c) : text(c, usage),
+                 text(c, value), lightName(c));
+    case usageRole: return usageOf(c);
+    case lightRole: return static_cast<int>(light);
+    case placeRole: {
+        const std::optional<double> place = placeInRange(c);
+        return place ? QVariant(*place) : QVariant();
+    }
+    default: return {};
+    }
+}
+
+QVariant MarginModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((section == value ? Qt::AlignRight : Qt::AlignLeft)
+                                | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+    case requirement: return tr("Requirement");
+    case usage: return tr("Used up");
+    case value: return tr("Value / limit");
+    default: return {};
+    }
+}
+
+QString MarginModel::asTsv() const {
+    QStringList lines{QStringList{tr("Requirement"), tr("Used up, %"), tr("Value"), tr("Limit"),
+                                  tr("Margin"), tr("Unit"), tr("Setting / nearer end of the range"),
+                                  tr("Verdict")}
+                          .join(u'\t')};
+    for (const ConstraintResult& c : m_rows) {
+        const auto number = [&c](double v) { return Names::amount(c.kind, v, false); };
+        const bool range = Names::isRange(c.kind);
+        lines << QStringList{text(c, requirement),
+                             range || !c.isWhole ? QString() : Names::significant(100 * usageOf(c)),
+                             c.isWhole ? number(c.value) : QString(),
+                             Names::limit(c),
+                             c.isWhole ? number(c.margin) : QString(),
+                             unitText(constraintUnit(c.kind)),
+                             range && c.limit > 0 ? Names::significant(c.value / c.limit)
+                                                  : QString(),
+                             lightName(c)}
+                     .join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+CsvTable MarginModel::table() const {
+    return m_outcome ? requirementTable(m_rows, m_outcome->result.project.operation) : CsvTable();
+}
+
+// --- the bar ------------------------------------------------------------------------------------
+
+namespace {
+
+/// A range from end to end, below the text, with the setting on it.
+void drawScale(QPainter& painter, const QRectF& area, double place, QColor fill, const QColor& ink,
+               const QString& text) {
+    const QRectF scale(area.left(), area.bottom() - scaleHeight, area.width(), scaleHeight);
+    QColor faint = ink;
+    faint.setAlphaF(0.2F);
+    painter.fillRect(scale, faint);
+    fill.setAlphaF(1);
+    painter.fillRect(QRectF(scale.left() + place * (scale.width() - pointerWidth), scale.top() - 2,
+                            pointerWidth, scaleHeight + 4),
+                     fill);
+    painter.setPen(QPen(ink, 1));
+    for (const double end : {scale.left(), scale.right()}) {
+        painter.drawLine(QLineF(end, scale.top() - 2, end, scale.bottom() + 2));
+    }
+    painter.drawText(area.adjusted(0, -air, air, -scaleHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                     text);
+}
+
+} // namespace
+
+void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
+                      const QModelIndex& index) const {
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const QString text = std::exchange(option.text, QString());
+    const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &option, painter, option.widget);
+    const double usage = index.data(MarginModel::usageRole).toDouble();
+    const auto light = static_cast<Light>(index.data(MarginModel::lightRole).toInt());
+    const QRectF area = QRectF(option.rect).adjusted(air, air, -air, -air);
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    const QColor ink = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
+    QColor fill = tone(toneOf(light), option.palette);
+    fill.setAlphaF(selected ? 0.6F : 0.45F);
+    if (const QVariant place = index.data(MarginModel::placeRole); place.isValid()) {
+        painter->save();
+        drawScale(*painter, area, place.toDouble(), fill, ink, text);
+        painter->restore();
+        return;
+    }
+    painter->save();
+    painter->fillRect(QRectF(area.left(), area.top(), area.width() * std::min(usage / fullBar, 1.0),
+                             area.height()),
+                      fill);
+    painter->setPen(QPen(ink, 1));
+    const double limit = area.left() + area.width() / fullBar;
+    painter->drawLine(QLineF(limit, area.top() - 2, limit, area.bottom() + 2));
+    painter->drawText(area.adjusted(air, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+    painter->restore();
+}
+
+QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+    const QString text = index.data().toString();
+    return {std::max(barWidth, option.fontMetrics.horizontalAdvance(text) + 2 * air + 1),
+            option.fontMetrics.height() + 2 * air};
+}
+
+} // namespace sparkout

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/outcome.h"
+#include "ui/tables/csv_table.h"
+
+#include <QAbstractTableModel>
+#include <QIcon>
+#include <QStyledItemDelegate>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// How much of its field or limit a requirement uses up: 1 at the limit. Of a range of the machine
+/// how close its nearer end is: half of a setting that is twice the least one.
+[[nodiscard]] double usageOf(const ConstraintResult& requirement);
+
+/// Where a setting lies in its range of the machine, from 0 to 1: by its ratios to the ends, of a
+/// range from 0 by its distances. Nothing of other requirements.
+[[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
+
+/// A setting in its range of the machine: "2 × the lower limit, range 0.001…0.05 mm".
+[[nodiscard]] QString rangeText(const ConstraintResult& requirement);
+
+/// The requirements by how much of their limit they use up, the most first and settings of the
+/// machine last: of each kind the worst, or all.
+class MarginModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { requirement, usage, value, columnCount_ };
+    static constexpr int usageRole = Qt::UserRole;     ///< double
+    static constexpr int lightRole = Qt::UserRole + 1; ///< Light
+    static constexpr int placeRole = Qt::UserRole + 2; ///< double, of a range; else nothing
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setOutcome(OutcomePtr outcome);
+    void setAllPlaces(bool all);
+    void setIcons(const std::array<QIcon, 3>& icons);
+    void retranslate();
+
+    [[nodiscard]] const ConstraintResult& at(int row) const {
+        return m_rows[static_cast<std::size_t>(row)];
+    }
+    /// The row of the same requirement at the same place, else of its kind; −1: none.
+    [[nodiscard]] int rowOf(const ConstraintResult& wanted) const;
+    [[nodiscard]] QString asTsv() const;
+    [[nodiscard]] CsvTable table() const; ///< with all digits
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+
+private:
+    void fill();
+    [[nodiscard]] static QString text(const ConstraintResult& c, int column);
+
+    OutcomePtr m_outcome;
+    std::vector<ConstraintResult> m_rows;
+    std::array<QIcon, 3> m_icons;
+    bool m_all = false;
+};
+
+/// Draws the usage as a bar with its percentage; a line marks the limit. A range of the machine is
+/// a scale from end to end with the setting on it.
+class MarginBar : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                                 const QModelIndex& index) const override;
+};
+
+} // namespace sparkout

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/profiles_look.h"
+
+#include "ui/plot/plot_style.h"
+
+namespace sparkout {
+
+using style::Hue;
+
+namespace {
+
+Hue hueOf(ProfileLine line) {
+    switch (line) {
+    case ProfileLine::profile:
+    case ProfileLine::spread: return Hue::vermilion;
+    case ProfileLine::blank: return Hue::orange;
+    case ProfileLine::target:
+    case ProfileLine::gauge: return Hue::blue;
+    case ProfileLine::leastSquares:
+    case ProfileLine::minimumZone: return Hue::purple;
+    case ProfileLine::field: break;
+    }
+    return Hue::green;
+}
+
+} // namespace
+
+QPen ProfileLook::pen(ProfileLine line, const QPalette& palette, bool dim) {
+    const QColor colour = style::dimmed(style::colour(hueOf(line), palette), dim);
+    switch (line) {
+    case ProfileLine::profile: return {colour, 1.6, Qt::SolidLine};
+    case ProfileLine::spread: return {colour, 0.8, Qt::SolidLine};
+    case ProfileLine::blank: return {colour, 1.4, Qt::DotLine};
+    case ProfileLine::target: return {colour, 1.3, Qt::DashLine};
+    case ProfileLine::leastSquares:
+    case ProfileLine::minimumZone: return {colour, 1.3, Qt::DashDotDotLine};
+    case ProfileLine::gauge: return {colour, 1.2, Qt::DashDotLine};
+    case ProfileLine::field: break;
+    }
+    return {colour, 1, Qt::SolidLine};
+}
+
+QColor ProfileLook::fill(ProfileLine line, const QPalette& palette, bool dim) {
+    QColor colour = style::dimmed(style::colour(hueOf(line), palette), dim);
+    const bool strong = line == ProfileLine::spread;
+    colour.setAlphaF(colour.alphaF() * (strong ? 0.35F : style::isDark(palette) ? 0.22F : 0.16F));
+    return colour;
+}
+
+QString ProfileLook::name(ProfileLine line) {
+    switch (line) {
+    case ProfileLine::profile: return tr("profile, along the axis its mean");
+    case ProfileLine::spread: return tr("smallest…largest over the radii");
+    case ProfileLine::blank: return tr("blank");
+    case ProfileLine::target: return tr("target radius");
+    case ProfileLine::leastSquares: return tr("least-squares circle");
+    case ProfileLine::minimumZone: return tr("circles of the minimum zone");
+    case ProfileLine::field: return tr("tolerance field");
+    case ProfileLine::gauge: return tr("gauge");
+    }
+    return {};
+}
+
+} // namespace sparkout

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/profiles_series.h"
+
+#include "core/process/ground_stretch.h"
+#include "core/process/profile.h"
+#include "core/process/system_compliance.h"
+#include "core/quality/finished_surface.h"
+#include "core/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double fieldTolerance_mm = 1e-9; ///< as the verdict allows [MODEL-8]
+constexpr double mostInward = 0.6;         ///< of the base circle, chosen by the program
+constexpr double mostOutward = 1;
+constexpr double mostInwardByHand = 0.9;
+constexpr double mostOutwardByHand = 3;
+constexpr double highestMagnification = 1e6;
+
+std::vector<double> blankRadii(const Part& part) {
+    const Blank blank = makeBlank(part);
+    const double side = part.surface == Surface::internal ? 1 : -1;
+    std::vector<double> radii;
+    for (const double depth : blank.depth_mm) {
+        radii.push_back(blank.firstTouchRadius_mm + side * depth);
+    }
+    return radii;
+}
+
+/// The stretches of the ground length that the zones or sections stand for.
+void setStretches(ProfileSeries& series, const Project& project) {
+    const std::vector<Stretch> stretches = groundStretches(project);
+    for (std::size_t i = 0; i < series.profiles.size(); ++i) {
+        series.profiles[i].from_mm = stretches[i].from_mm;
+        series.profiles[i].to_mm = stretches[i].to_mm;
+    }
+}
+
+ProfileSeries endOfCycle(const SimulationResult& result) {
+    const Part& part = result.project.part;
+    ProfileSeries series;
+    series.operation = result.project.operation;
+    series.surface = part.surface;
+    series.nominal_mm = part.diameter_mm;
+    series.target_mm = targetRadius(part);
+    series.lowerLimit_mm = part.diameter_mm / 2 + part.lower_deviation_um / 2 / units::umPerMm;
+    series.upperLimit_mm = part.diameter_mm / 2 + part.upper_deviation_um / 2 / units::umPerMm;
+    series.length_mm = part.length_mm;
+    series.blank_mm = blankRadii(part);
+    series.strokeCount = result.cycleCount;
+    series.stroke = result.cycleCount;
+    series.time_s = result.time_s;
+    series.isWhole = FinishedSurface(result.project).isWhole();
+    const bool traverse = series.operation == Operation::traverse;
+    const int gauge = gaugeProfile(result);
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const SectionResult& s = result.sections[i];
+        Profile p;
+        p.zone = s.zone;
+        p.section = static_cast<int>(i);
+        p.gauge = p.section == gauge;
+        p.position_mm = s.position_mm;
+        p.radii_mm = s.radii_mm;
+        p.diameterMin_mm = s.diameterDeviationMin_mm;
+        p.diameterMax_mm = s.diameterDeviationMax_mm;
+        p.radialRunout_mm = s.radialRunout_mm;
+        series.profiles.push_back(std::move(p));
+        if (i == static_cast<std::size_t>(gauge)) {
+            series.gauge_mm =
+                traverse ? s.position_mm : result.project.gauge.position_mm.value_or(s.position_mm);
+        }
+    }
+    setStretches(series, result.project);
+    return series;
+}
+
+/// Deviations and runout of the radii, as Run::sectionResult has them at the end.
+void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
+    const int half = static_cast<int>(profile.radii_mm.size()) / 2;
+    profile.diameterMin_mm = profile.diameterMax_mm = diameterAt(profile, 0) - nominal_mm;
+    for (int k = 1; k < half; ++k) {
+        const double deviation = diameterAt(profile, k) - nominal_mm;
+        profile.diameterMin_mm = std::min(profile.diameterMin_mm, deviation);
+        profile.diameterMax_mm = std::max(profile.diameterMax_mm, deviation);
+    }
+    const auto [low, high] = std::ranges::minmax(profile.radii_mm);
+    profile.radialRunout_mm = high - low + geometricRunout_mm;
+}
+
+/// Puts the radii as they were at a moment in place of those at the end.
+void rewindTo(ProfileSeries& series, const Trajectory& trajectory, const Progress& moment) {
+    const LastVisits visits = lastVisits(trajectory, series.profiles.size(), moment);
+    for (std::size_t i = 0; i < visits.size(); ++i) {
+        for (std::size_t k = 0; k < visits[i].size(); ++k) {
+            const Visit* const last = visits[i][k];
+            series.profiles[i].radii_mm[k] = last ? last->radius_mm : series.blank_mm[k];
+        }
+    }
+    const Place at = moment.isBlank() ? Place{} : trajectory.passes[moment.end - 1].place;
+    series.stage = moment.isBlank() ? 0 : at.stage;
+    series.stroke = moment.isBlank() ? 0 : at.cycleCount;
+    series.strokeDone = endsStroke(trajectory, moment);
+    series.time_s = timeOf(trajectory, moment);
+}
+
+} // namespace
+
+ProfileSeries makeProfileSeries(const SimulationResult& result, const Trajectory& trajectory,
+                                const std::optional<Progress>& moment) {
+    ProfileSeries series = endOfCycle(result);
+    if (!trajectory.passes.empty()) {
+        series.stage = trajectory.passes.back().place.stage;
+    }
+    if (moment && moment->end <= trajectory.passes.size() && !trajectory.passes.empty()) {
+        rewindTo(series, trajectory, *moment);
+        const double geometric = result.project.machine.geometric_runout_um / units::umPerMm;
+        for (Profile& p : series.profiles) {
+            measure(p, series.nominal_mm, geometric);
+        }
+    }
+    const Directions directions(series.blank_mm.size());
+    for (Profile& p : series.profiles) {
+        p.mean_mm = std::accumulate(p.radii_mm.begin(), p.radii_mm.end(), 0.0)
+                    / static_cast<double>(p.radii_mm.size());
+        p.leastSquares = leastSquaresCircle(p.radii_mm, directions);
+    }
+    return series;
+}
+
+void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown) {
+    const Directions directions(series.blank_mm.size());
+    for (const int index : shown) {
+        Profile& p = series.profiles[static_cast<std::size_t>(index)];
+        p.minimumZone = minimumZoneCircles(p.radii_mm, directions, p.leastSquares);
+    }
+}
+
+int gaugeProfile(const SimulationResult& result) {
+    const Project& project = result.project;
+    if (!project.gauge.position_mm || project.operation == Operation::traverse) {
+        return gaugeSection(project);
+    }
+    const auto away = [&](const SectionResult& section) {
+        return std::abs(section.position_mm - *project.gauge.position_mm);
+    };
+    return static_cast<int>(std::ranges::min_element(result.sections, {}, away)
+                            - result.sections.begin());
+}
+
+bool outOfField(const ProfileSeries& series, const Profile& profile) {
+    const double lower = 2 * series.lowerLimit_mm - series.nominal_mm;
+    const double upper = 2 * series.upperLimit_mm - series.nominal_mm;
+    return profile.diameterMin_mm < lower - fieldTolerance_mm
+           || profile.diameterMax_mm > upper + fieldTolerance_mm;
+}
+
+double radiusOf(const FittedCircle& circle, double angle) {
+    const double across = circle.x_mm * std::sin(angle) - circle.y_mm * std::cos(angle);
+    return circle.x_mm * std::cos(angle) + circle.y_mm * std::sin(angle)
+           + std::sqrt(circle.radius_mm * circle.radius_mm - across * across);
+}
+
+double angleOf(int k, int radii) {
+    return 2 * std::numbers::pi * k / radii;
+}
+
+int nearestRadius(double angle, int radii) {
+    const auto k = static_cast<int>(std::lround(angle / angleOf(1, radii)));
+    return (k % radii + radii) % radii;
+}
+
+double diameterAt(const Profile& profile, int k) {
+    const std::size_t K = profile.radii_mm.size();
+    const auto i = static_cast<std::size_t>(k);
+    return profile.radii_mm[i] + profile.radii_mm[(i + K / 2) % K];
+}
+
+// --- the magnified drawing ----------------------------------------------------------------------
+
+PolarScale polarScale(const ProfileSeries& series, const Profile& profile,
+                      RadiusReference reference, double magnification) {
+    const bool mean = reference == RadiusReference::mean;
+    return {series.target_mm, mean ? profile.mean_mm : series.target_mm, magnification};
+}
+
+std::vector<ProfilePoint> closedLine(const std::vector<double>& radii_mm, const PolarScale& scale) {
+    const int K = static_cast<int>(radii_mm.size());
+    std::vector<ProfilePoint> line;
+    line.reserve(radii_mm.size() + 1);
+    for (int i = 0; i <= K && K > 0; ++i) {
+        const int k = i % K;
+        const double drawn = scale.at(radii_mm[static_cast<std::size_t>(k)]);
+        line.push_back({drawn * std::cos(angleOf(k, K)), drawn * std::sin(angleOf(k, K))});
+    }
+    return line;
+}
+
+std::vector<ProfilePoint> circleLine(const FittedCircle& circle, const PolarScale& scale,
+                                     int points) {
+    std::vector<double> radii;
+    for (int k = 0; k < points; ++k) {
+        radii.push_back(radiusOf(circle, angleOf(k, points)));
+    }
+    return closedLine(radii, scale);
+}
+
+ProfilePoint centrePoint(const RoundnessZone& zone, const PolarScale& scale) {
+    return {scale.magnification * zone.x_mm, scale.magnification * zone.y_mm};
+}
+
+void Reach::include(double deviation_mm) {
+    inward_mm = std::max(inward_mm, -deviation_mm);
+    outward_mm = std::max(outward_mm, deviation_mm);
+}
+
+Reach reachOf(const ProfileSeries& series, const std::vector<int>& shown, RadiusReference reference,
+              bool withBlank) {
+    Reach reach;
+    for (const int index : shown) {
+        const Profile& profile = series.profiles[static_cast<std::size_t>(index)];
+        const PolarScale scale = polarScale(series, profile, reference, 1);
+        for (const double radius : profile.radii_mm) {
+            reach.include(radius - scale.reference_mm);
+        }
+        for (std::size_t k = 0; withBlank && k < series.blank_mm.size(); ++k) {
+            reach.include(series.blank_mm[k] - scale.reference_mm);
+        }
+    }
+    return reach;
+}
+
+double roundDown125(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    // Rounding must not lose a number that is 1, 2 or 5 already.
+    const double lead = value / power * (1 + 1e-12);
+    return (lead >= 10 ? 10 : lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+double roundUp125(double value) {
+    const double below = roundDown125(value);
+    if (below >= value * (1 - 1e-12)) {
+        return below;
+    }
+    const double lead = below / std::pow(10.0, std::floor(std::log10(below * (1 + 1e-12))));
+    return below * (lead > 1.5 && lead < 3 ? 2.5 : 2);
+}
+
+namespace {
+
+double magnificationWithin(const Reach& reach, double base_mm, double inward, double outward) {
+    double most = highestMagnification;
+    if (reach.inward_mm > 0) {
+        most = std::min(most, inward * base_mm / reach.inward_mm);
+    }
+    if (reach.outward_mm > 0) {
+        most = std::min(most, outward * base_mm / reach.outward_mm);
+    }
+    return std::max(roundDown125(most), 1.0);
+}
+
+} // namespace
+
+double suitableMagnification(const Reach& reach, double base_mm) {
+    return magnificationWithin(reach, base_mm, mostInward, mostOutward);
+}
+
+std::vector<double> possibleMagnifications(const Reach& reach, double base_mm) {
+    const double most = magnificationWithin(reach, base_mm, mostInwardByHand, mostOutwardByHand);
+    std::vector<double> numbers;
+    for (double power = 1; power <= most; power *= 10) {
+        for (const double lead : {1, 2, 5}) {
+            if (lead * power <= most * (1 + 1e-9)) {
+                numbers.push_back(lead * power);
+            }
+        }
+    }
+    return numbers;
+}
+
+} // namespace sparkout

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/form/roundness.h"
+#include "core/simulation/progress.h"
+#include "core/simulation/result.h"
+#include "core/simulation/trajectory.h"
+
+#include <optional>
+#include <vector>
+
+/// What the view "Zone profiles" draws across the axis, taken from a result; no Qt.
+namespace sparkout {
+
+struct ProfilePoint {
+    double x = 0, y = 0;
+};
+
+/// A circle of a cross-section; its centre is counted from the axis of rotation.
+struct FittedCircle {
+    double x_mm = 0;
+    double y_mm = 0;
+    double radius_mm = 0;
+};
+
+/// One zone or section at one moment of the cycle.
+struct Profile {
+    Zone zone = Zone::section;
+    int section = 0;
+    bool gauge = false;           ///< carries the gauge, or stands nearest to it
+    double position_mm = 0;       ///< its middle, from the headstock end of the ground length
+    double from_mm = 0;           ///< the stretch of the ground length it stands for
+    double to_mm = 0;             ///< its end, from < to
+    std::vector<double> radii_mm; ///< R_k, K values
+    double diameterMin_mm = 0;    ///< min of D_k less the nominal diameter
+    double diameterMax_mm = 0;    ///< max of D_k less the nominal diameter
+    double radialRunout_mm = 0;   ///< R_max − R_min plus the machine's geometric runout
+    double mean_mm = 0;           ///< of the radii
+    RoundnessZone leastSquares;
+    RoundnessZone minimumZone; ///< once addMinimumZones() has been asked for it
+};
+
+/// All profiles of a run at one moment of its cycle.
+struct ProfileSeries {
+    Operation operation = Operation::traverse;
+    Surface surface = Surface::external;
+    double nominal_mm = 0;        ///< d
+    double target_mm = 0;         ///< R_t
+    double lowerLimit_mm = 0;     ///< radius at the lower deviation of the diameter
+    double upperLimit_mm = 0;     ///< radius at the upper deviation
+    double length_mm = 0;         ///< L_p
+    double gauge_mm = 0;          ///< where the gauge stands along the ground length
+    std::vector<double> blank_mm; ///< the K radii before the first touch, the same everywhere
+    std::vector<Profile> profiles;
+    int stroke = 0;         ///< number of the last double stroke or revolution; 0: the blank
+    int strokeCount = 0;    ///< of the whole cycle
+    bool strokeDone = true; ///< else the moment is within that stroke
+    int stage = 0;          ///< of that stroke; 0: the blank, or not known
+    double time_s = 0;      ///< from the start of the cycle
+    bool isWhole = true;    ///< else strips stay uncut: no size and form is told of the surface
+
+    [[nodiscard]] int radii() const { return static_cast<int>(blank_mm.size()); }
+    [[nodiscard]] bool atEnd() const { return stroke == strokeCount && strokeDone; }
+};
+
+/// The profiles at a moment of the cycle; without one, or without a trajectory, at its end.
+[[nodiscard]] ProfileSeries makeProfileSeries(const SimulationResult& result,
+                                              const Trajectory& trajectory,
+                                              const std::optional<Progress>& moment = {});
+
+/// The circles of the minimum zone for the profiles with these indices: each takes a search.
+void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown);
+
+/// Index of the zone or section that carries the gauge, or stands nearest to it.
+[[nodiscard]] int gaugeProfile(const SimulationResult& result);
+
+/// Whether a diameter of the profile leaves the drawing's field by more than 1e-9 mm.
+[[nodiscard]] bool outOfField(const ProfileSeries& series, const Profile& profile);
+
+/// Where the ray at an angle from the axis meets a circle that holds the axis, for e = (x, y):
+/// x·cos φ + y·sin φ + √(r² − (x·sin φ − y·cos φ)²) [mm].
+[[nodiscard]] double radiusOf(const FittedCircle& circle, double angle);
+
+[[nodiscard]] double angleOf(int k, int radii);           ///< φ_k = 2πk/K [rad]
+[[nodiscard]] int nearestRadius(double angle, int radii); ///< k whose φ_k is nearest; any angle
+[[nodiscard]] double diameterAt(const Profile& profile, int k); ///< R_k + R_{k+K/2} [mm]
+
+// --- the magnified drawing ----------------------------------------------------------------------
+
+/// From which radius the deviations of a profile are counted.
+enum class RadiusReference { target, mean };
+
+/// A circle of radius `reference` is drawn with radius `base`, deviations from it are magnified.
+/// Base is R_t, so a magnification of 1 is the true shape.
+struct PolarScale {
+    double base_mm = 1;
+    double reference_mm = 1;
+    double magnification = 1;
+    [[nodiscard]] double at(double radius_mm) const {
+        return base_mm + magnification * (radius_mm - reference_mm);
+    }
+    [[nodiscard]] double radiusAt(double drawn) const {
+        return reference_mm + (drawn - base_mm) / magnification;
+    }
+};
+
+[[nodiscard]] PolarScale polarScale(const ProfileSeries& series, const Profile& profile,
+                                    RadiusReference reference, double magnification);
+
+/// The samples joined by straight chords and closed: K + 1 points, nothing between the samples.
+[[nodiscard]] std::vector<ProfilePoint> closedLine(const std::vector<double>& radii_mm,
+                                                   const PolarScale& scale);
+
+/// A circle about its own centre, as the magnified drawing bends it.
+[[nodiscard]] std::vector<ProfilePoint> circleLine(const FittedCircle& circle,
+                                                   const PolarScale& scale, int points = 180);
+
+/// Its centre in the magnified drawing.
+[[nodiscard]] ProfilePoint centrePoint(const RoundnessZone& zone, const PolarScale& scale);
+
+/// How far something reaches inwards and outwards from the reference, both ≥ 0.
+struct Reach {
+    double inward_mm = 0;
+    double outward_mm = 0;
+    void include(double deviation_mm);
+};
+
+/// Reach of the profiles with these indices.
+[[nodiscard]] Reach reachOf(const ProfileSeries& series, const std::vector<int>& shown,
+                            RadiusReference reference, bool withBlank);
+
+/// The largest 1-2-5 number not above a positive one.
+[[nodiscard]] double roundDown125(double value);
+[[nodiscard]] double roundUp125(double value); ///< the smallest one not below
+
+/// The largest 1-2-5 number that keeps all inside 0.4…2 of the base circle, at most 10⁶.
+[[nodiscard]] double suitableMagnification(const Reach& reach, double base_mm);
+
+/// The 1-2-5 numbers from 1 on at which no sample is drawn through the centre.
+[[nodiscard]] std::vector<double> possibleMagnifications(const Reach& reach, double base_mm);
+
+} // namespace sparkout

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/result_tables.h"
+
+#include "core/quality/finished_surface.h"
+#include "core/quality/roughness.h"
+#include "core/units.h"
+#include "ui/charts/margin_model.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_shop_text.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+struct ResultTables {
+    Q_DECLARE_TR_FUNCTIONS(ResultTables)
+};
+
+constexpr ShopRow stageNumbers[] = {
+    ShopRow::count,     ShopRow::time,           ShopRow::removalRate, ShopRow::meanRemovalRate,
+    ShopRow::chip,      ShopRow::aggressiveness, ShopRow::overlap,     ShopRow::energy,
+    ShopRow::peakPower, ShopRow::meanPower,      ShopRow::normalForce};
+
+CsvCell cellOf(const std::optional<double>& value) {
+    return value ? CsvCell(*value) : CsvCell();
+}
+
+} // namespace
+
+CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Operation operation) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << ResultTables::tr("Requirement") << ResultTables::tr("Zone or section")
+                 << ResultTables::tr("Value") << ResultTables::tr("Limit")
+                 << ResultTables::tr("Margin") << ResultTables::tr("Unit")
+                 << ResultTables::tr("Used up, %")
+                 << ResultTables::tr("Setting / nearer end of the range")
+                 << ResultTables::tr("Verdict") << ResultTables::tr("Worst place");
+    for (const ConstraintResult& c : requirements) {
+        const auto known = [&c](double value) { return c.isWhole ? CsvCell(value) : CsvCell(); };
+        const bool range = Names::isRange(c.kind);
+        table.rows.push_back(
+            {Names::constraint(c.kind), Names::where(c), known(c.value), c.limit, known(c.margin),
+             unitText(constraintUnit(c.kind)), range ? CsvCell() : known(100 * usageOf(c)),
+             range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
+             c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
+    }
+    return table;
+}
+
+CsvTable stageTable(const ShopNumbers& shop, Operation operation) {
+    CsvTable table;
+    table.header << ResultTables::tr("Stage");
+    for (const ShopRow row : stageNumbers) {
+        table.header << shop::name(row, operation);
+    }
+    table.header << ResultTables::tr("Volume removed, mm³") << ResultTables::tr("Total energy, kJ")
+                 << shop::name(ShopRow::rotationRatio, operation);
+    const auto add = [&table](const CsvCell& name, const ShopColumn& column, const CsvCell& ratio) {
+        std::vector<CsvCell> cells{name};
+        for (const ShopRow row : stageNumbers) {
+            cells.push_back(cellOf(shop::amount(row, column)));
+        }
+        cells.insert(cells.end(),
+                     {column.removedVolume_mm3, column.energy_j / units::jPerKj, ratio});
+        table.rows.push_back(std::move(cells));
+    };
+    for (std::size_t z = 0; z < shop.stages.size(); ++z) {
+        add(static_cast<double>(z + 1), shop.stages[z], {});
+    }
+    add(ResultTables::tr("Cycle"), shop.cycle, shop.rotationRatio);
+    return table;
+}
+
+CsvTable zoneTable(const Outcome& outcome) {
+    const SimulationResult& result = outcome.result;
+    CsvTable table;
+    table.header << ResultTables::tr("Zone or section")
+                 << ResultTables::tr("From the headstock end, mm")
+                 << ResultTables::tr("Compliance, mm/N")
+                 << ResultTables::tr("Smallest diameter from nominal, µm")
+                 << ResultTables::tr("Largest diameter from nominal, µm")
+                 << ResultTables::tr("Radial runout, µm")
+                 << ResultTables::tr("Roundness, minimum zone, µm")
+                 << ResultTables::tr("Roundness, least squares, µm")
+                 << ResultTables::tr("Largest normal force, N");
+    const bool rough = std::ranges::any_of(
+        result.sections, [](const SectionResult& section) { return section.lastCut.has_value(); });
+    if (rough) {
+        table.header << ResultTables::tr("Roughness Ra, µm");
+    }
+    using units::umPerMm;
+    const FinishedSurface surface(result.project);
+    const auto stated = [&surface](double value_mm) {
+        return surface.isWhole() ? CsvCell(value_mm * umPerMm) : CsvCell();
+    };
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        const SectionResult& section = result.sections[i];
+        const SectionAccuracy& form = outcome.accuracy.sections.at(i);
+        std::vector<CsvCell> cells{Names::zone(section.zone, static_cast<int>(i)),
+                                   section.position_mm,
+                                   section.compliance_mm_per_n,
+                                   stated(section.diameterDeviationMin_mm),
+                                   stated(section.diameterDeviationMax_mm),
+                                   stated(section.radialRunout_mm),
+                                   stated(form.minimumZone.deviation()),
+                                   stated(form.leastSquares.deviation()),
+                                   section.peakNormalForce_n};
+        if (rough && section.lastCut) {
+            cells.push_back(
+                stated(RoughnessModel(result.project).roughness(section.lastCut->depth_mm)));
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+} // namespace sparkout

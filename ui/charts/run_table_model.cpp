@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/run_table_model.h"
+
+#include <QFont>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int inputsGroup = -1, resultsGroup = -2;
+constexpr qsizetype longestCell = 60, longestHead = 22; ///< shown; the copy has all of it
+
+QString briefly(const QString& text, qsizetype longest) {
+    return text.size() > longest ? text.left(longest - 1) + u'…' : text;
+}
+
+} // namespace
+
+void RunTableModel::setRows(std::vector<RunRow> rows, const QStringList& runs) {
+    beginResetModel();
+    m_rows = std::move(rows);
+    m_runs = runs;
+    m_lines.clear();
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (i == 0 || m_rows[i].isResult != m_rows[i - 1].isResult) {
+            m_lines.push_back(m_rows[i].isResult ? resultsGroup : inputsGroup);
+        }
+        m_lines.push_back(static_cast<int>(i));
+    }
+    endResetModel();
+}
+
+const RunRow* RunTableModel::rowAt(int row) const {
+    const int line = m_lines.at(static_cast<std::size_t>(row));
+    return line < 0 ? nullptr : &m_rows[static_cast<std::size_t>(line)];
+}
+
+int RunTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+}
+
+int RunTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() || m_lines.empty() ? 0 : 1 + static_cast<int>(m_runs.size());
+}
+
+QString RunTableModel::text(int row, int column) const {
+    const RunRow* const of = rowAt(row);
+    if (!of) {
+        const bool inputs = m_lines[static_cast<std::size_t>(row)] == inputsGroup;
+        return column > 0 ? QString() : inputs ? tr("Inputs") : tr("Results");
+    }
+    if (column > 0) {
+        return of->shown[column - 1];
+    }
+    return of->unit.isEmpty() ? of->what : QStringLiteral("%1, %2").arg(of->what, of->unit);
+}
+
+QVariant RunTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const QString whole = text(index.row(), index.column());
+    switch (role) {
+    case Qt::DisplayRole: return index.column() > 0 ? briefly(whole, longestCell) : whole;
+    case Qt::AccessibleTextRole: return whole;
+    case Qt::ToolTipRole:
+        return index.column() > 0 && whole.size() > longestCell ? whole : QVariant();
+    case Qt::TextAlignmentRole:
+        return static_cast<int>((index.column() > 0 ? Qt::AlignRight : Qt::AlignLeft)
+                                | Qt::AlignVCenter);
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(true);
+        return rowAt(index.row()) ? QVariant() : font;
+    }
+    default: return {};
+    }
+}
+
+QVariant RunTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((section > 0 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole) {
+        return {};
+    }
+    const QString name = section == 0 ? tr("What differs") : m_runs.value(section - 1);
+    return role == Qt::DisplayRole ? briefly(name, longestHead) : name;
+}
+
+CsvTable RunTableModel::table() const {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << tr("What differs") << tr("Unit") << m_runs;
+    for (const RunRow& row : m_rows) {
+        std::vector<CsvCell> cells{row.what, row.unit};
+        cells.insert(cells.end(), row.cells.begin(), row.cells.end());
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+} // namespace sparkout

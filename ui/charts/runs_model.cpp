@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/runs_model.h"
+
+#include "ui/charts/light_icon.h"
+#include "ui/kit/metrics.h"
+#include "ui/plot/run_dash.h"
+
+#include <QGuiApplication>
+#include <QIcon>
+#include <QPainter>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace sparkout {
+
+/// A row that stays as it is keeps the name that is being typed into it.
+void RunsModel::setRuns(std::vector<Run> runs) {
+    const std::vector<Run> before = m_runs;
+    const int had = rowCount(), has = static_cast<int>(runs.size());
+    if (has > had) {
+        beginInsertRows({}, had, has - 1);
+        m_runs = std::move(runs);
+        endInsertRows();
+    } else if (has < had) {
+        beginRemoveRows({}, has, had - 1);
+        m_runs = std::move(runs);
+        endRemoveRows();
+    } else {
+        m_runs = std::move(runs);
+    }
+    for (int row = 0; row < std::min(had, has); ++row) {
+        const auto i = static_cast<std::size_t>(row);
+        if (m_runs[i] != before[i]) {
+            emit dataChanged(index(row), index(row));
+        }
+    }
+}
+
+int RunsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_runs.size());
+}
+
+QPixmap RunsModel::markOf(const Run& run, const QColor& text) {
+    const qreal ratio = qApp->devicePixelRatio();
+    QPixmap mark =
+        runSample(std::max(run.number, 0), run.number < 0 ? Qt::transparent : text, sample, ratio);
+    const int side = sample.height();
+    QPainter painter(&mark);
+    painter.setCompositionMode(QPainter::CompositionMode_Clear);
+    painter.fillRect(sample.width() - side - metrics::tight, 0, side + metrics::tight, side,
+                     Qt::transparent);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+    if (run.light) {
+        painter.drawPixmap(sample.width() - side, 0, lightPixmap(*run.light, side, ratio, false));
+    }
+    return mark;
+}
+
+QVariant RunsModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Run& run = m_runs.at(static_cast<std::size_t>(index.row()));
+    switch (role) {
+    case Qt::DisplayRole: return run.name + u'\n' + run.detail;
+    case Qt::EditRole: return run.name;
+    case Qt::ToolTipRole: return run.told;
+    case Qt::AccessibleTextRole: return run.told;
+    case Qt::DecorationRole: {
+        const QPalette palette = QGuiApplication::palette();
+        QIcon marks(markOf(run, palette.color(QPalette::Text)));
+        marks.addPixmap(markOf(run, palette.color(QPalette::HighlightedText)), QIcon::Selected);
+        return marks;
+    }
+    case Qt::CheckStateRole: return run.chosen ? Qt::Checked : Qt::Unchecked;
+    default: return {};
+    }
+}
+
+bool RunsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || index.row() == 0) {
+        return false;
+    }
+    if (role == Qt::CheckStateRole) {
+        emit chosen(index.row() - 1, value.toInt() == Qt::Checked);
+        return true;
+    }
+    if (role == Qt::EditRole) {
+        emit renamed(index.row() - 1, value.toString());
+        return true;
+    }
+    return false;
+}
+
+Qt::ItemFlags RunsModel::flags(const QModelIndex& index) const {
+    if (!index.isValid()) {
+        return Qt::NoItemFlags;
+    }
+    const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return index.row() == 0 ? all : all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable;
+}
+
+} // namespace sparkout

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/verdict_model.h"
+
+#include "core/quality/roughness.h"
+#include "ui/charts/margin_model.h"
+#include "ui/charts/result_tables.h"
+#include "ui/text/estimate_names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace sparkout {
+
+Light lightOf(const ConstraintResult& constraint) {
+    if (!constraint.holds) {
+        return Light::fails;
+    }
+    const bool close = constraint.relativeMargin < closeMargin
+                       && scopeOf(constraint.kind) != ConstraintScope::setting;
+    return close ? Light::close : Light::holds;
+}
+
+QString lightName(Light light) {
+    switch (light) {
+    case Light::holds: return VerdictModel::tr("holds");
+    case Light::close: return VerdictModel::tr("close to the limit");
+    case Light::fails: return VerdictModel::tr("fails");
+    }
+    return {};
+}
+
+QString lightName(const ConstraintResult& constraint) {
+    return constraint.isWhole ? lightName(lightOf(constraint))
+                              : VerdictModel::tr("not known: strips uncut");
+}
+
+namespace {
+
+/// Short enough for one line of the table.
+QString briefName(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::diameterMin: return VerdictModel::tr("Min. diameter");
+    case ConstraintKind::diameterMax: return VerdictModel::tr("Max. diameter");
+    case ConstraintKind::radialRunout: return VerdictModel::tr("Radial runout");
+    case ConstraintKind::roundness: return VerdictModel::tr("Roundness");
+    case ConstraintKind::cylindricity: return VerdictModel::tr("Cylindricity");
+    case ConstraintKind::totalRunout: return VerdictModel::tr("Total runout");
+    case ConstraintKind::roughness: return VerdictModel::tr("Roughness Ra");
+    case ConstraintKind::burn: return VerdictModel::tr("Depth, burn");
+    case ConstraintKind::selfSharpening: return VerdictModel::tr("Pressure");
+    case ConstraintKind::wheelPower: return VerdictModel::tr("Wheel power");
+    case ConstraintKind::workPower: return VerdictModel::tr("Work power");
+    case ConstraintKind::rangeRadialFeed: return VerdictModel::tr("Radial feed");
+    case ConstraintKind::rangeAxialFeed: return VerdictModel::tr("Axial feed");
+    case ConstraintKind::rangePlungeFeed: return VerdictModel::tr("Plunge feed");
+    case ConstraintKind::rangeWorkSpeed: return VerdictModel::tr("Work speed");
+    case ConstraintKind::gaugeCommands: return VerdictModel::tr("Gauge commands");
+    case ConstraintKind::overlap: return VerdictModel::tr("Overlap");
+    }
+    return {};
+}
+
+/// The reference of a deviation of form, where there are several.
+QString measuredBy(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::roundness:
+        return VerdictModel::tr("Between the circles of the minimum zone, MZCI (ISO 12181)");
+    case ConstraintKind::cylindricity:
+        return VerdictModel::tr("Between the cylinders of the minimum zone, MZCY (ISO 12180)");
+    default: return {};
+    }
+}
+
+/// A name with what its group does not say: the stage and the unit.
+QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
+    QStringList parts{name};
+    if (c.section < 0 && scopeOf(c.kind) != ConstraintScope::part) {
+        if (c.stage > 0) {
+            parts << where;
+        }
+        if (*constraintUnit(c.kind)) {
+            parts << unitText(constraintUnit(c.kind));
+        }
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+VerdictModel::VerdictModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+void VerdictModel::setOutcome(OutcomePtr outcome) {
+    beginResetModel();
+    m_outcome = std::move(outcome);
+    m_rows.clear();
+    if (m_outcome) {
+        std::vector<const ConstraintResult*> sorted;
+        for (const ConstraintResult& c : m_outcome->constraints) {
+            sorted.push_back(&c);
+        }
+        std::ranges::stable_sort(sorted, {}, [](const ConstraintResult* c) {
+            const int group = groupOf(*c);
+            return std::pair(group < 0, std::abs(group)); // the zones first
+        });
+        for (const ConstraintResult* c : sorted) {
+            const int group = groupOf(*c);
+            if (m_rows.empty() || m_rows.back().group != group) {
+                m_rows.push_back({nullptr, c->zone, group});
+            }
+            m_rows.push_back({c, c->zone, group});
+        }
+    }
+    endResetModel();
+}
+
+int VerdictModel::groupOf(const ConstraintResult& constraint) {
+    return constraint.section >= 0 ? constraint.section
+                                   : -1 - static_cast<int>(scopeOf(constraint.kind));
+}
+
+QString VerdictModel::groupName(const Row& row) {
+    if (row.group >= 0) {
+        return tr("%1, µm").arg(Names::zoneFull(row.zone, row.group));
+    }
+    switch (static_cast<ConstraintScope>(-1 - row.group)) {
+    case ConstraintScope::part: return tr("Whole part, µm");
+    case ConstraintScope::pass: return tr("Every pass");
+    case ConstraintScope::setting: return tr("Settings of the machine");
+    case ConstraintScope::section: break;
+    }
+    return {};
+}
+
+void VerdictModel::setGreyed(bool grey) {
+    if (m_grey != grey) {
+        beginResetModel();
+        m_grey = grey;
+        endResetModel();
+    }
+}
+
+void VerdictModel::setIcons(const std::array<QIcon, 3>& icons) {
+    m_icons = icons;
+    retranslate();
+}
+
+void VerdictModel::retranslate() {
+    beginResetModel();
+    endResetModel();
+}
+
+bool VerdictModel::isZoneRow(int row) const {
+    return constraintAt(row) == nullptr;
+}
+
+const ConstraintResult* VerdictModel::constraintAt(int row) const {
+    return m_rows.at(static_cast<std::size_t>(row)).constraint;
+}
+
+int VerdictModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int VerdictModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnCount_;
+}
+
+QString VerdictModel::text(const ConstraintResult& c, int column) const {
+    switch (column) {
+    case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
+    case value: return Names::value(c);
+    case limit: return Names::limit(c);
+    case margin: return Names::besideLimit(c);
+    default: return {};
+    }
+}
+
+QVariant VerdictModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Row& row = m_rows.at(static_cast<std::size_t>(index.row()));
+    const bool first = index.column() == requirement;
+    if (role == Qt::ForegroundRole && m_grey) {
+        return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+    }
+    if (role == Qt::TextAlignmentRole && !first) {
+        return static_cast<int>(Qt::AlignRight | Qt::AlignTop);
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>(Qt::AlignLeft | Qt::AlignTop);
+    }
+    return row.constraint ? requirementData(row, index.column(), role) : zoneData(row, first, role);
+}
+
+QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
+    if (first && (role == Qt::DisplayRole || role == Qt::AccessibleTextRole)) {
+        return groupName(row);
+    }
+    if (role == Qt::FontRole) {
+        QFont font;
+        font.setBold(true);
+        return font;
+    }
+    return {};
+}
+
+QVariant VerdictModel::requirementData(const Row& row, int column, int role) const {
+    const bool first = column == requirement;
+    const Light light = lightOf(*row.constraint);
+    const ConstraintKind kind = row.constraint->kind;
+    const bool guessed =
+        kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_outcome->result.project);
+    const QString name = guessed ? tr("Ra, estimate") : briefName(kind);
+    const QString shown =
+        first ? requirementName(*row.constraint, name, tr("stage %1").arg(row.constraint->stage))
+              : text(*row.constraint, column);
+    switch (role) {
+    case Qt::DisplayRole: // in words where it needs attention; else the mark is enough
+        return first && light != Light::holds
+                   ? shown + QLatin1Char('\n') + lightName(*row.constraint)
+                   : shown;
+    case Qt::DecorationRole:
+        return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole: {
+        const QString told =
+            QStringLiteral("%1, %2: %3")
+                .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
+                     first ? lightName(*row.constraint) : shown);
+        if (role == Qt::AccessibleTextRole) {
+            return told;
+        }
+        QStringList lines{told, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
+                          measuredBy(kind), EstimateNames::behind(kind),
+                          guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
+                                  : QString()};
+        lines.removeAll(QString());
+        return lines.join(u'\n');
+    }
+    default: return {};
+    }
+}
+
+QVariant VerdictModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return static_cast<int>((section == requirement ? Qt::AlignLeft : Qt::AlignRight)
+                                | Qt::AlignVCenter);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+    case requirement: return tr("Requirement");
+    case value: return tr("Value");
+    case limit: return tr("Limit");
+    case margin: return tr("Margin");
+    default: return {};
+    }
+}
+
+Qt::ItemFlags VerdictModel::flags(const QModelIndex& index) const {
+    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+}
+
+QString VerdictModel::asTsv() const {
+    QStringList lines;
+    QStringList head{tr("Zone or section")};
+    for (int c = 0; c < columnCount_; ++c) {
+        const QString name = headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
+        head << name;
+    }
+    lines << (head << tr("Unit") << tr("Verdict")).join(QLatin1Char('\t'));
+    for (const Row& row : m_rows) {
+        if (!row.constraint) {
+            continue;
+        }
+        QStringList cells{Names::where(*row.constraint)};
+        for (int c = 0; c < columnCount_; ++c) {
+            cells << text(*row.constraint, c);
+        }
+        cells << unitText(constraintUnit(row.constraint->kind));
+        lines << (cells << lightName(*row.constraint)).join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+CsvTable VerdictModel::table() const {
+    return m_outcome ? requirementTable(m_outcome->constraints, m_outcome->result.project.operation)
+                     : CsvTable();
+}
+
+} // namespace sparkout

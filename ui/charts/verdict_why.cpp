@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/charts/verdict_why.h"
+
+#include "core/process/profile.h"
+#include "core/quality/diameter_shares.h"
+#include "core/units.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/text/names.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace sparkout::verdict {
+
+namespace {
+
+struct VerdictWhy {
+    Q_DECLARE_TR_FUNCTIONS(VerdictWhy)
+public:
+    static QString diameter(const Outcome& outcome, const ConstraintResult& c);
+    static QString form(const Outcome& outcome, const ConstraintResult& c);
+    static QString wholePart(const Outcome& outcome);
+    static QString place(const Outcome& outcome, const ConstraintResult& c);
+};
+
+/// The ratio is told from here on; below it is not what makes the difference.
+constexpr double tellingRatio = 0.05;
+
+QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) {
+    const bool smallest = c.kind == ConstraintKind::diameterMin;
+    const DiameterShares shares =
+        diameterShares(outcome.result, static_cast<std::size_t>(c.section),
+                       smallest ? DiameterEnd::smallest : DiameterEnd::largest);
+    const QString zone = Names::zone(c.zone, c.section);
+    QString own = tr("%1 against the gauge %2 µm", "zone")
+                      .arg(zone, Names::signedMicrometres(shares.section_um));
+    if (std::abs(shares.complianceRatio - 1) > tellingRatio) {
+        own += tr(" (compliance %1 of the gauged one's)")
+                   .arg(QStringLiteral("×") + Names::significant(shares.complianceRatio));
+    }
+    const QStringList parts{
+        tr("gauge at the end %1 µm").arg(Names::signedMicrometres(shares.reading_um)), own,
+        tr("out of round %1 µm").arg(Names::signedMicrometres(shares.form_um))};
+    return tr("%1 in %2, %3 µm from nominal: %4.")
+        .arg(Names::constraint(c.kind), zone, Names::signedMicrometres(c.value),
+             parts.join(QStringLiteral("; ")));
+}
+
+QString VerdictWhy::form(const Outcome& outcome, const ConstraintResult& c) {
+    const Project& project = outcome.result.project;
+    const double own_um =
+        c.kind == ConstraintKind::radialRunout ? project.machine.geometric_runout_um : 0;
+    const double blank_um = initialRunout(project.part) * units::umPerMm;
+    const double left_um = c.value - own_um;
+    QString text = tr("%1 in %2: the blank has %3 µm, the end of the cycle %4 µm")
+                       .arg(Names::constraint(c.kind), Names::zone(c.zone, c.section),
+                            Names::micrometres(blank_um), Names::micrometres(left_um));
+    if (own_um > 0) {
+        text += tr("; the machine's own runout adds %1 µm").arg(Names::micrometres(own_um));
+    }
+    if (own_um > c.limit) {
+        return text + tr(", more than the limit: no cycle can hold it.");
+    }
+    return c.holds ? text + u'.'
+                   : text + tr(". More passes without feed take it down, or a smaller last feed.");
+}
+
+/// Mean radii against their own mean, and the worst section's out of round.
+QString VerdictWhy::wholePart(const Outcome& outcome) {
+    QStringList parts;
+    double mean_mm = 0, form_mm = 0;
+    const std::vector<SectionAccuracy>& sections = outcome.accuracy.sections;
+    for (const SectionAccuracy& section : sections) {
+        mean_mm += section.meanRadius_mm / static_cast<double>(sections.size());
+        form_mm = std::max(form_mm, section.leastSquares.deviation());
+    }
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 1; i < sections.size(); ++i) {
+        low = sections[i].meanRadius_mm < sections[low].meanRadius_mm ? i : low;
+        high = sections[i].meanRadius_mm > sections[high].meanRadius_mm ? i : high;
+    }
+    for (const std::size_t i : std::set{low, high}) {
+        parts << QStringLiteral("%1 %2").arg(
+            Names::zone(outcome.result.sections[i].zone, static_cast<int>(i)),
+            Names::signedMicrometres((sections[i].meanRadius_mm - mean_mm) * units::umPerMm));
+    }
+    return tr("Mean radii along the part, µm from their own mean: %1; the worst section is %2 µm "
+              "out of round.")
+        .arg(parts.join(QStringLiteral(", ")), Names::micrometres(form_mm * units::umPerMm));
+}
+
+QString VerdictWhy::place(const Outcome& outcome, const ConstraintResult& c) {
+    const QString place = Names::place(*c.at, outcome.result.project.operation);
+    if (c.kind == ConstraintKind::roughness) {
+        return tr("%1: left by the last cut (%2).").arg(Names::constraint(c.kind), place);
+    }
+    const QString text = tr("%1: worst in %2.").arg(Names::constraint(c.kind), place);
+    return c.holds ? text
+                   : text
+                         + tr(" A smaller feed in stage %1 lowers it, or a sharper wheel.")
+                               .arg(c.at->stage);
+}
+
+/// The largest axial feed that leaves no strips [mm/min].
+QString mostAxialFeed(const Project& project) {
+    return Names::significant(project.wheel.width_mm * project.machine.work_speed_rpm, 4);
+}
+
+} // namespace
+
+QString why(const Outcome& outcome, const ConstraintResult& requirement) {
+    if (!requirement.isWhole) {
+        return VerdictWhy::tr("%1: not known, since strips stay uncut; an axial feed of at most "
+                              "%2 mm/min leaves none.")
+            .arg(Names::constraint(requirement.kind), mostAxialFeed(outcome.result.project));
+    }
+    switch (requirement.kind) {
+    case ConstraintKind::overlap:
+        return VerdictWhy::tr("The wheel's width times the work speed over the axial feed; 1 is "
+                              "reached at %1 mm/min.")
+            .arg(mostAxialFeed(outcome.result.project));
+    case ConstraintKind::diameterMin:
+    case ConstraintKind::diameterMax: return VerdictWhy::diameter(outcome, requirement);
+    case ConstraintKind::radialRunout:
+    case ConstraintKind::roundness: return VerdictWhy::form(outcome, requirement);
+    case ConstraintKind::cylindricity:
+    case ConstraintKind::totalRunout: return VerdictWhy::wholePart(outcome);
+    default: return requirement.at ? VerdictWhy::place(outcome, requirement) : QString();
+    }
+}
+
+std::string inputPath(const ConstraintResult& requirement) {
+    const bool ofStage = requirement.stage > 0;
+    const std::string stage = "/cycle/stages/" + std::to_string(requirement.stage - 1);
+    switch (requirement.kind) {
+    case ConstraintKind::rangeRadialFeed: return stage + "/radial_feed_mm";
+    case ConstraintKind::rangePlungeFeed:
+        return ofStage ? stage + "/radial_feed_mm_min" : "/machine/plunge_feed_mm_min";
+    case ConstraintKind::rangeAxialFeed: return stage + "/axial_feed_mm_min";
+    case ConstraintKind::rangeWorkSpeed: return "/machine/work_speed_rpm";
+    case ConstraintKind::gaugeCommands: return "/gauge/commands";
+    case ConstraintKind::overlap: return stage + "/axial_feed_mm_min";
+    default: return {};
+    }
+}
+
+const ConstraintResult* worst(const Outcome& outcome) {
+    const auto it =
+        std::ranges::min_element(outcome.constraints, {}, [](const ConstraintResult& c) {
+            return std::tuple(c.holds, c.holds || c.kind != ConstraintKind::overlap, !c.isWhole,
+                              lightOf(c) != Light::close, c.relativeMargin);
+        });
+    return it == outcome.constraints.end() ? nullptr : &*it;
+}
+
+} // namespace sparkout::verdict

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/dialogs/copy_table.h"
+
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QTimer>
+
+namespace sparkout {
+
+namespace {
+
+/// In a menu of its own a format says by itself that it is CSV.
+QString savingText(TableFormat format) {
+    switch (format) {
+    case TableFormat::csvRussian:
+        return CopyTable::tr("CSV for &Russian Excel: semicolons, decimal commas…");
+    case TableFormat::csvEnglish: return CopyTable::tr("&English CSV: commas, decimal points…");
+    case TableFormat::xlsx: break;
+    }
+    return tableFormatText(format);
+}
+
+} // namespace
+
+CopyTable::CopyTable(std::function<QString()> text, QWidget* parent)
+    : QTableView(parent), m_text(std::move(text)) {
+    setShowGrid(false);
+    setAlternatingRowColors(true);
+    setCornerButtonEnabled(false);
+    setTabKeyNavigation(false);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setMinimumSectionSize(20);
+    horizontalHeader()->setSectionsClickable(false);
+    connect(this, &QTableView::clicked, this,
+            [this](const QModelIndex& index) { emit rowChosen(index.row()); });
+    connect(this, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { emit rowEntered(index.row()); });
+}
+
+void CopyTable::copy() const {
+    static const QRegularExpression minus(QStringLiteral("−(?=\\d)")); // spreadsheets read another
+    QGuiApplication::clipboard()->setText(m_text().replace(minus, QStringLiteral("-")));
+}
+
+void CopyTable::setSaving(std::function<CsvTable()> table, std::function<QString()> project,
+                          Settings* settings) {
+    m_table = std::move(table);
+    m_project = std::move(project);
+    m_settings = settings;
+}
+
+void CopyTable::retranslate() {
+    setToolTip(tr("Ctrl+C copies the table; its menu saves it"));
+}
+
+void CopyTable::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy)) {
+        copy();
+        event->accept();
+        return;
+    }
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && currentIndex().isValid()) {
+        emit rowChosen(currentIndex().row());
+        emit rowEntered(currentIndex().row());
+        event->accept();
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+void CopyTable::addSaving(QMenu& menu) {
+    if (!m_table) {
+        return;
+    }
+    QMenu* formats = menu.addMenu(tr("Save the table as"));
+    formats->setToolTipsVisible(true);
+    formats->setEnabled(!m_table().empty());
+    for (const TableFormat format : allTableFormats) {
+        QAction* action = formats->addAction(savingText(format));
+        action->setToolTip(tableFormatHint(format));
+        connect(action, &QAction::triggered, this, [this, format] { save(format); });
+    }
+}
+
+void CopyTable::save(TableFormat format) {
+    QStringList heading{accessibleName(), m_project()};
+    heading.removeAll(QString());
+    (void)saveTable(window(), m_settings, {heading, m_table()}, format);
+}
+
+void CopyTable::contextMenuEvent(QContextMenuEvent* event) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QAction* action = menu->addAction(tr("Copy the table"));
+    action->setShortcut(QKeySequence::Copy); // shown, and while the menu is open
+    connect(action, &QAction::triggered, this, [this] { copy(); });
+    addSaving(*menu);
+    menu->popup(event->globalPos());
+    event->accept();
+}
+
+/// Sections as wide or high as their contents are measured again, in the type the table has now.
+void CopyTable::measure(QHeaderView& header) {
+    for (int i = 0; i < header.count(); ++i) {
+        if (header.sectionResizeMode(i) == QHeaderView::ResizeToContents) {
+            header.setSectionResizeMode(i, QHeaderView::ResizeToContents); // measures all, soon
+            return;
+        }
+    }
+}
+
+/// Each when what it hangs on is done: texts wrap in columns that have their widths.
+void CopyTable::changeEvent(QEvent* event) {
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        QTimer::singleShot(0, this, [this] {
+            measure(*horizontalHeader());
+            QTimer::singleShot(0, this, [this] {
+                measure(*verticalHeader());
+                QTimer::singleShot(0, this, &CopyTable::resized);
+            });
+        });
+    }
+}
+
+void CopyTable::resizeEvent(QResizeEvent* event) {
+    QTableView::resizeEvent(event);
+    if (wordWrap() && event->oldSize().width() != event->size().width()) {
+        QTimer::singleShot(0, this, [this] { measure(*verticalHeader()); });
+    }
+    emit resized();
+}
+
+} // namespace sparkout

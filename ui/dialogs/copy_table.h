@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/dialogs/table_file.h"
+
+#include <QTableView>
+
+#include <functional>
+
+class QMenu;
+
+namespace sparkout {
+
+/// A table to read on a page that scrolls as one: no grid, no scroll bar down its side, and as a
+/// whole it goes to a spreadsheet with Ctrl+C or the context menu, which saves it as a file, too.
+class CopyTable : public QTableView {
+    Q_OBJECT
+public:
+    /// @param text the table as tab-separated text
+    explicit CopyTable(std::function<QString()> text, QWidget* parent = nullptr);
+
+    /// What the context menu saves under the table's accessible name and the project's title; an
+    /// empty table is not offered.
+    void setSaving(std::function<CsvTable()> table, std::function<QString()> project,
+                   Settings* settings);
+    void copy() const;
+    void retranslate(); ///< the tool tip; the owner names the table
+
+signals:
+    void resized();
+    void rowChosen(int row);  ///< by a click, or Enter on the row
+    void rowEntered(int row); ///< by a double click, or Enter on the row
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    static void measure(QHeaderView& header);
+    void addSaving(QMenu& menu);
+    void save(TableFormat format);
+
+    std::function<QString()> m_text;
+    std::function<CsvTable()> m_table;
+    std::function<QString()> m_project;
+    Settings* m_settings = nullptr;
+};
+
+} // namespace sparkout

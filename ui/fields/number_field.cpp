@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/fields/number_field.h"
+
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int typingPause_ms = 800;
+
+} // namespace
+
+NumberSpec NumberSpec::of(const Field& field) {
+    NumberSpec spec{field.stated(), field.soft, field.unit, false, false, field.nullMeaning};
+    spec.integer = field.kind == Kind::integer || field.kind == Kind::optionalInteger;
+    spec.optional = field.kind == Kind::optionalNumber || field.kind == Kind::optionalInteger;
+    return spec;
+}
+
+NumberSpec NumberSpec::of(const Field& field, const Project& project, const void* owner) {
+    NumberSpec spec = of(field);
+    spec.hard = field.allowed(project, owner);
+    return spec;
+}
+
+NumberField::NumberField(const NumberSpec& spec, QWidget* parent)
+    : QLineEdit(parent), m_spec(spec), m_icon(addAction(QIcon(), TrailingPosition)) {
+    m_icon->setVisible(false);
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(typingPause_ms);
+    connect(&m_typing, &QTimer::timeout, this, &NumberField::endTyping);
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        m_typing.start();
+        evaluate();
+    });
+    connect(this, &QLineEdit::returnPressed, this, &NumberField::settle);
+    retranslate();
+}
+
+void NumberField::setValue(std::optional<double> value) {
+    if (value != m_value) {
+        reset(value);
+        return;
+    }
+    if (!refused() && !m_waits && parseNumber(text()) != value) {
+        showValue();
+    }
+}
+
+void NumberField::reset(std::optional<double> value) {
+    const bool asTyped = !refused() && value && parseNumber(text()) == value;
+    m_value = value;
+    m_settled = value;
+    m_waits = false;
+    if (!asTyped) {
+        showValue();
+    }
+    std::optional<double> same;
+    m_own = judge(same);
+    updateRemark();
+}
+
+void NumberField::showValue() {
+    m_typing.stop();
+    setText(m_value ? showNumber(*m_value, QLocale()) : QString());
+}
+
+void NumberField::setShownText(const QString& text) {
+    setText(text);
+    m_typing.stop();
+    evaluate();
+}
+
+void NumberField::setSpec(const NumberSpec& spec) {
+    if (spec == m_spec) {
+        return;
+    }
+    m_spec = spec;
+    if (m_value || refused()) {
+        evaluate();
+    }
+}
+
+void NumberField::setHint(const QString& hint) {
+    m_hint = hint;
+    describe();
+}
+
+void NumberField::describe() {
+    setAccessibleDescription(m_shown.reason.isEmpty() || m_hint.isEmpty()
+                                 ? m_shown.reason + m_hint
+                                 : m_shown.reason + QStringLiteral(". ") + m_hint);
+}
+
+void NumberField::setIssue(const Remark& issue) {
+    m_issue = issue;
+    updateRemark();
+}
+
+Remark NumberField::remark() const {
+    if (typing()) {
+        return {};
+    }
+    if (refused()) {
+        return m_own;
+    }
+    return m_issue.mark >= m_own.mark && m_issue.mark != Mark::none ? m_issue : m_own;
+}
+
+Remark NumberField::judge(std::optional<double>& value) const {
+    if (text().trimmed().isEmpty()) {
+        return m_spec.optional ? Remark{} : Remark{Mark::error, tr("a number is needed here")};
+    }
+    value = parseNumber(text());
+    if (!value) {
+        return {Mark::error, tr("“%1” is not a number").arg(text().trimmed())};
+    }
+    if (m_spec.integer && *value != std::floor(*value)) {
+        return {Mark::error, tr("a whole number is needed here")};
+    }
+    if (!m_spec.hard.contains(*value)) {
+        return {Mark::error,
+                tr("out of range; allowed: %1").arg(rangeShown(m_spec.hard, m_spec.unit))};
+    }
+    if (!m_spec.soft.contains(*value)) {
+        return {Mark::warning, tr("unusual; usual: %1").arg(rangeShown(m_spec.soft, m_spec.unit))};
+    }
+    return {};
+}
+
+void NumberField::evaluate() {
+    std::optional<double> value;
+    m_own = judge(value);
+    m_waits = !refused() && typing() && m_fits && value != m_settled && !m_fits(value);
+    if (refused() || m_waits) {
+        value = m_settled; // never the beginning of a number that did not become one
+    }
+    const bool another = value != m_value;
+    m_value = value;
+    updateRemark();
+    if (another) {
+        emit valueEdited();
+    }
+}
+
+void NumberField::revert() {
+    const bool another = unsettled();
+    m_value = m_settled;
+    m_waits = false;
+    m_own = {};
+    showValue();
+    std::optional<double> same;
+    m_own = judge(same);
+    updateRemark();
+    if (another) {
+        emit valueEdited();
+    }
+}
+
+void NumberField::clearText() {
+    selectAll();
+    del();
+    m_typing.start();
+    evaluate();
+}
+
+void NumberField::endTyping() {
+    m_typing.stop();
+    m_waits ? evaluate() : updateRemark();
+}
+
+bool NumberField::unsettled() const {
+    return refused() || m_waits || m_value != m_settled;
+}
+
+void NumberField::settle() {
+    endTyping();
+    if (!refused()) {
+        m_settled = m_value;
+    }
+    if (!refused() && m_value && text() != showNumber(*m_value, QLocale())) {
+        showValue();
+    }
+    updateRemark();
+}
+
+void NumberField::step(int steps) {
+    if (refused()) {
+        return;
+    }
+    const QString before = text();
+    if (before.trimmed().isEmpty()) {
+        return;
+    }
+    const QString after = stepNumber(before, steps, m_spec.integer || m_spec.hard.contains(0));
+    const auto value = parseNumber(after);
+    if (value && m_spec.hard.contains(*value)) {
+        setText(after);
+        evaluate();
+        selectAll();
+    }
+}
+
+void NumberField::updateRemark() {
+    const Remark shown = remark();
+    if (shown.mark == m_shown.mark && shown.reason == m_shown.reason) {
+        return;
+    }
+    m_shown = shown;
+    m_icon->setVisible(shown.mark != Mark::none);
+    m_icon->setIcon(markIcon(shown.mark));
+    m_icon->setToolTip(shown.reason);
+    describe();
+    update();
+    emit remarkChanged();
+}
+
+void NumberField::retranslate() {
+    setPlaceholderText(m_spec.optional ? inputText(m_spec.nullMeaning) : QString());
+    if (!refused() && !m_waits) {
+        showValue();
+    }
+    std::optional<double> same;
+    if (m_value || m_spec.optional || refused()) {
+        m_own = judge(same);
+    }
+    updateRemark();
+}
+
+bool NumberField::event(QEvent* event) {
+    // Undo and redo belong to the document; only a refused text is undone here.
+    if (event->type() == QEvent::ShortcutOverride) {
+        auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->setAccepted((refused() || m_waits) && key->matches(QKeySequence::Undo));
+            return true;
+        }
+    }
+    return QLineEdit::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    if ((unsettled() && event->key() == Qt::Key_Escape)
+        || ((refused() || m_waits) && event->matches(QKeySequence::Undo))) {
+        revert();
+    } else if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+        step(event->key() == Qt::Key_Up ? 1 : -1);
+    } else {
+        QLineEdit::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+    event->ignore();
+} // the page scrolls
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+    settle();
+    QLineEdit::focusOutEvent(event);
+}
+
+void NumberField::paintEvent(QPaintEvent* event) {
+    QLineEdit::paintEvent(event);
+    const Mark mark = remark().mark;
+    if (mark != Mark::none) {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(markColor(mark, palette()), 2));
+        painter.drawRoundedRect(rect().adjusted(1, 1, -1, -1), 2, 2);
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/autosave.h"
+
+#include "ui/session/document.h"
+#include "ui/session/project_io.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace sparkout {
+
+namespace {
+
+FileError noFolder(const RecoveryStore& store) {
+    FileError error;
+    error.path = QFile::encodeName(store.folder()).toStdString();
+    error.step = FileStep::create;
+    return error;
+}
+
+} // namespace
+
+Autosave::Autosave(Document& document, RecoveryStore store, Times times, QObject* parent)
+    : QObject(parent), m_document(document), m_store(std::move(store)) {
+    m_idle.setSingleShot(true);
+    m_idle.setInterval(times.idle);
+    m_latest.setSingleShot(true);
+    m_latest.setInterval(times.latest);
+    connect(&m_idle, &QTimer::timeout, this, &Autosave::write);
+    connect(&m_latest, &QTimer::timeout, this, &Autosave::write);
+    connect(&document, &Document::changed, this, &Autosave::noteChange);
+    // Whoever replaces the document has asked before. The file of the old one is not written over.
+    connect(&document, &Document::replaced, this, &Autosave::moveAway);
+}
+
+Autosave::Autosave(Document& document, RecoveryStore store, QObject* parent)
+    : Autosave(document, std::move(store), Times(), parent) {}
+
+Autosave::~Autosave() {
+    flush();
+}
+
+void Autosave::adopt(RecoveryClaimPtr claim) {
+    m_claim = std::move(claim);
+}
+
+void Autosave::noteChange() {
+    m_idle.start();
+    if (!m_latest.isActive()) {
+        m_latest.start();
+    }
+}
+
+void Autosave::write() {
+    m_idle.stop();
+    m_latest.stop();
+    // An untouched document needs no file; one that was undone to that state rewrites its own.
+    if (!m_document.modified() && !m_claim) {
+        return;
+    }
+    if (!m_claim) {
+        m_claim = m_store.claimNew();
+    }
+    if (!m_claim) {
+        emit failed(noFolder(m_store));
+        return;
+    }
+    const RecoveryHeader header{QString::fromStdString(m_document.project().title),
+                                m_document.filePath(),
+                                QDateTime::currentDateTimeUtc(),
+                                m_document.diskHash(),
+                                m_document.readOnly(),
+                                m_document.modified()};
+    m_background.start([this, header, project = m_document.project(), claim = m_claim] {
+        const auto error =
+            writeFileSafely(systemPath(claim->file()), recoveryText(header, project));
+        return Background::Answer([this, error] {
+            if (error) {
+                emit failed(*error);
+            } else {
+                emit written();
+            }
+        });
+    });
+}
+
+void Autosave::saved() {
+    stop();
+    if (m_claim) {
+        QFile::remove(m_claim->file());
+        m_claim.reset();
+    }
+}
+
+void Autosave::discard() {
+    if (m_idle.isActive()) {
+        write(); // what was changed a moment ago is given up, not lost
+    }
+    moveAway();
+}
+
+/// A file that cannot be moved stays, and is offered at the next start.
+void Autosave::moveAway() {
+    stop();
+    if (m_claim && QFileInfo::exists(m_claim->file())) {
+        (void)m_store.discard(m_claim->file());
+    }
+    m_claim.reset();
+}
+
+void Autosave::flush() {
+    if (m_idle.isActive()) {
+        write();
+    }
+    m_background.wait();
+}
+
+void Autosave::stop() {
+    m_idle.stop();
+    m_latest.stop();
+    m_background.wait();
+}
+
+QString Autosave::file() const {
+    return m_claim && QFileInfo::exists(m_claim->file()) ? m_claim->file() : QString();
+}
+
+} // namespace sparkout

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/safe_file.h"
+#include "ui/files/recovery_store.h"
+#include "ui/session/background.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <chrono>
+
+namespace sparkout {
+
+class Document;
+
+/// Keeps a recovery file of the document while it has unsaved changes: a moment after the last
+/// change, and not much later however long one goes on typing. Never touches the user's file.
+class Autosave : public QObject {
+    Q_OBJECT
+
+public:
+    struct Times {
+        std::chrono::milliseconds idle{2'000};    ///< after the last change
+        std::chrono::milliseconds latest{30'000}; ///< after the first one not yet kept
+    };
+
+    Autosave(Document& document, RecoveryStore store, Times times, QObject* parent = nullptr);
+    Autosave(Document& document, RecoveryStore store, QObject* parent = nullptr);
+    /// Keeps the last changes, if there are any that nobody gave up.
+    ~Autosave() override;
+
+    /// Goes on in the recovery file of a session that crashed.
+    void adopt(RecoveryClaimPtr claim);
+    void saved();   ///< the user's file holds everything now: the recovery file goes
+    void discard(); ///< the user gave the changes up: it is kept with the discarded ones
+    void flush();   ///< writes what waits, and waits for it
+
+    [[nodiscard]] QString file() const; ///< empty while there is none
+
+signals:
+    void written();
+    void failed(sparkout::FileError error); ///< tried again at the next change
+
+private:
+    void noteChange();
+    void write();
+    void stop();
+    void moveAway();
+
+    Document& m_document;
+    RecoveryStore m_store;
+    RecoveryClaimPtr m_claim;
+    QTimer m_idle;
+    QTimer m_latest;
+    Background m_background;
+};
+
+} // namespace sparkout

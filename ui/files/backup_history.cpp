@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/backup_history.h"
+
+#include "ui/files/disk_state.h"
+#include "ui/files/recovery_store.h"
+#include "ui/session/project_io.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+const QString timeFormat = QStringLiteral("yyyyMMdd'T'HHmmss'Z'");
+const QString suffix = QStringLiteral(".sparkout");
+constexpr qsizetype longestName = 60;
+
+bool sameBytes(const EarlierVersion& version, std::string_view bytes) {
+    return version.bytes == qint64(bytes.size())
+           && diskState(version.file).hash == contentHash(bytes);
+}
+
+} // namespace
+
+BackupHistory::BackupHistory(const QString& stateFolder, BackupCaps caps)
+    : m_folder(stateFolder + QStringLiteral("/backups")), m_caps(caps) {}
+
+/// The name is for people, the hash tells apart files of the same name.
+QString BackupHistory::folderOf(const QString& project) const {
+    const QString real = realPath(project);
+    const QByteArray hash = contentHash(QFile::encodeName(real).toStdString()).toHex().left(16);
+    return m_folder + u'/' + QFileInfo(real).completeBaseName().left(longestName) + u'-'
+           + QString::fromLatin1(hash);
+}
+
+std::vector<EarlierVersion> BackupHistory::versions(const QString& project) const {
+    std::vector<EarlierVersion> list;
+    const QDir folder(folderOf(project));
+    for (const QFileInfo& file : folder.entryInfoList({u'*' + suffix}, QDir::Files)) {
+        QDateTime when = QDateTime::fromString(file.completeBaseName(), timeFormat);
+        when.setTimeSpec(Qt::UTC);
+        if (when.isValid()) {
+            list.push_back({file.filePath(), when, file.size()});
+        }
+    }
+    std::sort(list.begin(), list.end(),
+              [](const EarlierVersion& a, const EarlierVersion& b) { return a.when > b.when; });
+    return list;
+}
+
+std::optional<FileError> BackupHistory::keep(const QString& project, std::string_view bytes,
+                                             const QDateTime& now) const {
+    std::vector<EarlierVersion> list = versions(project);
+    if (!list.empty()
+        && (std::abs(list.front().when.secsTo(now)) < m_caps.apart.count()
+            || sameBytes(list.front(), bytes))) {
+        return {};
+    }
+    const QString folder = folderOf(project);
+    const QString file = folder + u'/' + now.toUTC().toString(timeFormat) + suffix;
+    FileError noFolder;
+    noFolder.path = QFile::encodeName(folder).toStdString();
+    noFolder.step = FileStep::create;
+    if (!makePrivateFolder(folder)) {
+        return noFolder;
+    }
+    if (auto error = writeFileSafely(systemPath(file), bytes)) {
+        return error;
+    }
+    list.insert(list.begin(), {file, now.toUTC(), qint64(bytes.size())});
+    drop(std::move(list), now);
+    return {};
+}
+
+void BackupHistory::drop(std::vector<EarlierVersion> versions, const QDateTime& now) const {
+    const auto remove = [&versions](std::size_t index) {
+        QFile::remove(versions[index].file);
+        versions.erase(versions.begin() + std::ptrdiff_t(index));
+    };
+    const QDate today = now.toLocalTime().date();
+    const auto ofToday = [&] {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < versions.size(); ++i) {
+            if (versions[i].when.toLocalTime().date() == today) {
+                found.push_back(i);
+            }
+        }
+        return found;
+    };
+    for (auto found = ofToday(); found.size() > std::size_t(std::max(m_caps.filesADay, 1));
+         found = ofToday()) {
+        const bool aMiddleOne = found.size() > 2; // newest first: the day's first stands last
+        remove(found[found.size() - (aMiddleOne ? 2 : 1)]);
+    }
+    const auto size = [&versions] {
+        return std::accumulate(
+            versions.begin(), versions.end(), qint64{0},
+            [](qint64 sum, const EarlierVersion& version) { return sum + version.bytes; });
+    };
+    while (versions.size() > 1
+           && (std::cmp_greater(versions.size(), m_caps.files) || size() > m_caps.bytes)) {
+        remove(versions.size() - 1);
+    }
+}
+
+std::vector<EarlierVersion> earlierVersions(const BackupHistory& history, const QString& project) {
+    std::vector<EarlierVersion> list = history.versions(project);
+    if (const QFileInfo last(realPath(project) + QStringLiteral(".bak")); last.isFile()) {
+        list.push_back({last.filePath(), last.metadataChangeTime().toUTC(), last.size()});
+    }
+    std::sort(list.begin(), list.end(),
+              [](const EarlierVersion& a, const EarlierVersion& b) { return a.when > b.when; });
+    return list;
+}
+
+} // namespace sparkout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/safe_file.h"
+
+#include <QDateTime>
+#include <QString>
+
+#include <chrono>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace sparkout {
+
+/// How much of the past is kept of one project.
+struct BackupCaps {
+    int files = 25;
+    int filesADay = 5;
+    qint64 bytes = qint64{100} << 20;
+    std::chrono::seconds apart{300}; ///< a version sooner after the last one is not kept
+};
+
+/// An earlier version of a project.
+struct EarlierVersion {
+    QString file;
+    QDateTime when; ///< it was replaced then
+    qint64 bytes = 0;
+};
+
+/// The versions a project had before it was saved over, in a folder of our own. (The last one also
+/// stands beside the project as NAME.bak.)
+class BackupHistory {
+public:
+    explicit BackupHistory(const QString& stateFolder, BackupCaps caps = {});
+
+    /// Keeps these bytes, which a save is about to replace, if the caps let it, and drops what
+    /// exceeds them. The first version of a day outlives the others of that day.
+    std::optional<FileError> keep(const QString& project, std::string_view bytes,
+                                  const QDateTime& now) const;
+    [[nodiscard]] std::vector<EarlierVersion>
+    versions(const QString& project) const; ///< newest first
+
+    [[nodiscard]] QString folderOf(const QString& project) const;
+
+private:
+    void drop(std::vector<EarlierVersion> versions, const QDateTime& now) const;
+
+    QString m_folder;
+    BackupCaps m_caps;
+};
+
+/// The versions in the history and the NAME.bak beside the project, newest first.
+[[nodiscard]] std::vector<EarlierVersion> earlierVersions(const BackupHistory& history,
+                                                          const QString& project);
+
+} // namespace sparkout

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/catalogue_store.h"
+
+#include "core/project/project_file.h"
+#include "ui/session/background.h"
+#include "ui/session/project_io.h"
+#include "ui/text/search_text.h"
+#include "ui/text/source_names.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace sparkout {
+
+namespace {
+
+QString worded(const char* text) {
+    return QCoreApplication::translate("Catalogue", text);
+}
+
+QString fileOf(CatalogueKind kind) {
+    static constexpr const char* names[] = {"materials.json", "wheels.json", "machines.json"};
+    return QString::fromLatin1(names[static_cast<int>(kind)]);
+}
+
+const char* keyOf(CatalogueKind kind) {
+    static constexpr const char* keys[] = {"material", "wheel", "machine"};
+    return keys[static_cast<int>(kind)];
+}
+
+/// Why a catalogue's text is refused: its first fault, at the input it is about where it is about
+/// one.
+QString faultText(const Issues& issues, CatalogueKind kind) {
+    const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) {
+        return issue.severity == Severity::error;
+    });
+    if (first == issues.end()) {
+        return {};
+    }
+    static const std::string value = "/value/";
+    const std::size_t at = first->path.find(value);
+    const QString place = at == std::string::npos
+                              ? QString::fromStdString(first->path)
+                              : locationText(std::string("/") + keyOf(kind) + "/"
+                                             + first->path.substr(at + value.size()));
+    return place.isEmpty() ? issueText(*first) : place + QStringLiteral(": ") + issueText(*first);
+}
+
+/// Name, both notes, grade or marking, and the sources.
+template <class Entry>
+QString searchFormOf(const Entry& entry) {
+    const QString name = QString::fromStdString(entry.name);
+    QString all = name + u' ' + inLatinLetters(name);
+    for (const std::string* text : {&entry.note, &entry.note_ru}) {
+        all += u' ' + QString::fromStdString(*text);
+    }
+    if constexpr (std::is_same_v<Entry, MaterialEntry>) {
+        all += u' ' + QString::fromStdString(entry.value.grade);
+    } else if constexpr (std::is_same_v<Entry, WheelEntry>) {
+        all += u' ' + QString::fromStdString(entry.value.marking);
+    } else {
+        all += u' ' + QString::fromStdString(entry.value.name);
+    }
+    for (const ValueSource& source : entry.sources) {
+        all += u' ' + sourceText(source.source);
+    }
+    return searchForm(all);
+}
+
+template <class Entry>
+class Store : public CatalogueStore {
+public:
+    Store(CatalogueKind kind, const QString& folder) : CatalogueStore(kind, folder) {
+        QFile file(QStringLiteral(":/catalogue/") + fileOf(kind));
+        if (file.open(QIODevice::ReadOnly)) {
+            const QByteArray text = file.readAll();
+            m_shipped = readCatalogue<Entry>({text.constData(), std::size_t(text.size())})
+                            .entries.value_or(std::vector<Entry>());
+        }
+        refresh();
+    }
+
+    void refresh() override {
+        if (!m_ownFile.isEmpty()) {
+            readOwn();
+        }
+        m_items.clear();
+        for (const Entry& entry : mergedEntries(m_shipped, m_own)) {
+            const bool own = std::any_of(m_own.begin(), m_own.end(), [&](const Entry& mine) {
+                return mine.name == entry.name;
+            });
+            m_items.push_back({entry, own, searchFormOf(entry)});
+        }
+    }
+
+    QString save(const Project& project, const QString& name) override {
+        return change([&](std::vector<Entry>& own) {
+            Entry entry = entryOf<Entry>(project, name.toStdString());
+            const auto old = find(own, name);
+            if (old == own.end()) {
+                own.push_back(std::move(entry));
+            } else {
+                *old = std::move(entry);
+            }
+        });
+    }
+
+    QString rename(const QString& from, const QString& to) override {
+        return change([&](std::vector<Entry>& own) {
+            if (const auto entry = find(own, from); entry != own.end()) {
+                entry->name = to.toStdString();
+            }
+        });
+    }
+
+    QString remove(const QString& name) override {
+        return change([&](std::vector<Entry>& own) {
+            if (const auto entry = find(own, name); entry != own.end()) {
+                own.erase(entry);
+            }
+        });
+    }
+
+private:
+    static auto find(std::vector<Entry>& entries, const QString& name) {
+        return std::find_if(entries.begin(), entries.end(),
+                            [&](const Entry& entry) { return entry.name == name.toStdString(); });
+    }
+
+    void readOwn() {
+        m_own.clear();
+        m_fault.clear();
+        std::variant<std::string, FileError> bytes;
+        runAside([&] { bytes = readFile(systemPath(m_ownFile), limits::fileBytes); });
+        if (const auto* error = std::get_if<FileError>(&bytes)) {
+            if (error->systemError != ENOENT && error->systemError != ENOTDIR) {
+                m_fault = readErrorText(*error);
+            }
+            return; // absent: nothing of his own yet
+        }
+        CatalogueRead<Entry> read = readCatalogue<Entry>(std::get<std::string>(bytes));
+        if (read.entries) {
+            m_own = std::move(*read.entries);
+        } else {
+            m_fault = faultText(read.issues, m_kind);
+        }
+    }
+
+    template <class Change>
+    QString change(Change apply) {
+        refresh();
+        if (!m_fault.isEmpty()) {
+            return m_fault;
+        }
+        std::vector<Entry> own = m_own;
+        apply(own);
+        std::optional<CatalogueFault> fault;
+        if (m_ownFile.isEmpty()) {
+            auto read = readCatalogue<Entry>(writeCatalogue(own));
+            if (!read.entries) {
+                fault = CatalogueFault{std::move(read.issues), std::nullopt};
+            }
+        } else {
+            runAside([&] {
+                QDir().mkpath(QFileInfo(m_ownFile).absolutePath()); // its failure is the writer's
+                fault = saveCatalogue(systemPath(m_ownFile), own);
+            });
+        }
+        if (fault) {
+            refresh();
+            return fault->file ? saveErrorText(*fault->file) : faultText(fault->issues, m_kind);
+        }
+        m_own = std::move(own);
+        refresh();
+        return {};
+    }
+
+    std::vector<Entry> m_shipped, m_own;
+};
+
+} // namespace
+
+QString entryName(const CatalogueEntry& entry) {
+    return std::visit([](const auto& e) { return QString::fromStdString(e.name); }, entry);
+}
+
+QString entryNote(const CatalogueEntry& entry) {
+    return std::visit(
+        [](const auto& e) {
+            const bool russian = QLocale().language() == QLocale::Russian && !e.note_ru.empty();
+            return QString::fromStdString(russian ? e.note_ru : e.note);
+        },
+        entry);
+}
+
+const std::vector<ValueSource>& sourcesOf(const CatalogueEntry& entry) {
+    return std::visit([](const auto& e) -> const std::vector<ValueSource>& { return e.sources; },
+                      entry);
+}
+
+Project withEntry(const CatalogueEntry& entry, Project project) {
+    std::visit([&project](const auto& e) { applyEntry(e, project); }, entry);
+    return project;
+}
+
+CatalogueStore::CatalogueStore(CatalogueKind kind, const QString& folder)
+    : m_kind(kind)
+    , m_ownFile(folder.isEmpty() ? QString()
+                                 : folder + QStringLiteral("/catalogue/") + fileOf(kind)) {}
+
+std::unique_ptr<CatalogueStore> CatalogueStore::make(CatalogueKind kind, const QString& folder) {
+    switch (kind) {
+    case CatalogueKind::materials: return std::make_unique<Store<MaterialEntry>>(kind, folder);
+    case CatalogueKind::wheels: return std::make_unique<Store<WheelEntry>>(kind, folder);
+    case CatalogueKind::machines: return std::make_unique<Store<MachineEntry>>(kind, folder);
+    }
+    return nullptr;
+}
+
+bool CatalogueStore::hasOwn(const QString& name) const {
+    return std::any_of(m_items.begin(), m_items.end(), [&name](const CatalogueItem& item) {
+        return item.own && entryName(item.entry) == name;
+    });
+}
+
+QString CatalogueStore::putAside(QString& aside) {
+    for (int number = 1; number < 1000; ++number) {
+        aside = QStringLiteral("%1.damaged-%2").arg(m_ownFile).arg(number);
+        if (!QFileInfo::exists(aside)) {
+            QFile file(m_ownFile);
+            if (!file.rename(aside)) {
+                return file.errorString();
+            }
+            refresh();
+            return {};
+        }
+    }
+    return worded(QT_TRANSLATE_NOOP("Catalogue", "There are too many damaged files already."));
+}
+
+} // namespace sparkout

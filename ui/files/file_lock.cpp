@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/file_lock.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLockFile>
+
+#include <cstdio>
+#include <utility>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace sparkout {
+
+namespace {
+
+constexpr off_t largestLock = 4096; ///< in bytes; a lock has some hundred
+
+/// QLockFile guards the removal of a dead lock by a helper file.
+QString helperOf(const QString& lock) {
+    return lock + QStringLiteral(".rmlock");
+}
+
+/// A program killed while it removed a dead lock leaves the helper behind.
+void removeHelper(const QString& lock) {
+    const QString helper = helperOf(lock);
+    if (QFileInfo::exists(helper)) {
+        QLockFile file(helper);
+        file.setStaleLockTime(0);
+        (void)file.tryLock(0); // taken over if nobody uses it, and removed by the destructor
+    }
+}
+
+bool sameLock(const FileStamp& a, const FileStamp& b) {
+    return a.device == b.device && a.inode == b.inode && a.size == b.size
+           && a.modified_ns == b.modified_ns;
+}
+
+} // namespace
+
+QString strangeLock(const QString& lock) {
+    for (const QString& path : {lock, helperOf(lock)}) {
+        struct stat found {};
+        if (::lstat(QFile::encodeName(path).constData(), &found) == 0
+            && (!S_ISREG(found.st_mode) || found.st_size > largestLock)) {
+            return path;
+        }
+    }
+    return {};
+}
+
+FileLock::FileLock() = default;
+FileLock::~FileLock() {
+    release();
+}
+FileLock::FileLock(FileLock&& other) noexcept
+    : m_lock(std::move(other.m_lock))
+    , m_path(std::exchange(other.m_path, {}))
+    , m_stamp(std::exchange(other.m_stamp, {}))
+    , m_state(std::exchange(other.m_state, State::none))
+    , m_holder(std::exchange(other.m_holder, {}))
+    , m_strange(std::exchange(other.m_strange, {})) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+    if (this != &other) {
+        release();
+        m_lock = std::move(other.m_lock);
+        m_path = std::exchange(other.m_path, {});
+        m_stamp = std::exchange(other.m_stamp, {});
+        m_state = std::exchange(other.m_state, State::none);
+        m_holder = std::exchange(other.m_holder, {});
+        m_strange = std::exchange(other.m_strange, {});
+    }
+    return *this;
+}
+
+QString FileLock::lockPath(const QString& file) {
+    const QFileInfo real(realPath(file)); // one lock for all the symbolic links to a file
+    return real.absolutePath() + QStringLiteral("/.~") + real.fileName() + QStringLiteral(".lock");
+}
+
+FileLock::State FileLock::acquire(const QString& file) {
+    release();
+    m_path = lockPath(file);
+    m_strange = strangeLock(m_path);
+    if (!m_strange.isEmpty()) {
+        m_state = State::noLock;
+        return m_state;
+    }
+    m_lock = std::make_unique<QLockFile>(m_path);
+    m_lock->setStaleLockTime(0);
+    return tryLock();
+}
+
+FileLock::State FileLock::takeOver() {
+    if (m_state == State::conflict) {
+        // This removes no lock that a program on this host still holds open; the user may.
+        if (!m_lock->removeStaleLockFile()) {
+            QFile::remove(m_path);
+        }
+        return tryLock();
+    }
+    return m_state;
+}
+
+FileLock::State FileLock::tryLock() {
+    if (m_lock->isLocked()) {
+        return m_state;
+    }
+    if (m_lock->tryLock(0)) {
+        m_state = State::held;
+        m_stamp = stampOf(m_path);
+        removeHelper(m_path);
+        return m_state;
+    }
+    switch (m_lock->error()) {
+    case QLockFile::LockFailedError:
+        m_state = State::conflict;
+        readHolder();
+        break;
+    case QLockFile::PermissionError: m_state = State::noRight; break;
+    default: m_state = State::failed;
+    }
+    return m_state;
+}
+
+void FileLock::readHolder() {
+    m_holder = {};
+    m_holder.readable = m_lock->getLockInfo(&m_holder.process, &m_holder.host, &m_holder.program);
+    const QFileInfo info(m_path);
+    m_holder.user = info.owner();
+    m_holder.since = info.lastModified();
+}
+
+bool FileLock::stillOurs() const {
+    const auto now = stampOf(m_path);
+    return m_state == State::held && now && m_stamp && sameLock(*now, *m_stamp);
+}
+
+void FileLock::release() {
+    if (m_state == State::held && !stillOurs()) {
+        // QLockFile removes by name: the lock of whoever took over must outlive that.
+        const QByteArray lock = QFile::encodeName(m_path);
+        const QByteArray kept = lock + '.' + QByteArray::number(::getpid());
+        if (::link(lock.constData(), kept.constData()) == 0) {
+            m_lock.reset();
+            (void)std::rename(kept.constData(), lock.constData());
+        }
+    }
+    m_lock.reset();
+    m_state = State::none;
+    m_stamp.reset();
+    m_path.clear();
+    m_strange.clear();
+}
+
+} // namespace sparkout

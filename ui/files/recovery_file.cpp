@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/recovery_file.h"
+
+#include "core/project/project_file.h"
+#include "ui/session/project_io.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace sparkout {
+
+namespace {
+
+const QString formatKey = QStringLiteral("format");
+const QString format = QStringLiteral("sparkout-recovery");
+const QString hashKey = QStringLiteral("sha256");
+const QString titleKey = QStringLiteral("title");
+const QString pathKey = QStringLiteral("path");
+const QString whenKey = QStringLiteral("when");
+const QString diskHashKey = QStringLiteral("disk_sha256");
+const QString readOnlyKey = QStringLiteral("read_only");
+const QString modifiedKey = QStringLiteral("modified");
+constexpr std::size_t longestHeader = 64u << 10;
+
+QByteArray hexOf(const QJsonObject& object, const QString& key) {
+    return QByteArray::fromHex(object.value(key).toString().toLatin1());
+}
+
+/// The line before the project's text; empty where there is none.
+std::string_view headOf(std::string_view text) {
+    const std::size_t end = text.find('\n');
+    return end == std::string_view::npos || end > longestHeader ? std::string_view()
+                                                                : text.substr(0, end);
+}
+
+} // namespace
+
+std::string recoveryText(const RecoveryHeader& header, const Project& project) {
+    const std::string text = writeProject(project);
+    const QJsonObject object{
+        {formatKey, format},
+        {hashKey, QString::fromLatin1(contentHash(text).toHex())},
+        {titleKey, header.title},
+        {pathKey, header.path},
+        {whenKey, header.when.toUTC().toString(Qt::ISODateWithMs)},
+        {diskHashKey, QString::fromLatin1(header.diskHash.toHex())},
+        {readOnlyKey, header.readOnly},
+        {modifiedKey, header.modified},
+    };
+    return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString() + '\n' + text;
+}
+
+RecoveryGlance glanceAtRecovery(std::string_view text) {
+    RecoveryGlance glance;
+    const std::string_view head = headOf(text);
+    const QJsonObject object =
+        QJsonDocument::fromJson(QByteArray(head.data(), qsizetype(head.size()))).object();
+    if (object.value(formatKey).toString() != format) {
+        return glance;
+    }
+    glance.header = {
+        object.value(titleKey).toString(),
+        object.value(pathKey).toString(),
+        QDateTime::fromString(object.value(whenKey).toString(), Qt::ISODateWithMs),
+        hexOf(object, diskHashKey),
+        object.value(readOnlyKey).toBool(),
+        object.value(modifiedKey).toBool(true),
+    };
+    glance.whole = contentHash(text.substr(head.size() + 1)) == hexOf(object, hashKey);
+    return glance;
+}
+
+RecoveryContent readRecovery(std::string_view text) {
+    RecoveryGlance glance = glanceAtRecovery(text);
+    RecoveryContent content{std::move(glance.header), std::nullopt};
+    if (glance.whole) {
+        content.project = parseProject(text.substr(headOf(text).size() + 1)).project;
+    }
+    return content;
+}
+
+} // namespace sparkout

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/recovery_store.h"
+
+#include "core/files/temporary_file.h"
+#include "core/project/project_file.h"
+#include "ui/files/file_lock.h"
+#include "ui/session/project_io.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLockFile>
+#include <QSysInfo>
+#include <QUuid>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <limits>
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+namespace sparkout {
+
+namespace {
+
+const QString recoverySuffix = QStringLiteral(".recovery");
+const QString lockSuffix = QStringLiteral(".lock");
+const QString recoveryTimeFormat = QStringLiteral("yyyyMMdd'T'HHmmss");
+
+/// Whether a lock is surely that of a program that no longer runs. QLockFile knows more, but to
+/// ask it is to take the lock, which waits for the disk.
+bool surelyDead(const QString& lock) {
+    qint64 process = 0;
+    QString host, program;
+    return QLockFile(lock).getLockInfo(&process, &host, &program)
+           && host == QSysInfo::machineHostName() && process > 0
+           && process <= std::numeric_limits<pid_t>::max()
+           && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+}
+
+/// The recovery files of a folder, also those that are pipes and the like: they are listed, and
+/// not read.
+QStringList recoveryNames(const QDir& folder) {
+    return folder.entryList({u'*' + recoverySuffix}, QDir::Files | QDir::System, QDir::Name);
+}
+
+QString idOf(const QString& file) {
+    return QFileInfo(file).completeBaseName();
+}
+
+/// When a file was discarded stands in its name: copying a folder changes the times.
+QDateTime discardedWhen(const QString& file) {
+    const QString name = QFileInfo(file).fileName();
+    QDateTime when = QDateTime::fromString(name.section(u'-', 0, 0), recoveryTimeFormat);
+    when.setTimeSpec(Qt::UTC);
+    return when;
+}
+
+void sortNewestFirst(std::vector<RecoveryItem>& items) {
+    std::stable_sort(items.begin(), items.end(), [](const RecoveryItem& a, const RecoveryItem& b) {
+        return a.header.when > b.header.when;
+    });
+}
+
+} // namespace
+
+class RecoveryOffer {
+public:
+    explicit RecoveryOffer(Descriptor folder) : m_folder(std::move(folder)) {}
+
+private:
+    Descriptor m_folder; ///< locked; the lock goes with the program, however it ends
+};
+
+RecoveryClaim::RecoveryClaim(QString file, std::unique_ptr<QLockFile> lock)
+    : m_file(std::move(file)), m_lock(std::move(lock)) {}
+RecoveryClaim::~RecoveryClaim() = default;
+
+RecoveryStore::RecoveryStore(const QString& stateFolder)
+    : m_folder(stateFolder + QStringLiteral("/recovery"))
+    , m_discarded(m_folder + QStringLiteral("/discarded")) {}
+
+RecoveryClaimPtr RecoveryStore::claimNew() const {
+    return makePrivateFolder(m_folder) ? claim(QUuid::createUuid().toString(QUuid::Id128))
+                                       : nullptr;
+}
+
+QString RecoveryStore::lockOf(const QString& id) const {
+    return m_folder + u'/' + id + lockSuffix;
+}
+
+RecoveryClaimPtr RecoveryStore::claim(const QString& id) const {
+    if (!strangeLock(lockOf(id)).isEmpty()) {
+        return nullptr;
+    }
+    auto lock = std::make_unique<QLockFile>(lockOf(id));
+    lock->setStaleLockTime(0);
+    if (!lock->tryLock(0)) {
+        return nullptr;
+    }
+    return RecoveryClaimPtr(
+        new RecoveryClaim(m_folder + u'/' + id + recoverySuffix, std::move(lock)));
+}
+
+RecoveryClaimPtr RecoveryStore::claim(const RecoveryItem& item) const {
+    return item.offer ? claim(idOf(item.file)) : nullptr;
+}
+
+bool RecoveryStore::inUse(const RecoveryItem& item) const {
+    return item.offer && inUse(idOf(item.file));
+}
+
+/// What is no lock is passed over: nobody holds it.
+bool RecoveryStore::inUse(const QString& id) const {
+    const QString lock = lockOf(id);
+    const bool free = !QFileInfo::exists(lock) || !strangeLock(lock).isEmpty() || surelyDead(lock);
+    return !free && !claim(id);
+}
+
+std::vector<RecoveryItem> RecoveryStore::left(bool* offeredElsewhere) const {
+    std::vector<RecoveryItem> items;
+    Descriptor locked =
+        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
+    const bool elsewhere =
+        locked && ::flock(locked.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (offeredElsewhere) {
+        *offeredElsewhere = elsewhere;
+    }
+    if (elsewhere) {
+        return items;
+    }
+    const auto offer = std::make_shared<const RecoveryOffer>(std::move(locked));
+    const QDir folder(m_folder);
+    for (const QString& name : recoveryNames(folder)) {
+        if (inUse(idOf(name))) {
+            continue; // its session runs
+        }
+        RecoveryItem item = readItem(folder.filePath(name));
+        if (item.state == RecoveryItem::State::ready && !item.header.modified) {
+            (void)discard(item.file); // the edits had been undone: nothing is lost
+            continue;
+        }
+        item.offer = offer;
+        items.push_back(std::move(item));
+    }
+    for (const QString& name : folder.entryList({u'*' + lockSuffix}, QDir::Files)) {
+        tidy(idOf(name));
+    }
+    sortNewestFirst(items);
+    return items;
+}
+
+/// What a session left that was killed before its first recovery file was whole.
+void RecoveryStore::tidy(const QString& id) const {
+    const QString lock = lockOf(id);
+    if (QFileInfo::exists(m_folder + u'/' + id + recoverySuffix) || !strangeLock(lock).isEmpty()) {
+        return;
+    }
+    const RecoveryClaimPtr claimed = surelyDead(lock) ? nullptr : claim(id); // removed at its end
+    if (!claimed && !(surelyDead(lock) && QFile::remove(lock))) {
+        return;
+    }
+    const Descriptor folder =
+        openAt(AT_FDCWD, QFile::encodeName(m_folder).toStdString(), O_RDONLY | O_DIRECTORY);
+    if (folder) {
+        removeLeftovers(folder.get(),
+                        temporaryPrefix(QFile::encodeName(id + recoverySuffix).toStdString()));
+    }
+}
+
+RecoveryItem RecoveryStore::readItem(const QString& file) {
+    RecoveryItem item;
+    item.file = file;
+    item.state = RecoveryItem::State::damaged;
+    // The header comes on top of what a project may hold.
+    const auto read = readFile(systemPath(file), limits::fileBytes + (64u << 10));
+    if (const auto* text = std::get_if<std::string>(&read)) {
+        RecoveryGlance glance = glanceAtRecovery(*text); // the project is read when it is chosen
+        item.header = std::move(glance.header);
+        if (glance.whole) {
+            item.state = RecoveryItem::State::ready;
+        }
+    }
+    if (!item.header.when.isValid()) {
+        item.header.when = QFileInfo(file).lastModified();
+    }
+    return item;
+}
+
+std::vector<RecoveryItem> RecoveryStore::discarded() const {
+    std::vector<RecoveryItem> items;
+    const QDir folder(m_discarded);
+    for (const QString& name : recoveryNames(folder)) {
+        RecoveryItem item = readItem(folder.filePath(name));
+        if (item.state == RecoveryItem::State::ready) {
+            item.state = RecoveryItem::State::discarded;
+        }
+        items.push_back(std::move(item));
+    }
+    sortNewestFirst(items);
+    return items;
+}
+
+bool RecoveryStore::discard(const QString& file) const {
+    const QFileInfo found(file);
+    if ((!found.exists() && !found.isSymLink()) || !makePrivateFolder(m_discarded)) {
+        return false;
+    }
+    // A number of its own: the same session may discard twice a second.
+    const QString name = QDateTime::currentDateTimeUtc().toString(recoveryTimeFormat) + u'-'
+                         + QUuid::createUuid().toString(QUuid::Id128) + recoverySuffix;
+    // Not QFile::rename(): what it cannot rename it opens and copies.
+    return std::rename(QFile::encodeName(file).constData(),
+                       QFile::encodeName(m_discarded + u'/' + name).constData())
+           == 0;
+}
+
+void RecoveryStore::removeOldDiscarded(const QDateTime& now) const {
+    const QDir folder(m_discarded);
+    for (const QString& name : recoveryNames(folder)) {
+        const QDateTime when = discardedWhen(name);
+        if (when.isValid() && when.daysTo(now.toUTC()) > discardedDays) {
+            QFile::remove(folder.filePath(name));
+        }
+    }
+}
+
+QString userStateFolder() {
+    QString folder = qEnvironmentVariable("XDG_STATE_HOME");
+    if (!QDir::isAbsolutePath(folder)) {
+        folder = QDir::homePath() + QStringLiteral("/.local/state");
+    }
+    return folder + QStringLiteral("/sparkout");
+}
+
+bool makePrivateFolder(const QString& path) {
+    const QDir folder(path);
+    if (folder.exists()) {
+        return true;
+    }
+    const QString parent = QFileInfo(path).absolutePath();
+    constexpr auto own = QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner;
+    return (QFileInfo(parent).isDir() || makePrivateFolder(parent))
+           && (QDir(parent).mkdir(QFileInfo(path).fileName(), own)
+               || QFileInfo(path).isDir()); // another instance was quicker
+}
+
+} // namespace sparkout

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/metrics.h"
+
+/// What the rows of all pages of the inputs share beyond the window's own scale.
+namespace sparkout {
+
+constexpr int unitColumn = metrics::unit + metrics::margin; ///< a unit and what is clear of it
+constexpr int wideField = metrics::field + metrics::gap + unitColumn; ///< a field over both
+constexpr double noteType = 0.9; ///< shares, heads of tables and hints, of the usual size
+
+} // namespace sparkout

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/editors/number_lines.h"
+
+#include "core/project/batch_rules.h"
+#include "ui/fields/reason_label.h"
+#include "ui/inputs/editors/form_metrics.h"
+#include "ui/kit/font_size.h"
+#include "ui/session/document.h"
+#include "ui/text/texts.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+NumberLines::NumberLines(Document& document, const char* editText, QWidget* parent)
+    : QWidget(parent), m_document(document), m_editText(editText) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+}
+
+void NumberLines::setOwner(std::function<QString()> owner) {
+    m_owner = std::move(owner);
+}
+
+void NumberLines::setLines(std::vector<Line> lines) {
+    const bool same = std::ranges::equal(lines, m_rows, [](const Line& line, const Row& row) {
+        return line.path == row.line.path && line.label() == row.line.label()
+               && line.spec.hard.low == row.line.spec.hard.low
+               && line.spec.hard.high == row.line.spec.hard.high;
+    });
+    if (same) {
+        return;
+    }
+    for (const Row& row : m_rows) {
+        row.field->disconnect(this); // it loses the focus as it goes
+    }
+    m_rows.clear();
+    delete m_body;
+    m_body = new QWidget(this);
+    m_grid = new QGridLayout(m_body);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(metrics::gap);
+    m_grid->setVerticalSpacing(metrics::row);
+    m_grid->setColumnStretch(0, 1);
+    layout()->addWidget(m_body);
+    for (Line& line : lines) {
+        addRow(std::move(line));
+    }
+    setIssues(Issues(m_issues));
+}
+
+void NumberLines::addRow(Line line) {
+    const NumberSpec spec = line.spec;
+    Row& added =
+        m_rows.emplace_back(Row{std::move(line), new QLabel(m_body), new NumberField(spec, m_body),
+                                new QLabel(m_body), new ReasonLabel(m_body)});
+    added.label->setTextFormat(Qt::PlainText);
+    added.label->setWordWrap(true);
+    added.label->setBuddy(added.field);
+    added.unit->setTextFormat(Qt::PlainText);
+    setTextWidth(*added.unit, unitColumn);
+    setTextWidth(*added.field, metrics::field);
+    added.field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    added.field->setObjectName(QString::fromStdString(added.line.path));
+    const int at = m_grid->rowCount();
+    m_grid->addWidget(added.label, at, 0);
+    m_grid->addWidget(added.field, at, 1);
+    m_grid->addWidget(added.unit, at, 2);
+    m_grid->addWidget(added.reason, at + 1, 0, 1, 3);
+    connectRow(m_rows.size() - 1);
+    retranslate(added);
+}
+
+void NumberLines::connectRow(std::size_t index) {
+    NumberField* const field = m_rows[index].field;
+    field->setFits([this, index](std::optional<double> value) {
+        return index >= m_rows.size() || fits(m_rows[index].line, value);
+    });
+    connect(field, &NumberField::valueEdited, this, [this, index, field] {
+        const Line& line = m_rows[index].line;
+        Project project = m_document.project();
+        line.set(project, field->value());
+        m_document.edit(std::move(project), {"Input", m_editText},
+                        QString::fromStdString(line.path));
+    });
+    connect(field, &NumberField::remarkChanged, this, [this, index, field] {
+        m_rows[index].reason->showRemark(field->remark());
+        emit refusalsChanged();
+    });
+    connect(field, &QLineEdit::editingFinished, this, [this] { m_document.endMerge(); });
+}
+
+/// Whether a value brings no fault of the batch that is not there.
+bool NumberLines::fits(const Line& line, std::optional<double> value) const {
+    Project project = m_document.project();
+    const std::size_t before = batchFaults(project).size();
+    line.set(project, value);
+    return batchFaults(project).size() <= before;
+}
+
+void NumberLines::showProject(bool replaced) {
+    for (const Row& row : m_rows) {
+        const std::optional<double> value = row.line.get(m_document.project());
+        replaced ? row.field->reset(value) : row.field->setValue(value);
+    }
+}
+
+void NumberLines::setIssues(const Issues& issues) {
+    m_issues = issues;
+    for (const Row& row : m_rows) {
+        row.field->setIssue(remarkFor(m_issues, row.line.path));
+    }
+}
+
+void NumberLines::retranslate(const Row& row) {
+    const QString name = row.line.label();
+    const QString unit = unitText(row.line.spec.unit);
+    row.label->setText(name);
+    row.unit->setText(unit);
+    row.field->retranslate();
+    const QString full = m_owner ? tr("%1: %2", "factor: number").arg(m_owner(), name) : name;
+    row.field->setAccessibleName(unit.isEmpty() ? full : QStringLiteral("%1, %2").arg(full, unit));
+    const QString hint = row.line.hint();
+    row.field->setHint(hint);
+    row.field->setToolTip(QStringLiteral("<p>%1</p>").arg(hint.toHtmlEscaped()));
+    row.label->setToolTip(row.field->toolTip());
+}
+
+void NumberLines::retranslate() {
+    for (const Row& row : m_rows) {
+        retranslate(row);
+    }
+}
+
+std::vector<Refusal> NumberLines::refusals() const {
+    std::vector<Refusal> list;
+    for (const Row& row : m_rows) {
+        if (row.field->refused()) {
+            list.push_back({row.line.path, row.field->refusal()});
+        }
+    }
+    return list;
+}
+
+bool NumberLines::dropRefusal(const std::string& path) {
+    for (const Row& row : m_rows) {
+        if (path == row.line.path && row.field->refused()) {
+            row.field->reset(row.line.get(m_document.project()));
+            return true;
+        }
+    }
+    return false;
+}
+
+bool NumberLines::focusPath(const std::string& path) {
+    for (const Row& row : m_rows) {
+        if (row.line.path == path || row.line.path.starts_with(path + "/")) {
+            row.field->setFocus(Qt::OtherFocusReason);
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace sparkout

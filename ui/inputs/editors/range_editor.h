@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/editors/field_editor.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class QLabel;
+
+namespace sparkout {
+
+class NumberField;
+
+/// Lowest, highest and step of what a machine can be set to: three numbers, or none of them.
+class RangeEditor : public FieldEditor {
+    Q_OBJECT
+
+public:
+    RangeEditor(const std::string& path, const Field& field, Document& document, QWidget* parent);
+
+    [[nodiscard]] QWidget* widget() const override { return m_body; }
+    void show(bool replaced) override;
+    void retranslate() override;
+    [[nodiscard]] Remark remark() const override;
+    [[nodiscard]] QString refusal() const override;
+    void dropRefusal() override { show(true); }
+    [[nodiscard]] bool wide() const override { return true; }
+    [[nodiscard]] bool tall() const override { return true; }
+
+private:
+    using Values = std::optional<std::vector<double>>;
+
+    void take();
+    /// Why the three do not make a range; empty when they do.
+    [[nodiscard]] QString fault() const;
+    [[nodiscard]] const Values& stored() const;
+
+    QWidget* m_body;
+    std::array<NumberField*, 3> m_fields{};
+    std::array<QLabel*, 3> m_names{}; ///< in front of each
+    QLabel* m_unit;
+    Values m_kept; ///< the document's value when the texts were last in order
+};
+
+} // namespace sparkout

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/editors/rows_editor.h"
+
+#include "ui/text/number_text.h"
+
+#include <QLocale>
+
+namespace sparkout {
+
+const NumberRows& RowsEditor::stored() const {
+    return field().as<NumberRows>(owner());
+}
+
+QString RowsEditor::storedText() const {
+    const NumberRows& rows = stored();
+    QStringList lines;
+    for (std::size_t i = 0; rows && i < rows->size(); ++i) {
+        QStringList numbers;
+        for (const double value : (*rows)[i]) {
+            numbers += showNumber(value, QLocale());
+        }
+        lines += numbers.join(u' ');
+    }
+    return lines.join(QStringLiteral("; "));
+}
+
+std::optional<NumberRows> RowsEditor::rowsOf(const QString& text) const {
+    if (text.trimmed().isEmpty()) {
+        return NumberRows();
+    }
+    std::vector<std::vector<double>> rows;
+    for (const QString& line : text.split(u';', Qt::SkipEmptyParts)) {
+        std::vector<double> row;
+        for (const QString& number : line.simplified().split(u' ', Qt::SkipEmptyParts)) {
+            const std::optional<double> value = parseNumber(number);
+            if (!value) {
+                return std::nullopt;
+            }
+            row.push_back(*value);
+        }
+        if (row.size() != field().count) {
+            return std::nullopt;
+        }
+        rows.push_back(std::move(row));
+    }
+    return NumberRows(std::move(rows));
+}
+
+bool RowsEditor::isStored(const QString& text) const {
+    const std::optional<NumberRows> rows = rowsOf(text);
+    return rows && *rows == stored();
+}
+
+QString RowsEditor::accept(const QString& text) {
+    const std::optional<NumberRows> rows = rowsOf(text);
+    const auto set = [this, &rows](void* to) { field().as<NumberRows>(to) = *rows; };
+    if (!rows) {
+        return tr("rows of %n number(s), a semicolon between them, as in 0 50; 200 80", nullptr,
+                  static_cast<int>(field().count));
+    }
+    if (!fits(set)) {
+        return path().starts_with("/machine/wheel_contact/")
+                   ? tr("the forces must rise from row to row, the stiffnesses lie above 0")
+                   : tr("a number is outside of what is allowed");
+    }
+    change(set);
+    return {};
+}
+
+} // namespace sparkout

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/files/catalogue_store.h"
+
+#include <QDialog>
+
+#include <optional>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+
+namespace sparkout {
+
+class Settings;
+
+/// A catalogue to choose from: search, entries with their main numbers and sources, and what the
+/// chosen one would change in the project. The user's own entries are renamed and deleted here.
+class CatalogueDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    CatalogueDialog(CatalogueStore& store, Project project, Settings* settings, QWidget* parent);
+    ~CatalogueDialog() override;
+
+    [[nodiscard]] const CatalogueItem* chosen() const; ///< null: none
+    [[nodiscard]] static QString title(CatalogueKind kind);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void build();
+    QWidget* buildList();
+    QWidget* buildPreview();
+    void fill(const QString& current); ///< and makes the entry of that name the current one
+    void filter();
+    void showChosen();
+    void showFault();
+    void putAside();
+    void renameOwn();
+    void removeOwn();
+    void finishChange(const QString& fault, const QString& name);
+
+    CatalogueStore& m_store;
+    Project m_project;
+    Settings* m_settings;
+    QLabel* m_fault;
+    QPushButton* m_aside;
+    QLineEdit* m_search;
+    QLabel* m_found;
+    QTreeWidget* m_list;
+    QLabel* m_note;
+    QTreeWidget* m_preview;
+    QLabel* m_refused;
+    QPushButton* m_rename;
+    QPushButton* m_remove;
+    QPushButton* m_take = nullptr;
+};
+
+} // namespace sparkout

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/fields/number_field.h"
+#include "ui/inputs/forms/input_box.h"
+
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+
+namespace sparkout {
+
+class Document;
+class ReasonLabel;
+class ValueSlider;
+
+/// The compliance: a field with its slider a zone (traverse) or a section (plunge), or a tick that
+/// leaves it to stiffness and shaft; what of these is not given yet gets usual values with the
+/// tick.
+class ComplianceBox : public InputBox {
+    Q_OBJECT
+
+public:
+    ComplianceBox(std::string path, const Field& field, Document& document,
+                  QWidget* parent = nullptr);
+
+    void showProject(bool replaced) override;
+    void setOutcome(const OutcomePtr& outcome) override; ///< the γ that was computed, to read
+    void retranslate() override;
+    [[nodiscard]] std::vector<Refusal> refusals() const override;
+    bool dropRefusal(const std::string& path) override;
+    [[nodiscard]] bool holds(const std::string& path) const override {
+        return path.starts_with(m_path);
+    }
+    void focusPath(const std::string& path) override;
+
+private:
+    struct Line {
+        std::string key; ///< last part of the path
+        QLabel* label;
+        NumberField* field;
+        ValueSlider* slider;
+        QLabel* unit;
+        ReasonLabel* reason;
+    };
+
+    void setIssues(const Issues& issues);
+    void build(const std::vector<std::string>& keys);
+    void addLine(const std::string& key);
+    void place(const Line& line);
+    void connectLine(std::size_t index);
+    [[nodiscard]] std::string pathOf(const Line& line) const { return m_path + "/" + line.key; }
+    void store(std::size_t index, double value);
+    void showReason(const Line& line);
+    void retranslate(const Line& line);
+    void showComputed();
+
+    std::string m_path;
+    const Field& m_field;
+    Document& m_document;
+    QCheckBox* m_computed;
+    ReasonLabel* m_reason;
+    QWidget* m_body;
+    QLabel* m_gammas; ///< computed, greyed
+    QGridLayout* m_grid = nullptr;
+    std::vector<Line> m_lines;
+    Issues m_issues;
+    OutcomePtr m_good; ///< of the last accepted inputs
+};
+
+} // namespace sparkout

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/correlation_box.h"
+
+#include "core/project/given_factors.h"
+#include "core/study/batch_edits.h"
+#include "ui/fields/reason_label.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/editors/number_lines.h"
+#include "ui/session/document.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/texts.h"
+
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+
+QString factorLabel(FactorKind kind) {
+    return inputText(tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label);
+}
+
+double correlationOf(const Project& project, std::size_t i, std::size_t j) {
+    const NumberRows& matrix = project.batch ? project.batch->correlation : std::nullopt;
+    return matrix && i < matrix->size() && j < (*matrix)[i].size() ? (*matrix)[i][j] : 0;
+}
+
+} // namespace
+
+CorrelationBox::CorrelationBox(std::string path, const Field& field, int depth, Document& document,
+                               QWidget* parent)
+    : InputBox(depth, parent)
+    , m_path(std::move(path))
+    , m_field(field)
+    , m_document(document)
+    , m_numbers(new NumberLines(document, field.label, this))
+    , m_reason(new ReasonLabel(this)) {
+    setObjectName(QString::fromStdString(m_path));
+    setHintField(*this, field);
+    rows().addWidget(m_numbers);
+    rows().addWidget(m_reason);
+    connect(m_numbers, &NumberLines::refusalsChanged, this, &InputBox::refusalsChanged);
+}
+
+void CorrelationBox::showProject(bool replaced) {
+    std::vector<NumberLines::Line> lines;
+    const std::vector<GivenFactor> given = givenFactors(m_document.project());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (given[i].isLaw() || given[j].isLaw()) {
+                continue;
+            }
+            NumberLines::Line line;
+            line.path = m_path + "/" + std::to_string(i) + "/" + std::to_string(j);
+            line.spec.hard = m_field.hard;
+            line.get = [i, j](const Project& project) {
+                return std::optional(correlationOf(project, i, j));
+            };
+            line.set = [i, j](Project& project, std::optional<double> value) {
+                if (value) {
+                    project = withCorrelation(std::move(project), j, i, *value);
+                }
+            };
+            line.label = [a = given[j].kind, b = given[i].kind] {
+                return tr("%1 – %2", "two factors").arg(factorLabel(a), factorLabel(b));
+            };
+            line.hint = [] {
+                return tr("Between −1 and 1; 0: independent. Of normal factors Pearson's "
+                          "coefficient, of others nearly Spearman's.");
+            };
+            lines.push_back(std::move(line));
+        }
+    }
+    setVisible(!lines.empty());
+    m_numbers->setLines(std::move(lines));
+    m_numbers->showProject(replaced);
+}
+
+void CorrelationBox::setOutcome(const OutcomePtr& outcome) {
+    m_reason->showRemark(remarkAt(outcome->issues, m_path));
+    m_numbers->setIssues(outcome->issues);
+}
+
+void CorrelationBox::retranslate() {
+    setTitle(inputText(m_field.label));
+    setAccessibleName(title());
+    setToolTip(hintMarkup(m_field));
+    m_numbers->setOwner([this] { return inputText(m_field.label); });
+    m_numbers->retranslate();
+}
+
+std::vector<Refusal> CorrelationBox::refusals() const {
+    return m_numbers->refusals();
+}
+
+bool CorrelationBox::dropRefusal(const std::string& path) {
+    return m_numbers->dropRefusal(path);
+}
+
+bool CorrelationBox::holds(const std::string& path) const {
+    return path == m_path || path.starts_with(m_path + "/");
+}
+
+void CorrelationBox::focusPath(const std::string& path) {
+    m_numbers->focusPath(path);
+}
+
+} // namespace sparkout

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/factor_box.h"
+
+#include "core/files/safe_file.h"
+#include "core/project/blanks_csv.h"
+#include "ui/fields/reason_label.h"
+#include "ui/inputs/editors/choice_editor.h"
+#include "ui/inputs/editors/factor_lines.h"
+#include "ui/inputs/editors/form_metrics.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/editors/number_lines.h"
+#include "ui/kit/font_size.h"
+#include "ui/session/document.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QCheckBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace sparkout {
+
+namespace {
+
+constexpr std::size_t largestTable = 8u << 20; // bytes
+
+/// In the order of the forms.
+constexpr std::array formNames{QT_TRANSLATE_NOOP("sparkout::FactorBox", "constant"),
+                               QT_TRANSLATE_NOOP("sparkout::FactorBox", "uniform"),
+                               QT_TRANSLATE_NOOP("sparkout::FactorBox", "normal"),
+                               QT_TRANSLATE_NOOP("sparkout::FactorBox", "triangular"),
+                               QT_TRANSLATE_NOOP("sparkout::FactorBox", "as measured"),
+                               QT_TRANSLATE_NOOP("sparkout::FactorBox", "growing part by part")};
+
+} // namespace
+
+FactorBox::FactorBox(std::string path, const Field& field, int depth, Document& document,
+                     QWidget* parent)
+    : InputBox(depth, parent)
+    , m_path(std::move(path))
+    , m_field(field)
+    , m_kind(static_cast<FactorKind>(&field - tableOf<Factors>().fields.data()))
+    , m_document(document)
+    , m_body(new QWidget(this))
+    , m_formLabel(new QLabel(m_body))
+    , m_form(new StillComboBox(m_body))
+    , m_truncated(new QCheckBox(m_body))
+    , m_numbers(new NumberLines(document, field.label, m_body))
+    , m_measured(new QLabel(m_body))
+    , m_read(new QPushButton(m_body))
+    , m_reason(new ReasonLabel(this)) {
+    setCheckable(true);
+    setHintField(*this, field);
+    build();
+    connectParts();
+}
+
+void FactorBox::build() {
+    const QString name = QString::fromStdString(m_path);
+    setObjectName(name);
+    m_form->setObjectName(name + QStringLiteral("/form"));
+    m_truncated->setObjectName(name + QStringLiteral("/truncated"));
+    m_read->setObjectName(name + QStringLiteral("/read"));
+    m_read->setAutoDefault(false);
+    m_measured->setTextFormat(Qt::PlainText);
+    m_measured->setWordWrap(true);
+    m_formLabel->setTextFormat(Qt::PlainText);
+    m_formLabel->setBuddy(m_form);
+    setTextWidth(*m_form, wideField);
+    auto* choice = new QHBoxLayout;
+    choice->setSpacing(metrics::gap);
+    choice->addWidget(m_formLabel, 1);
+    choice->addWidget(m_form);
+    auto* column = new QVBoxLayout(m_body);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::row);
+    column->addLayout(choice);
+    column->addWidget(m_numbers);
+    column->addWidget(m_truncated);
+    column->addWidget(m_measured);
+    column->addWidget(m_read, 0, Qt::AlignLeft);
+    rows().setSpacing(metrics::row);
+    rows().addWidget(m_body);
+    rows().addWidget(m_reason);
+    for (std::size_t i = 0; i < formNames.size(); ++i) {
+        m_form->addItem(QString(), static_cast<int>(i));
+    }
+}
+
+void FactorBox::connectParts() {
+    connect(this, &QGroupBox::clicked, this, [this](bool given) {
+        edit(given ? std::optional(usualFactor(m_kind, m_document.project())) : std::nullopt);
+    });
+    connect(&m_document, &Document::stepped, this, [this] {
+        m_shown.reset(); // undone with the edit that chose it
+        showProject(false);
+    });
+    connect(m_form, &QComboBox::activated, this, &FactorBox::chooseForm);
+    connect(m_truncated, &QCheckBox::clicked, this, &FactorBox::setTruncated);
+    connect(m_read, &QPushButton::clicked, this, &FactorBox::askForFile);
+    connect(m_numbers, &NumberLines::refusalsChanged, this, &InputBox::refusalsChanged);
+}
+
+const std::optional<Factor>& FactorBox::law() const {
+    static const std::optional<Factor> none;
+    const auto& batch = m_document.project().batch;
+    return batch ? m_field.as<std::optional<Factor>>(&batch->factors) : none;
+}
+
+FactorForm FactorBox::shownForm(const Factor& law) const {
+    const FactorForm form = formOf(law);
+    const bool twoEnds = form == FactorForm::constant && m_shown == FactorForm::uniform;
+    return twoEnds ? FactorForm::uniform : form;
+}
+
+// --- editing ------------------------------------------------------------------------------------
+
+void FactorBox::edit(std::optional<Factor> law) {
+    m_fileFault = {};
+    m_document.endMerge();
+    m_document.edit(withFactor(m_document.project(), m_kind, std::move(law)),
+                    {"Input", m_field.label});
+}
+
+void FactorBox::chooseForm() {
+    const auto form = static_cast<FactorForm>(m_form->currentIndex());
+    if (law() && form != shownForm(*law())) {
+        m_shown = form;
+        edit(withForm(m_document.project(), m_kind, form));
+    }
+}
+
+void FactorBox::setTruncated(bool truncated) {
+    edit(withTruncation(m_document.project(), m_kind, truncated));
+}
+
+void FactorBox::askForFile() {
+    const QString path =
+        QFileDialog::getOpenFileName(window(), tr("Read measured blanks"), {},
+                                     tr("Tables (*.csv *.txt *.tsv *.dat);;All files (*)"));
+    if (!path.isEmpty()) {
+        readFrom(path);
+    }
+}
+
+void FactorBox::readFrom(const QString& path) {
+    const auto refuse = [this, name = printableText(QFileInfo(path).fileName())](auto reason) {
+        m_fileFault = [name, reason] { return tr("“%1” was not taken: %2").arg(name, reason()); };
+        showRemark();
+    };
+    const auto read = readFile({QFile::encodeName(path).toStdString()}, largestTable);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        refuse([error = *error] { return readErrorText(error); });
+        return;
+    }
+    const auto table = readMeasuredBlanks(std::get<std::string>(read));
+    const QString key = QString::fromUtf8(m_field.key);
+    if (const auto* fault = std::get_if<TableFault>(&table)) {
+        refuse([key, fault = *fault] {
+            return fault.text.empty() ? tr("no column is headed “%1”").arg(key)
+                                      : tr("line %1: “%2” is no number")
+                                            .arg(fault.line)
+                                            .arg(QString::fromStdString(fault.text));
+        });
+        return;
+    }
+    const auto& columns = std::get<std::vector<MeasuredColumn>>(table);
+    const auto own = std::ranges::find(columns, m_kind, &MeasuredColumn::kind);
+    if (own == columns.end() || own->values.empty()) {
+        refuse([key] { return tr("no column is headed “%1”").arg(key); });
+        return;
+    }
+    Factor measured;
+    measured.measured = own->values;
+    edit(std::move(measured));
+}
+
+// --- showing ------------------------------------------------------------------------------------
+
+void FactorBox::showProject(bool replaced) {
+    const std::optional<Factor>& law = this->law();
+    if (replaced || !law) {
+        m_shown.reset();
+        m_fileFault = {};
+    }
+    setChecked(law.has_value());
+    m_body->setVisible(law.has_value());
+    if (law) {
+        const FactorForm form = shownForm(*law);
+        m_shown = form;
+        const std::vector<GivenFactor> given = givenFactors(m_document.project());
+        m_numbers->setLines(factorLines(
+            m_path, m_field, *std::ranges::find(given, m_kind, &GivenFactor::kind), form));
+        const QSignalBlocker blocker(m_form);
+        m_form->setCurrentIndex(static_cast<int>(form));
+        m_truncated->setVisible(form == FactorForm::normal);
+        m_truncated->setChecked(law->within.has_value());
+        m_measured->setVisible(form == FactorForm::measured);
+        m_read->setVisible(form == FactorForm::measured);
+        m_measured->setText(measuredText(*law));
+    } else {
+        m_numbers->setLines({});
+    }
+    m_numbers->showProject(replaced);
+    showRemark();
+}
+
+QString FactorBox::measuredText(const Factor& law) const {
+    if (!law.measured || law.measured->empty()) {
+        return tr("no values yet");
+    }
+    const auto [low, high] = std::ranges::minmax_element(*law.measured);
+    return tr("%n values, %1…%2 %3", nullptr, static_cast<int>(law.measured->size()))
+        .arg(showNumber(*low, QLocale()).replace(u'-', u'−'),
+             showNumber(*high, QLocale()).replace(u'-', u'−'), unitText(m_field.unit))
+        .trimmed();
+}
+
+void FactorBox::setOutcome(const OutcomePtr& outcome) {
+    m_issue = remarkAt(outcome->issues, m_path);
+    if (m_issue.mark == Mark::none) {
+        m_issue = remarkFor(outcome->issues, m_path + "/measured");
+    }
+    m_numbers->setIssues(outcome->issues);
+    showRemark();
+}
+
+void FactorBox::showRemark() {
+    m_reason->showRemark(m_fileFault ? Remark{Mark::error, m_fileFault()} : m_issue);
+}
+
+void FactorBox::retranslate() {
+    const QString label = inputText(m_field.label);
+    setTitle(label);
+    setAccessibleName(label);
+    setToolTip(m_field.hint && *m_field.hint ? hintMarkup(m_field)
+                                             : tr("Ticked: it scatters from part to part."));
+    m_formLabel->setText(tr("Distribution"));
+    m_form->setAccessibleName(tr("%1: distribution").arg(label));
+    m_form->setToolTip(m_form->accessibleName());
+    for (std::size_t i = 0; i < formNames.size(); ++i) {
+        m_form->setItemText(static_cast<int>(i), tr(formNames[i]));
+    }
+    m_truncated->setText(tr("truncated"));
+    m_truncated->setAccessibleName(tr("%1: truncated").arg(label));
+    m_truncated->setToolTip(inputText(tableOf<Factor>().find("within")->hint));
+    m_read->setText(tr("Read from CSV…"));
+    m_read->setAccessibleName(tr("%1: read from a CSV file").arg(label));
+    m_read->setToolTip(
+        tr("A table whose column “%1” holds a value a line").arg(QString::fromUtf8(m_field.key)));
+    m_numbers->setOwner([this] { return inputText(m_field.label); });
+    m_numbers->retranslate();
+    if (law()) {
+        m_measured->setText(measuredText(*law()));
+    }
+    showRemark();
+}
+
+// --- refused texts ------------------------------------------------------------------------------
+
+std::vector<Refusal> FactorBox::refusals() const {
+    return m_numbers->refusals();
+}
+
+bool FactorBox::dropRefusal(const std::string& path) {
+    return m_numbers->dropRefusal(path);
+}
+
+bool FactorBox::holds(const std::string& path) const {
+    return path == m_path || path.starts_with(m_path + "/");
+}
+
+void FactorBox::focusPath(const std::string& path) {
+    if (!m_numbers->focusPath(path)) {
+        (law() ? static_cast<QWidget*>(m_form) : this)->setFocus(Qt::OtherFocusReason);
+    }
+}
+
+} // namespace sparkout

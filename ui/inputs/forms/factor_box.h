@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/batch_edits.h"
+#include "ui/fields/mark.h"
+#include "ui/inputs/forms/input_box.h"
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace sparkout {
+
+class Document;
+class NumberLines;
+class ReasonLabel;
+
+/// A factor of the batch: a tick that lets it scatter, the form of its distribution and the numbers
+/// of that form; measured values are read from a CSV file.
+class FactorBox : public InputBox {
+    Q_OBJECT
+
+public:
+    FactorBox(std::string path, const Field& field, int depth, Document& document,
+              QWidget* parent = nullptr);
+
+    void showProject(bool replaced) override;
+    void setOutcome(const OutcomePtr& outcome) override;
+    void retranslate() override;
+    [[nodiscard]] std::vector<Refusal> refusals() const override;
+    bool dropRefusal(const std::string& path) override;
+    [[nodiscard]] bool holds(const std::string& path) const override;
+    void focusPath(const std::string& path) override;
+
+    void readFrom(const QString& path); ///< measured values; a file not taken says why
+
+private:
+    void build();
+    void connectParts();
+    void chooseForm();
+    void setTruncated(bool truncated);
+    void askForFile();
+    void edit(std::optional<Factor> law); ///< a step of the history
+    [[nodiscard]] const std::optional<Factor>& law() const;
+    [[nodiscard]] FactorForm shownForm(const Factor& law) const;
+    [[nodiscard]] QString measuredText(const Factor& law) const;
+    void showRemark();
+
+    std::string m_path;
+    const Field& m_field;
+    FactorKind m_kind;
+    Document& m_document;
+    QWidget* m_body;
+    QLabel* m_formLabel;
+    QComboBox* m_form;
+    QCheckBox* m_truncated;
+    NumberLines* m_numbers;
+    QLabel* m_measured;
+    QPushButton* m_read;
+    ReasonLabel* m_reason;
+    std::optional<FactorForm> m_shown; ///< two equal ends on the screen make no constant
+    Remark m_issue;
+    std::function<QString()> m_fileFault; ///< why the last file was not taken, if it was not
+};
+
+} // namespace sparkout

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/form_page.h"
+
+#include "core/project/member.h"
+#include "core/study/batch_edits.h"
+#include "core/study/search_edits.h"
+#include "ui/fields/reason_label.h"
+#include "ui/inputs/forms/catalogue_bar.h"
+#include "ui/inputs/forms/compliance_box.h"
+#include "ui/inputs/forms/correlation_box.h"
+#include "ui/inputs/forms/factor_box.h"
+#include "ui/inputs/forms/form_row.h"
+#include "ui/inputs/forms/row_helper.h"
+#include "ui/inputs/forms/section_box.h"
+#include "ui/inputs/forms/stage_table.h"
+#include "ui/kit/help_topic.h"
+#include "ui/kit/metrics.h"
+#include "ui/session/document.h"
+#include "ui/text/help_fields.h"
+#include "ui/text/texts.h"
+
+#include <QGridLayout>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <optional>
+
+namespace sparkout {
+
+namespace {
+
+constexpr const char* batchPath = "/batch";
+constexpr const char* searchPath = "/optimisation";
+
+QGridLayout* newGrid(QVBoxLayout& into, int depth) {
+    auto* grid = new QGridLayout;
+    grid->setColumnStretch(0, 1);
+    grid->setHorizontalSpacing(metrics::gap);
+    grid->setVerticalSpacing(metrics::row);
+    const int inset = SectionBox::inset(depth);
+    grid->setContentsMargins(inset, 0, inset, 0);
+    into.addLayout(grid);
+    return grid;
+}
+
+} // namespace
+
+FormPage::FormPage(Page page, Document& document, QWidget* parent, Settings* settings)
+    : QScrollArea(parent), m_page(page), m_document(document) {
+    setHelpTopic(*this, fieldPageId(page));
+    auto* body = new QWidget(this);
+    auto* layout = new QVBoxLayout(body);
+    const int side = metrics::margin - SectionBox::inset(0);
+    layout->setContentsMargins(side, metrics::margin, side, metrics::margin);
+    setWidget(body);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    addCatalogue(settings, {*layout, 0});
+    addStruct(tableOf<Project>(), {}, {*layout, 0});
+    addProjectTexts({*layout, 0});
+    layout->addStretch(1);
+    connect(&document, &Document::replaced, this, [this] { m_replaced = true; });
+    connect(&document, &Document::changed, this, [this] {
+        showProject(m_replaced);
+        m_replaced = false;
+    });
+    retranslate();
+    showProject(true);
+}
+
+FormPage::~FormPage() {
+    qDeleteAll(m_rows); // before the fields go, which lose the focus as they do
+}
+
+bool FormPage::shows(const StructInfo& table) const {
+    for (const Field& field : table.fields) {
+        if (field.page == m_page && (!field.nested || field.kind == Kind::objectList)) {
+            return true;
+        }
+        if (field.nested && field.kind != Kind::objectList && shows(*field.nested)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void FormPage::addCatalogue(Settings* settings, Place into) {
+    const auto kind = m_page == Page::material  ? std::optional(CatalogueKind::materials)
+                      : m_page == Page::wheel   ? std::optional(CatalogueKind::wheels)
+                      : m_page == Page::machine ? std::optional(CatalogueKind::machines)
+                                                : std::nullopt;
+    if (!kind) {
+        return;
+    }
+    m_catalogue = new CatalogueBar(*kind, m_document, settings, into.rows.parentWidget());
+    const int inset = SectionBox::inset(into.depth);
+    m_catalogue->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(m_catalogue);
+}
+
+void FormPage::addHelper(const std::string& path, Place into) {
+    RowHelper* helper = makeRowHelper(path, m_document, into.rows.parentWidget());
+    if (!helper) {
+        return;
+    }
+    const int inset = SectionBox::inset(into.depth);
+    helper->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(helper);
+    m_helpers.push_back(helper);
+    m_grid = nullptr;
+}
+
+void FormPage::addStruct(const StructInfo& table, const std::string& path, Place into) {
+    for (const Field& field : table.fields) {
+        const std::string at = path + "/" + field.key;
+        const bool structure = field.kind == Kind::object || field.kind == Kind::optionalObject;
+        if (field.nested == &tableOf<Factor>() && field.page == m_page) {
+            addInputBox(
+                new FactorBox(at, field, into.depth + 1, m_document, into.rows.parentWidget()),
+                into);
+        } else if (structure && shows(*field.nested)) {
+            if (field.page == m_page) {
+                addBox(field, at, into);
+            } else if (field.kind == Kind::object) {
+                addStruct(*field.nested, at, into);
+            }
+        } else if (!structure && field.page == m_page) {
+            const bool projectText = path.empty() && field.kind == Kind::text;
+            if (!projectText) {
+                addRow(field, at, into);
+            }
+        }
+    }
+}
+
+void FormPage::addRow(const Field& field, const std::string& path, Place into) {
+    QWidget* const parent = into.rows.parentWidget();
+    if (field.kind == Kind::compliance) {
+        addInputBox(new ComplianceBox(path, field, m_document, parent), into);
+        return;
+    }
+    if (path == "/batch/correlation") {
+        addInputBox(new CorrelationBox(path, field, into.depth + 1, m_document, parent), into);
+        return;
+    }
+    if (field.kind == Kind::objectList) {
+        addList(field, path, into);
+        return;
+    }
+    auto editor = makeEditor(path, field, m_document, parent);
+    if (!editor) {
+        return;
+    }
+    if (!m_grid) {
+        m_grid = newGrid(into.rows, into.depth);
+    }
+    auto* row = new FormRow(std::move(editor), *m_grid, parent);
+    row->setParent(this);
+    connectRow(*row);
+    addHelper(path, into);
+}
+
+void FormPage::addInputBox(InputBox* box, Place into) {
+    into.rows.addWidget(box);
+    connect(box, &InputBox::refusalsChanged, this, &FormPage::refusalsChanged);
+    m_inputBoxes.push_back(box);
+    m_grid = nullptr;
+}
+
+void FormPage::addList(const Field& field, const std::string& path, Place into) {
+    QWidget* const parent = into.rows.parentWidget();
+    ListTable* table = nullptr;
+    if (field.nested == &tableOf<Stage>()) {
+        m_stages = new StageTable(m_document, parent);
+        table = m_stages;
+    } else {
+        table = new ListTable(path, field, m_document, parent);
+    }
+    const int inset = SectionBox::inset(into.depth);
+    table->setContentsMargins(inset, 0, inset, 0);
+    into.rows.addWidget(table);
+    connect(table, &ListTable::refusalsChanged, this, &FormPage::refusalsChanged);
+    m_lists.push_back(table);
+    m_grid = nullptr;
+}
+
+void FormPage::connectRow(FormRow& row) {
+    connect(&row.editor(), &FieldEditor::remarkChanged, this, &FormPage::refusalsChanged);
+    m_rows.push_back(&row);
+}
+
+void FormPage::addBox(const Field& field, const std::string& path, Place into) {
+    addHelper(path, into);
+    auto* box = new SectionBox(into.depth + 1, into.rows.parentWidget());
+    into.rows.addWidget(box);
+    auto* reason = new ReasonLabel(box);
+    box->rows().addWidget(reason);
+    m_grid = nullptr;
+    addStruct(*field.nested, path, {box->rows(), into.depth + 1});
+    m_grid = nullptr;
+    m_boxes.push_back({path, &field, box, reason});
+    if (field.kind == Kind::optionalObject) {
+        box->setCheckable(true);
+        connect(box, &QGroupBox::clicked, this,
+                [this, entry = m_boxes.back()](bool given) { toggleOptional(entry, given); });
+    }
+}
+
+void FormPage::addProjectTexts(Place into) {
+    m_grid = nullptr;
+    for (const Field& field : tableOf<Project>().fields) {
+        if (field.page != m_page || field.kind != Kind::text) {
+            continue;
+        }
+        if (!m_projectBox) {
+            m_projectBox = new SectionBox(into.depth + 1, into.rows.parentWidget());
+            into.rows.addWidget(m_projectBox);
+        }
+        addRow(field, std::string("/") + field.key, {m_projectBox->rows(), into.depth + 1});
+    }
+}
+
+void FormPage::toggleOptional(const Box& box, bool given) {
+    Project project = m_document.project();
+    const Member member = findMember(project, box.path, true);
+    if (!member) {
+        return;
+    }
+    if (given && box.path == batchPath) {
+        project = withUsualBatch(std::move(project));
+    } else if (given && box.path == searchPath) {
+        project = withUsualSearch(std::move(project));
+    } else if (given) {
+        box.field->object(member.owner, true);
+    } else {
+        box.field->reset(member.owner);
+    }
+    m_document.edit(std::move(project), {"Input", box.field->label});
+}
+
+void FormPage::showProject(bool replaced) {
+    const Project& project = m_document.project();
+    for (FormRow* row : m_rows) {
+        row->show(project, replaced);
+    }
+    for (const Box& box : m_boxes) {
+        const ConstMember member = findMember(project, box.path);
+        const bool given =
+            member && box.field->kind == Kind::optionalObject && box.field->objectIn(member.owner);
+        const bool offered =
+            (box.path == batchPath || box.path == searchPath) && !given; // by its helper
+        box.box->setVisible(member && member.relevant(project) && !offered);
+        if (box.field->kind == Kind::optionalObject && member) {
+            box.box->setChecked(given);
+        }
+    }
+    for (ListTable* list : m_lists) {
+        list->setVisible(findMember(project, list->path()).relevant(project));
+    }
+    for (InputBox* box : m_inputBoxes) {
+        box->showProject(replaced);
+    }
+    emit refusalsChanged();
+}
+
+void FormPage::setOutcome(const OutcomePtr& outcome) {
+    const Issues& issues = outcome->issues;
+    for (FormRow* row : m_rows) {
+        row->setIssues(issues);
+    }
+    for (InputBox* box : m_inputBoxes) {
+        box->setOutcome(outcome);
+    }
+    for (ListTable* list : m_lists) {
+        list->setIssues(issues);
+    }
+    if (m_stages) {
+        m_stages->setOutcome(outcome);
+    }
+    for (const Box& box : m_boxes) {
+        box.reason->showRemark(remarkAt(issues, box.path));
+    }
+}
+
+void FormPage::retranslate() {
+    if (m_catalogue) {
+        m_catalogue->retranslate();
+    }
+    for (RowHelper* helper : m_helpers) {
+        helper->retranslate();
+    }
+    for (FormRow* row : m_rows) {
+        row->retranslate();
+    }
+    for (const Box& box : m_boxes) {
+        box.box->setTitle(inputText(box.field->label));
+        box.box->setAccessibleName(inputText(box.field->label));
+        box.box->setToolTip(inputText(box.field->hint));
+    }
+    if (m_projectBox) {
+        m_projectBox->setTitle(structText(tableOf<Project>().name));
+        m_projectBox->setAccessibleName(m_projectBox->title());
+    }
+    for (InputBox* box : m_inputBoxes) {
+        box->retranslate();
+    }
+    for (ListTable* list : m_lists) {
+        list->retranslate();
+    }
+}
+
+std::vector<Refusal> FormPage::refusals() const {
+    std::vector<Refusal> list;
+    for (const FormRow* row : m_rows) {
+        if (const QString reason = row->editor().refusal(); !reason.isEmpty()) {
+            list.push_back({row->editor().path(), reason});
+        }
+    }
+    for (const InputBox* box : m_inputBoxes) {
+        const auto own = box->refusals();
+        list.insert(list.end(), own.begin(), own.end());
+    }
+    for (const ListTable* own : m_lists) {
+        for (const Refusal& refusal : own->refusals()) {
+            list.push_back(refusal);
+        }
+    }
+    return list;
+}
+
+bool FormPage::dropRefusal(const std::string& path) {
+    for (const FormRow* row : m_rows) {
+        if (row->editor().path() == path) {
+            row->editor().dropRefusal();
+            emit refusalsChanged();
+            return true;
+        }
+    }
+    return std::ranges::any_of(m_inputBoxes,
+                               [&path](InputBox* box) { return box->dropRefusal(path); })
+           || std::any_of(m_lists.begin(), m_lists.end(),
+                          [&path](ListTable* list) { return list->dropRefusal(path); });
+}
+
+FormRow* FormPage::rowAt(const std::string& path) const {
+    for (FormRow* row : m_rows) {
+        const std::string& own = row->editor().path();
+        if (path == own || path.starts_with(own + "/")) {
+            return row;
+        }
+    }
+    return nullptr;
+}
+
+const FormPage::Box* FormPage::boxAt(const std::string& path) const {
+    const auto found = std::ranges::find(m_boxes, path, &Box::path);
+    return found == m_boxes.end() ? nullptr : &*found;
+}
+
+InputBox* FormPage::inputBoxAt(const std::string& path) const {
+    const auto found =
+        std::ranges::find_if(m_inputBoxes, [&](const InputBox* box) { return box->holds(path); });
+    return found == m_inputBoxes.end() ? nullptr : *found;
+}
+
+bool FormPage::holds(const std::string& path) const {
+    return rowAt(path) || boxAt(path) || inputBoxAt(path)
+           || std::ranges::any_of(m_lists,
+                                  [&](const ListTable* list) { return list->holds(path); });
+}
+
+void FormPage::showPath(const std::string& path, bool focus) {
+    widget()->layout()->activate(); // it may just have come into sight
+    const auto show = [this, focus](QWidget* widget, QWidget* focused) {
+        ensureWidgetVisible(widget);
+        QTimer::singleShot(0, widget, [this, widget] { ensureWidgetVisible(widget); }); // laid out
+        if (focus && focused) {
+            focused->setFocus(Qt::OtherFocusReason);
+        }
+    };
+    if (const FormRow* row = rowAt(path)) {
+        show(row->editor().widget(), row->editor().widget());
+        return;
+    }
+    if (InputBox* box = inputBoxAt(path)) {
+        show(box, nullptr);
+        if (focus) {
+            box->focusPath(path);
+        }
+        return;
+    }
+    for (ListTable* list : m_lists) {
+        if (list->holds(path)) {
+            show(list, nullptr);
+            list->showPath(path, focus);
+            return;
+        }
+    }
+    if (const Box* box = boxAt(path)) {
+        show(box->box, box->box);
+    }
+}
+
+} // namespace sparkout

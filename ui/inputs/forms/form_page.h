@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/issue.h"
+#include "core/study/outcome.h"
+#include "ui/fields/refusal.h"
+
+#include <QScrollArea>
+
+#include <string>
+#include <vector>
+
+class QGridLayout;
+class QVBoxLayout;
+
+namespace sparkout {
+
+class CatalogueBar;
+class Document;
+class FormRow;
+class InputBox;
+class ListTable;
+class ReasonLabel;
+class RowHelper;
+class SectionBox;
+class Settings;
+class StageTable;
+
+/// One page of the inputs, made from the tables: every row that names the page, structs as boxes.
+class FormPage : public QScrollArea {
+    Q_OBJECT
+
+public:
+    /// Without settings the user's own catalogues are kept as long as the page lives.
+    FormPage(Page page, Document& document, QWidget* parent = nullptr,
+             Settings* settings = nullptr);
+    ~FormPage() override;
+
+    void setOutcome(const sparkout::OutcomePtr& outcome);
+    void retranslate();
+    [[nodiscard]] std::vector<Refusal> refusals() const;
+    /// Shows the document's value where a text was refused; false when it is not on this page.
+    bool dropRefusal(const std::string& path);
+    /// Whether this page shows the field at a path.
+    [[nodiscard]] bool holds(const std::string& path) const;
+    /// Scrolls to the field at a path, and gives it the focus if wanted.
+    void showPath(const std::string& path, bool focus);
+    [[nodiscard]] const std::vector<FormRow*>& rows() const { return m_rows; }
+
+signals:
+    void refusalsChanged();
+
+private:
+    struct Box {
+        std::string path;
+        const Field* field;
+        SectionBox* box;
+        ReasonLabel* reason;
+    };
+
+    /// Where rows go: a layout, and how many boxes deep in the page it is.
+    struct Place {
+        QVBoxLayout& rows;
+        int depth;
+    };
+
+    void addCatalogue(Settings* settings, Place into);
+    void addHelper(const std::string& path, Place into);
+    void addStruct(const StructInfo& table, const std::string& path, Place into);
+    void addRow(const Field& field, const std::string& path, Place into);
+    void addInputBox(InputBox* box, Place into);
+    void addList(const Field& field, const std::string& path, Place into);
+    void addBox(const Field& field, const std::string& path, Place into);
+    void addProjectTexts(Place into);
+    void connectRow(FormRow& row);
+    [[nodiscard]] FormRow* rowAt(const std::string& path) const;
+    [[nodiscard]] const Box* boxAt(const std::string& path) const;
+    [[nodiscard]] InputBox* inputBoxAt(const std::string& path) const;
+    [[nodiscard]] bool shows(const StructInfo& table) const;
+    void showProject(bool replaced);
+    void toggleOptional(const Box& box, bool given);
+
+    Page m_page;
+    Document& m_document;
+    QGridLayout* m_grid = nullptr; ///< where the next plain row goes
+    std::vector<FormRow*> m_rows;
+    std::vector<Box> m_boxes;
+    CatalogueBar* m_catalogue = nullptr; ///< on pages that have one
+    std::vector<RowHelper*> m_helpers;
+    std::vector<InputBox*> m_inputBoxes;
+    std::vector<ListTable*> m_lists;
+    StageTable* m_stages = nullptr; ///< one of them
+    SectionBox* m_projectBox = nullptr;
+    bool m_replaced = false;
+};
+
+} // namespace sparkout

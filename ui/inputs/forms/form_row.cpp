@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/form_row.h"
+
+#include "core/project/member.h"
+#include "ui/fields/number_field.h"
+#include "ui/fields/reset_mark.h"
+#include "ui/inputs/editors/form_metrics.h"
+#include "ui/inputs/editors/hint_strip.h"
+#include "ui/inputs/forms/section_box.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/text/defaults.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/texts.h"
+
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int widestField = 216;
+
+} // namespace
+
+FormRow::FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget* parent)
+    : m_editor(std::move(editor))
+    , m_head(new QWidget(parent))
+    , m_label(new QLabel(m_head))
+    , m_unit(new QLabel(parent))
+    , m_reason(new QLabel(parent)) {
+    m_label->setTextFormat(Qt::RichText);
+    m_label->setWordWrap(true);
+    m_label->setBuddy(m_editor->widget());
+    m_unit->setTextFormat(Qt::PlainText);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setWordWrap(true);
+    m_reason->setVisible(false);
+    m_editor->widget()->setObjectName(QString::fromStdString(m_editor->path()));
+    connect(m_editor.get(), &FieldEditor::remarkChanged, this, &FormRow::showRemark);
+    for (QWidget* widget : {m_editor->widget(), m_head, m_editor->slider()}) {
+        if (widget) {
+            widget->installEventFilter(this);
+        }
+    }
+    if (hasDefault(m_editor->field())) {
+        m_mark = new ResetMark(m_head);
+        connect(m_mark, &ResetMark::clicked, m_editor.get(), &FieldEditor::resetToDefault);
+    }
+    addTo(grid);
+}
+
+void FormRow::addTo(QGridLayout& grid) {
+    auto* head = new QHBoxLayout(m_head);
+    head->setContentsMargins(0, 0, 0, 0);
+    head->setSpacing(metrics::hair);
+    head->addWidget(m_label, 1);
+    if (m_mark) {
+        head->addWidget(m_mark);
+    }
+    const int row = grid.rowCount();
+    QWidget* const field = m_editor->widget();
+    if (m_editor->tall()) {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(metrics::gap);
+        line->addWidget(field, 1);
+        if (!m_editor->wide()) {
+            line->addWidget(m_unit);
+        }
+        grid.addWidget(m_head, row, 0, 1, 3);
+        grid.addLayout(line, row + 1, 0, 1, 3);
+    } else if (m_editor->wide()) {
+        head->setSpacing(metrics::gap);
+        head->addWidget(field);
+        grid.addWidget(m_head, row, 0, 1, 3);
+    } else {
+        setTextWidth(*field, metrics::field);
+        setTextWidth(*m_unit, unitColumn);
+        grid.addWidget(field, row, 1);
+        grid.addWidget(m_unit, row, 2);
+        if (QWidget* slider = m_editor->slider()) { // a label of two lines stands beside both
+            m_label->setMinimumHeight(field->sizeHint().height());
+            grid.addWidget(m_head, row, 0, 2, 1, Qt::AlignTop);
+            grid.addWidget(slider, row + 1, 1, 1, 2);
+        } else {
+            grid.addWidget(m_head, row, 0);
+        }
+    }
+    grid.addWidget(m_reason, row + 2, 0, 1, 3);
+    m_unit->setVisible(!m_editor->wide());
+}
+
+void FormRow::show(const Project& project, bool replaced) {
+    const ConstMember member = findMember(project, m_editor->path());
+    m_relevant = member && member.relevant(project);
+    for (QWidget* widget : {m_head, m_editor->widget(), m_editor->slider()}) {
+        if (widget) {
+            widget->setVisible(m_relevant);
+        }
+    }
+    m_unit->setVisible(m_relevant && !m_editor->wide());
+    m_editor->show(replaced);
+    if (m_mark) {
+        m_mark->showChanged(m_editor->changedFromDefault());
+    }
+    showRemark();
+}
+
+void FormRow::setIssues(const Issues& issues) {
+    m_editor->setIssue(remarkFor(issues, m_editor->path()));
+}
+
+bool FormRow::meaningIsLong() const {
+    const QString meaning = inputText(m_editor->field().nullMeaning);
+    return m_editor->widget()->fontMetrics().horizontalAdvance(meaning)
+           > atFontSize(metrics::field) - 12;
+}
+
+QString FormRow::emptyCaption() const {
+    const auto* line = qobject_cast<QLineEdit*>(m_editor->widget());
+    if (!line || !m_editor->empty()) {
+        return {};
+    }
+    return meaningIsLong() ? tr("empty: %1").arg(inputText(m_editor->field().nullMeaning))
+                           : QString();
+}
+
+void FormRow::showRemark() {
+    const Remark remark = m_editor->remark();
+    const QString text = remark.mark == Mark::none ? emptyCaption() : remark.reason;
+    QPalette colors = m_label->palette();
+    colors.setColor(QPalette::WindowText, remark.mark == Mark::none
+                                              ? colors.color(QPalette::PlaceholderText)
+                                              : markColor(remark.mark, colors));
+    const bool shown = m_relevant && !text.isEmpty();
+    // A message that goes while one types leaves its place until the field is left.
+    QSizePolicy policy = m_reason->sizePolicy();
+    policy.setRetainSizeWhenHidden(m_relevant && !shown && m_editor->widget()->hasFocus()
+                                   && (m_reason->isVisible() || policy.retainSizeWhenHidden()));
+    m_reason->setSizePolicy(policy);
+    m_reason->setPalette(colors);
+    if (!policy.retainSizeWhenHidden()) {
+        m_reason->setText(text);
+    }
+    m_reason->setVisible(shown);
+}
+
+/// As wide as its texts, where that is more than the other fields take.
+void FormRow::fitWide() {
+    if (!m_editor->wide() || m_editor->tall()) {
+        return;
+    }
+    int width = atFontSize(wideField);
+    if (auto* box = qobject_cast<QComboBox*>(m_editor->widget())) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        width = std::clamp(box->sizeHint().width(), atFontSize(wideField), atFontSize(widestField));
+    }
+    m_editor->widget()->setFixedWidth(width);
+}
+
+void FormRow::retranslate() {
+    const Field& field = m_editor->field();
+    m_editor->retranslate();
+    fitWide();
+    m_label->setText(labelMarkup(field));
+    m_unit->setText(unitText(field.unit));
+    const QString hint = hintMarkup(field);
+    QWidget* const widget = m_editor->widget();
+    for (QWidget* one : {static_cast<QWidget*>(m_label), widget, m_editor->slider()}) {
+        if (one) {
+            one->setToolTip(hint);
+            setHintField(*one, field);
+        }
+    }
+    widget->setAccessibleName(*field.unit
+                                  ? tr("%1, %2").arg(inputText(field.label), unitText(field.unit))
+                                  : inputText(field.label));
+    if (auto* line = qobject_cast<NumberField*>(widget)) {
+        line->setHint(hintPlain(field));
+        if (meaningIsLong()) {
+            line->setPlaceholderText(QStringLiteral("—")); // its meaning stands below
+        }
+    } else {
+        widget->setAccessibleDescription(hintPlain(field));
+    }
+    if (m_mark) {
+        m_mark->showDefault(inputText(field.label), defaultText(field));
+    }
+    showRemark();
+}
+
+void FormRow::fillMenu(QMenu& menu) {
+    if (!m_mark) {
+        return;
+    }
+    menu.addSeparator();
+    QAction* reset = menu.addAction(m_mark->menuText());
+    reset->setEnabled(m_editor->changedFromDefault() && m_editor->widget()->isEnabled());
+    connect(reset, &QAction::triggered, m_editor.get(), &FieldEditor::resetToDefault);
+}
+
+bool FormRow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusOut) {
+        showRemark();
+    }
+    if (event->type() != QEvent::ContextMenu) {
+        return QObject::eventFilter(watched, event);
+    }
+    auto* line = qobject_cast<QLineEdit*>(watched);
+    const auto* asked = static_cast<QContextMenuEvent*>(event);
+    auto* menu = line ? line->createStandardContextMenu() : new QMenu(m_editor->widget());
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu);
+    if (menu->isEmpty()) {
+        delete menu;
+        return QObject::eventFilter(watched, event);
+    }
+    menu->popup(asked->globalPos());
+    return true;
+}
+
+} // namespace sparkout

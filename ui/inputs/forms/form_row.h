@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/inputs/editors/field_editor.h"
+
+#include <QObject>
+
+class QGridLayout;
+class QLabel;
+class QMenu;
+
+namespace sparkout {
+
+class ReasonLabel;
+class ResetMark;
+
+/// One row of a form: label with symbol, mark of a change from the default, field, unit, slider,
+/// and below them the reason of a mark.
+class FormRow : public QObject {
+    Q_OBJECT
+
+public:
+    FormRow(std::unique_ptr<FieldEditor> editor, QGridLayout& grid, QWidget* parent);
+
+    [[nodiscard]] FieldEditor& editor() const { return *m_editor; }
+    [[nodiscard]] ResetMark* resetMark() const { return m_mark; }
+    void show(const Project& project, bool replaced);
+    void setIssues(const Issues& issues);
+    void retranslate();
+    /// Adds what one can do with the input to a context menu.
+    void fillMenu(QMenu& menu);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void addTo(QGridLayout& grid);
+    void fitWide();
+    void showRemark();
+    [[nodiscard]] bool meaningIsLong() const; ///< of an empty field, for the field itself
+    [[nodiscard]] QString emptyCaption() const;
+
+    std::unique_ptr<FieldEditor> m_editor;
+    QWidget* m_head; ///< label and mark
+    QLabel* m_label;
+    QLabel* m_unit;
+    QLabel* m_reason;
+    ResetMark* m_mark = nullptr; ///< null where there is no default to go back to
+    bool m_relevant = true;
+};
+
+} // namespace sparkout

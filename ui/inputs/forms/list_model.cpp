@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/list_model.h"
+
+#include "core/project/member.h"
+#include "ui/inputs/forms/column_header.h"
+#include "ui/session/document.h"
+#include "ui/text/hint_text.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QGuiApplication>
+#include <QPalette>
+#include <QRegularExpression>
+
+namespace sparkout {
+
+ListModel::ListModel(std::string path, const Field& list, Document& document)
+    : m_path(std::move(path)), m_list(list), m_document(document) {
+    update(true);
+}
+
+std::string ListModel::rowPath(int row) const {
+    return m_path + "/" + std::to_string(row);
+}
+
+const void* ListModel::item(const QModelIndex& index) const {
+    return findMember(m_document.project(), rowPath(index.row())).owner;
+}
+
+std::vector<const Field*> ListModel::relevantColumns() const {
+    std::vector<const Field*> columns;
+    for (const Field& field : m_list.nested->fields) {
+        if (!field.relevant || field.relevant(m_document.project(), m_list.nested->defaults)) {
+            columns.push_back(&field);
+        }
+    }
+    return columns;
+}
+
+int ListModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int ListModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size()) + resultColumns();
+}
+
+const char* ListModel::itemName() const {
+    return m_list.nested->name;
+}
+
+bool ListModel::isField(const QModelIndex& index) const {
+    return index.isValid() && index.column() < static_cast<int>(m_columns.size());
+}
+
+const Field& ListModel::field(const QModelIndex& index) const {
+    return *m_columns[std::size_t(index.column())];
+}
+
+bool ListModel::relevant(const QModelIndex& index) const {
+    const Field& column = field(index);
+    return !column.relevant || column.relevant(m_document.project(), item(index));
+}
+
+std::optional<double> ListModel::number(const QModelIndex& index) const {
+    return numberIn(field(index), item(index));
+}
+
+Project ListModel::withNumber(const QModelIndex& index, std::optional<double> value) const {
+    Project project = m_document.project();
+    const Member member = findMember(project, path(index));
+    setNumberIn(*member.field, member.owner, value);
+    return project;
+}
+
+void ListModel::setNumber(const QModelIndex& index, std::optional<double> value) {
+    m_document.edit(withNumber(index, value), {"Input", field(index).label},
+                    QString::fromStdString(path(index)));
+}
+
+bool ListModel::fits(const QModelIndex& index, std::optional<double> value) const {
+    return !breaksRules(m_document.project(), withNumber(index, value));
+}
+
+std::string ListModel::path(const QModelIndex& index) const {
+    return rowPath(index.row()) + "/" + field(index).key;
+}
+
+QString ListModel::shown(const QModelIndex& index) const {
+    if (!relevant(index)) {
+        return QStringLiteral("—");
+    }
+    if (const QString text = refusedText(index); !text.isNull()) {
+        return text;
+    }
+    const auto value = number(index);
+    return value ? showNumber(*value, QLocale()) : QString();
+}
+
+QModelIndex ListModel::indexAt(const std::string& wanted) const {
+    for (int row = 0; row < m_rows; ++row) {
+        for (int column = 0; column < static_cast<int>(m_columns.size()); ++column) {
+            const QModelIndex cell = index(row, column);
+            if (path(cell) == wanted) {
+                return cell;
+            }
+        }
+        if (wanted == rowPath(row) || wanted.starts_with(rowPath(row) + "/")) {
+            return index(row, 0);
+        }
+    }
+    return wanted == m_path && m_rows > 0 ? index(0, 0) : QModelIndex();
+}
+
+Remark ListModel::remark(const QModelIndex& index) const {
+    const auto refused = m_refused.constFind({index.row(), &field(index)});
+    if (refused != m_refused.cend()) {
+        return {Mark::error, refused->reason};
+    }
+    return remarkFor(m_issues, path(index));
+}
+
+QVariant ListModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    return isField(index) ? fieldData(index, role) : resultData(index, role);
+}
+
+QVariant ListModel::resultData(const QModelIndex&, int) const {
+    return {};
+}
+
+QVariant ListModel::resultHeader(int, int) const {
+    return {};
+}
+
+QVariant ListModel::fieldData(const QModelIndex& index, int role) const {
+    const Remark mark = remark(index);
+    switch (role) {
+    case Qt::DisplayRole: return shown(index);
+    case Qt::TextAlignmentRole: return int(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::DecorationRole:
+        return mark.mark == Mark::none ? QVariant() : QVariant(markIcon(mark.mark));
+    case Qt::ForegroundRole:
+        if (mark.mark != Mark::none) {
+            return markColor(mark.mark, QGuiApplication::palette());
+        }
+        return relevant(index)
+                   ? QVariant()
+                   : QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text));
+    case Qt::ToolTipRole:
+        return mark.mark == Mark::none
+                   ? hintMarkup(field(index))
+                   : QStringLiteral("<p>%1</p>").arg(mark.reason.toHtmlEscaped());
+    case Qt::AccessibleTextRole:
+        return tr("%1 %2, %3: %4")
+            .arg(structText(m_list.nested->name), QString::number(index.row() + 1),
+                 inputText(field(index).label), shown(index));
+    case Qt::AccessibleDescriptionRole:
+        return mark.mark == Mark::none ? hintPlain(field(index)) : mark.reason;
+    default: return {};
+    }
+}
+
+QVariant ListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical) {
+        return role == Qt::DisplayRole ? QVariant(QString::number(section + 1)) : QVariant();
+    }
+    const int fields = static_cast<int>(m_columns.size());
+    if (section >= fields) {
+        return resultHeader(section - fields, role);
+    }
+    const Field& column = *m_columns[std::size_t(section)];
+    switch (role) {
+    case Qt::ToolTipRole: return hintMarkup(column);
+    case Qt::DisplayRole: return columnText(column);
+    case ColumnHeader::markupRole: return columnMarkup(column);
+    default: return {};
+    }
+}
+
+Qt::ItemFlags ListModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return isField(index) && relevant(index) ? usual | Qt::ItemIsEditable : usual;
+}
+
+void ListModel::refuse(const QModelIndex& index, const QString& text, const QString& reason) {
+    m_refused.insert({index.row(), &field(index)}, {text, reason});
+    emit dataChanged(index, index);
+    emit refusalsChanged();
+}
+
+void ListModel::accept(const QModelIndex& index) {
+    if (m_refused.remove({index.row(), &field(index)}) > 0) {
+        emit dataChanged(index, index);
+        emit refusalsChanged();
+    }
+}
+
+QString ListModel::refusedText(const QModelIndex& index) const {
+    return m_refused.value({index.row(), &field(index)}).text;
+}
+
+std::vector<Refusal> ListModel::refusals() const {
+    std::vector<Refusal> list;
+    for (auto it = m_refused.cbegin(); it != m_refused.cend(); ++it) {
+        list.push_back({rowPath(it.key().first) + "/" + it.key().second->key, it->reason});
+    }
+    return list;
+}
+
+void ListModel::setIssues(const Issues& issues) {
+    m_issues = issues;
+    if (m_rows > 0) {
+        emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
+    }
+}
+
+QString ListModel::tableText() const {
+    QStringList lines;
+    for (int row = -1; row < m_rows; ++row) {
+        QStringList cells{row < 0 ? structText(m_list.nested->name) : QString::number(row + 1)};
+        for (int column = 0; column < columnCount(); ++column) {
+            const QModelIndex cell = index(std::max(0, row), column);
+            const bool empty = row >= 0 && isField(cell) && !relevant(cell);
+            cells += empty     ? QString()
+                     : row < 0 ? headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()
+                               : cell.data().toString();
+        }
+        lines += cells
+                     .replaceInStrings(QRegularExpression(QStringLiteral("[\\t\\n\\r]+")),
+                                       QStringLiteral(" "))
+                     .join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+void ListModel::update(bool replaced) {
+    const ConstMember list = findMember(m_document.project(), m_path);
+    const int rows = static_cast<int>(m_list.size(list.owner));
+    auto columns = relevantColumns();
+    if (replaced || rows != m_rows || columns != m_columns) {
+        beginResetModel();
+        m_refused.clear();
+        m_rows = rows;
+        m_columns = std::move(columns);
+        endResetModel();
+        emit refusalsChanged();
+    } else if (m_rows > 0) {
+        emit dataChanged(index(0, 0), index(m_rows - 1, columnCount() - 1));
+    }
+}
+
+void ListModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    setIssues(m_issues);
+}
+
+} // namespace sparkout

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/field.h"
+#include "core/issue.h"
+#include "ui/fields/mark.h"
+#include "ui/inputs/forms/form_page.h"
+
+#include <QAbstractTableModel>
+#include <QMap>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sparkout {
+
+class Document;
+
+/// A list of structs in the document as a table: a row an item, a column a number of the item that
+/// the project reads. A text that was refused is kept beside the value it did not replace.
+class ListModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    /// The list at `path`, described by `list` (Kind::objectList).
+    ListModel(std::string path, const Field& list, Document& document);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
+                                      int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+    [[nodiscard]] const char* itemName() const; ///< of the struct of a row, for structText()
+    /// Whether a column shows a member; further columns tell of results and are not edited.
+    [[nodiscard]] bool isField(const QModelIndex& index) const;
+    [[nodiscard]] const Field& field(const QModelIndex& index) const;
+    [[nodiscard]] std::optional<double> number(const QModelIndex& index) const;
+    void setNumber(const QModelIndex& index, std::optional<double> value);
+    /// Whether a number would break no rule that holds now.
+    [[nodiscard]] bool fits(const QModelIndex& index, std::optional<double> value) const;
+    [[nodiscard]] const void* item(const QModelIndex& index) const; ///< the struct of a row
+
+    void refuse(const QModelIndex& index, const QString& text, const QString& reason);
+    void accept(const QModelIndex& index);
+    [[nodiscard]] QString refusedText(const QModelIndex& index) const;
+    [[nodiscard]] std::vector<Refusal> refusals() const;
+    [[nodiscard]] Remark remark(const QModelIndex& index) const;
+    [[nodiscard]] std::string path(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex indexAt(const std::string& path) const;
+
+    void setIssues(const Issues& issues);
+    [[nodiscard]] QString tableText() const; ///< with its heads, tab-separated, for spreadsheets
+    void update(bool replaced); ///< takes the document's items; replaced: drops refused texts
+    void retranslate();
+
+signals:
+    void refusalsChanged();
+
+protected:
+    [[nodiscard]] virtual bool relevant(const QModelIndex& index) const;
+    [[nodiscard]] virtual QString shown(const QModelIndex& index) const;
+    [[nodiscard]] virtual int resultColumns() const { return 0; } ///< behind the fields
+    [[nodiscard]] virtual QVariant resultData(const QModelIndex& index, int role) const;
+    [[nodiscard]] virtual QVariant resultHeader(int column, int role) const;
+    [[nodiscard]] Document& document() const { return m_document; }
+
+private:
+    struct Refused {
+        QString text;
+        QString reason;
+    };
+    using Cell = std::pair<int, const Field*>;
+
+    [[nodiscard]] std::string rowPath(int row) const;
+    [[nodiscard]] QVariant fieldData(const QModelIndex& index, int role) const;
+    [[nodiscard]] Project withNumber(const QModelIndex& index, std::optional<double> value) const;
+    [[nodiscard]] std::vector<const Field*> relevantColumns() const;
+
+    std::string m_path;
+    const Field& m_list;
+    Document& m_document;
+    std::vector<const Field*> m_columns;
+    int m_rows = 0;
+    QMap<Cell, Refused> m_refused;
+    Issues m_issues;
+};
+
+} // namespace sparkout

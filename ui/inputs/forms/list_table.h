@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/fields/mark.h"
+#include "ui/inputs/forms/form_page.h"
+#include "ui/session/document.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QHBoxLayout;
+class QKeyEvent;
+class QLabel;
+class QTableView;
+class QToolButton;
+
+namespace sparkout {
+
+class ColumnHeader;
+class ListDelegate;
+class ListModel;
+class RowSliders;
+
+/// A list of structs: a table to edit in place, with buttons and keys to add (Ins), remove
+/// (Ctrl+Del) and move (Ctrl+Up, Ctrl+Down) a row, to clear a cell (Del) and to copy the table
+/// (Ctrl+C); below it the sliders of the selected row. As it stands it serves lists whose items
+/// hold numbers only.
+class ListTable : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The list at `path`, described by `list` (Kind::objectList).
+    ListTable(const std::string& path, const Field& list, Document& document,
+              QWidget* parent = nullptr);
+
+    [[nodiscard]] const std::string& path() const { return m_path; }
+    void setIssues(const Issues& issues);
+    void retranslate();
+    [[nodiscard]] std::vector<Refusal> refusals() const;
+    bool dropRefusal(const std::string& path);
+    [[nodiscard]] bool holds(const std::string& path) const;
+    void showPath(const std::string& path, bool focus); ///< makes its cell the current one
+    [[nodiscard]] QTableView& view() const { return *m_view; }
+
+    virtual void addRow();
+    virtual void removeRow();
+    virtual void moveRow(int by);
+    virtual void clearCell();
+    void copyTable() const; ///< to the clipboard, for spreadsheets
+
+signals:
+    void refusalsChanged();
+    void currentFieldChanged(); ///< the hint field of the view may be another
+
+protected:
+    struct Texts {
+        QString title, name, add, remove, up, down;
+    };
+
+    /// A table with a model and a delegate of its own, both taken over.
+    ListTable(const std::string& path, const Field& list, Document& document, ListModel* model,
+              ListDelegate* delegate, QWidget* parent);
+
+    [[nodiscard]] virtual Texts texts() const;
+    [[nodiscard]] virtual bool canRemove() const;
+    [[nodiscard]] virtual bool canMove(int by) const;
+
+    virtual void fitRows(); ///< to the size of the type, whenever that is another
+    void showTitleBold();   ///< of a table that is a group of its own
+    [[nodiscard]] int currentRow() const;
+    [[nodiscard]] int rows() const;
+    [[nodiscard]] Document& document() const { return m_document; }
+    /// Takes a project whose list has other rows, or the same in another order, to the document.
+    void apply(Project project, EditText text, int selected);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+    void setRowHeight(int height);
+
+private:
+    using Numbers = std::vector<std::optional<double>>;
+
+    void setUp();
+    void buildButtons(QHBoxLayout& into);
+    void takeProject();
+    void showCurrent(); ///< what belongs to the selected cell
+    bool takeKey(const QKeyEvent& key);
+    void showMenu(const QPoint& at);
+    void select(int row, int column);
+    [[nodiscard]] Numbers numbersOf(const void* item) const;
+    [[nodiscard]] std::vector<Numbers> items() const;
+    void store(const std::vector<Numbers>& items, int selected);
+    void updateButtons();
+    void updateReasons();
+    void fitHeight();
+
+    std::string m_path;
+    const Field& m_list;
+    Document& m_document;
+    ListModel* m_model;
+    ListDelegate* m_delegate;
+    QTableView* m_view;
+    ColumnHeader* m_header;
+    RowSliders* m_sliders;
+    QLabel* m_title;
+    QLabel* m_reasons;
+    QToolButton* m_add = nullptr;
+    QToolButton* m_remove = nullptr;
+    QToolButton* m_up = nullptr;
+    QToolButton* m_down = nullptr;
+    Issues m_issues;
+    bool m_replaced = false;
+    std::optional<int> m_wanted; ///< row to select once the table has its rows
+};
+
+} // namespace sparkout

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/row_helper.h"
+
+#include "core/study/batch_edits.h"
+#include "core/study/search_edits.h"
+#include "ui/inputs/editors/form_metrics.h"
+#include "ui/kit/font_size.h"
+#include "ui/session/document.h"
+#include "ui/text/marking_text.h"
+#include "ui/text/size_field.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+
+QLabel* noteLabel(QWidget* parent, const char* name) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QString::fromLatin1(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setWordWrap(true);
+    setRelativeFont(*label, noteType);
+    return label;
+}
+
+void sayWhatIsDone(QPushButton& button, const QString& text, const QString& tip) {
+    button.setText(text);
+    button.setToolTip(tip);
+    button.setAccessibleName(text);
+    button.setAccessibleDescription(tip);
+}
+
+const Offer usualBatch{
+    "noBatch",
+    "addBatch",
+    [](const Project& project) { return project.batch.has_value(); },
+    withUsualBatch,
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a batch is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A batch says which share of many parts keeps the drawing when stock, "
+                      "runout, dullness and other factors scatter. The view Batch runs it."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual batch"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "50 parts whose stock, runout and dullness scatter about the present "
+                      "inputs")};
+
+const Offer usualSearch{
+    "noSearch",
+    "addSearch",
+    [](const Project& project) { return project.optimisation.has_value(); },
+    withUsualSearch,
+    {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")},
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "What a search is for"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A search finds the quickest cycle that holds every requirement, out of all "
+                      "feeds and stocks listed here. The view Optimise runs it."),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper", "Add a usual search"),
+    QT_TRANSLATE_NOOP("sparkout::OfferHelper",
+                      "A dozen levels of each feed about the present cycle, and steps of stock")};
+
+} // namespace
+
+RowHelper* makeRowHelper(const std::string& path, Document& document, QWidget* parent) {
+    if (path == "/wheel/marking") {
+        return new MarkingHelper(document, parent);
+    }
+    if (path == "/batch") {
+        return new OfferHelper(usualBatch, document, parent);
+    }
+    if (path == "/optimisation") {
+        return new OfferHelper(usualSearch, document, parent);
+    }
+    return path == "/part/lower_deviation_um" ? new SizeHelper(document, parent) : nullptr;
+}
+
+MarkingHelper::MarkingHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_meaning(noteLabel(this, "markingMeaning"))
+    , m_fill(new QPushButton(this)) {
+    m_fill->setObjectName(QStringLiteral("fillFromMarking"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
+    layout->setSpacing(metrics::row);
+    layout->addWidget(m_meaning);
+    layout->addWidget(m_fill);
+    connect(m_fill, &QPushButton::clicked, this, &MarkingHelper::fill);
+    connect(&document, &Document::changed, this, &MarkingHelper::showMarking);
+    retranslate();
+}
+
+void MarkingHelper::showMarking() {
+    const Project& project = m_document.project();
+    const auto marking = readWheelMarking(project.wheel.marking);
+    QString text;
+    QString changes;
+    if (marking) {
+        text = markingExplained(*marking) + u'.';
+        changes = markingChanges(*marking, project.wheel);
+        if (!changes.isEmpty()) {
+            text += u'\n' + tr("To fill in: %1.").arg(changes);
+        }
+        if (marking->speed_m_s && *marking->speed_m_s < project.machine.wheel_speed_m_s) {
+            text += u'\n' + tr("The machine's wheel speed is above what the marking allows.");
+        }
+    } else if (!project.wheel.marking.empty()) {
+        text = tr("Not understood as a marking; written like 500×50×203 25А F60 L 6 V 35 it fills "
+                  "the wheel's values.");
+    }
+    m_meaning->setText(text);
+    m_meaning->setVisible(!text.isEmpty());
+    m_fill->setEnabled(!changes.isEmpty());
+    m_fill->setVisible(marking.has_value());
+}
+
+void MarkingHelper::fill() {
+    Project project = m_document.project();
+    if (const auto marking = readWheelMarking(project.wheel.marking)) {
+        applyMarking(*marking, project.wheel);
+        m_document.endMerge();
+        m_document.edit(std::move(project),
+                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Wheel from its marking")});
+    }
+}
+
+void MarkingHelper::retranslate() {
+    m_meaning->setAccessibleName(tr("What the marking means"));
+    sayWhatIsDone(*m_fill, tr("Fill in from the marking"),
+                  tr("Take grain, grain share and sizes as far as the marking gives them"));
+    showMarking();
+}
+
+OfferHelper::OfferHelper(const Offer& offer, Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_offer(offer)
+    , m_document(document)
+    , m_note(noteLabel(this, offer.noteName))
+    , m_add(new QPushButton(this)) {
+    m_add->setObjectName(QLatin1String(offer.buttonName));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::gap);
+    layout->setSpacing(metrics::gap);
+    layout->addWidget(m_note);
+    layout->addWidget(m_add, 0, Qt::AlignLeft);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        m_document.endMerge();
+        m_document.edit(m_offer.give(m_document.project()), m_offer.edit);
+    });
+    const auto show = [this] { setVisible(!m_offer.isGiven(m_document.project())); };
+    connect(&document, &Document::changed, this, show);
+    show();
+    retranslate();
+}
+
+void OfferHelper::retranslate() {
+    m_note->setAccessibleName(tr(m_offer.purpose));
+    m_note->setText(tr(m_offer.note));
+    sayWhatIsDone(*m_add, tr(m_offer.button), tr(m_offer.tip));
+}
+
+SizeHelper::SizeHelper(Document& document, QWidget* parent)
+    : RowHelper(parent)
+    , m_document(document)
+    , m_label(new QLabel(this))
+    , m_size(new QLineEdit(this))
+    , m_meaning(noteLabel(this, "sizeMeaning")) {
+    m_size->setObjectName(QStringLiteral("sizeField"));
+    setTextWidth(*m_size, metrics::field);
+    m_size->setMaxLength(40);
+    m_label->setTextFormat(Qt::PlainText);
+    m_label->setWordWrap(true);
+    m_label->setBuddy(m_size);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::gap);
+    row->addWidget(m_label, 1);
+    row->addWidget(m_size);
+    row->addSpacing(unitColumn + metrics::gap);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, metrics::row, 0, metrics::row);
+    layout->setSpacing(metrics::row);
+    layout->addLayout(row);
+    layout->addWidget(m_meaning);
+    connect(m_size, &QLineEdit::textChanged, this, &SizeHelper::showTyped);
+    connect(m_size, &QLineEdit::editingFinished, this, &SizeHelper::fill);
+    connect(&document, &Document::replaced, this, [this] { m_size->clear(); });
+    connect(&document, &Document::changed, this, &SizeHelper::showPart);
+    retranslate();
+}
+
+/// What is being typed stays, and what was refused as long as it is; else the part's own field
+/// stands there.
+void SizeHelper::showPart() {
+    const auto typed = toFill();
+    const bool unfinished = m_size->isModified() && !m_size->text().trimmed().isEmpty() && typed
+                            && (m_size->hasFocus() || !typed->size);
+    if (!unfinished) {
+        m_size->setText(fieldOf(m_document.project().part));
+    }
+    showTyped();
+}
+
+/// The size that is typed, as far as the part has another.
+std::optional<TypedSize> SizeHelper::toFill() const {
+    const Part& part = m_document.project().part;
+    const TypedSize typed = readSize(m_size->text(), part);
+    const bool same = typed.size && typed.size->nominal_mm == part.diameter_mm
+                      && typed.deviations.upper_um == part.upper_deviation_um
+                      && typed.deviations.lower_um == part.lower_deviation_um;
+    return same ? std::nullopt : std::optional(typed);
+}
+
+void SizeHelper::showTyped() {
+    const auto typed = toFill();
+    m_meaning->setText(typed ? typed->text : QString());
+    m_meaning->setVisible(!m_meaning->text().isEmpty());
+}
+
+void SizeHelper::fill() {
+    const auto typed = toFill();
+    if (!typed || !typed->size) {
+        showPart();
+        return;
+    }
+    Project project = m_document.project();
+    project.part.diameter_mm = typed->size->nominal_mm;
+    project.part.upper_deviation_um = typed->deviations.upper_um;
+    project.part.lower_deviation_um = typed->deviations.lower_um;
+    m_size->setModified(false);
+    m_document.endMerge();
+    m_document.edit(std::move(project),
+                    {"Edit", QT_TRANSLATE_NOOP("Edit", "Limits from the tolerance class")});
+}
+
+void SizeHelper::retranslate() {
+    m_label->setText(tr("Tolerance class"));
+    m_size->setPlaceholderText(tr("e.g. %1").arg(
+        m_document.project().part.surface == Surface::internal ? QStringLiteral("30H7")
+                                                               : QStringLiteral("30h6")));
+    m_size->setAccessibleName(tr("Size with its tolerance class"));
+    m_size->setToolTip(tr("ISO 286: 30h6 fills diameter and limits; h6 keeps the diameter"));
+    m_meaning->setAccessibleName(tr("What the tolerance class means"));
+    showPart();
+}
+
+} // namespace sparkout

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/session/document.h"
+#include "ui/text/size_field.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <string>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace sparkout {
+
+/// What stands below a row of the inputs and fills others from what is typed there.
+class RowHelper : public QWidget {
+    Q_OBJECT
+
+public:
+    using QWidget::QWidget;
+    virtual void retranslate() = 0;
+};
+
+/// The helper below the row at a path; null where there is none.
+[[nodiscard]] RowHelper* makeRowHelper(const std::string& path, Document& document,
+                                       QWidget* parent);
+
+/// Says what the wheel's marking means, and fills the wheel from it.
+class MarkingHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    MarkingHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    void showMarking();
+    void fill();
+
+    Document& m_document;
+    QLabel* m_meaning;
+    QPushButton* m_fill;
+};
+
+/// A part of the project that may not be given yet, and a usual one of it.
+struct Offer {
+    const char *noteName, *buttonName; ///< of the widgets
+    bool (*isGiven)(const Project& project);
+    Project (*give)(Project project);
+    EditText edit;
+    const char *purpose, *note, *button, *tip; ///< to be translated
+};
+
+/// Says what the part is for and offers the usual one, as long as it is not given.
+class OfferHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    OfferHelper(const Offer& offer, Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    const Offer& m_offer;
+    Document& m_document;
+    QLabel* m_note;
+    QPushButton* m_add;
+};
+
+/// Takes a size with its tolerance class, 30h6, says what it means, and fills diameter and limits
+/// from it when it is left or Enter is pressed.
+class SizeHelper : public RowHelper {
+    Q_OBJECT
+
+public:
+    SizeHelper(Document& document, QWidget* parent);
+    void retranslate() override;
+
+private:
+    void showPart();
+    void showTyped();
+    [[nodiscard]] std::optional<TypedSize> toFill() const;
+    void fill();
+
+    Document& m_document;
+    QLabel* m_label;
+    QLineEdit* m_size;
+    QLabel* m_meaning;
+};
+
+} // namespace sparkout

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/stage_model.h"
+
+#include "ui/inputs/forms/column_header.h"
+#include "ui/session/document.h"
+
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPalette>
+
+#include <algorithm>
+#include <string_view>
+
+namespace sparkout {
+
+QString percentText(double share) {
+    const double percent = share * 100;
+    const bool small = percent > 0 && percent < 0.95;
+    return QLocale().toString(percent, 'f', small ? 1 : 0) + QStringLiteral("\u00a0%");
+}
+
+namespace {
+
+/// Three digits, and no exponent however long it takes.
+QString timeText(double time_s) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return time_s < 1000 ? locale.toString(time_s, 'g', 3) : locale.toString(time_s, 'f', 0);
+}
+
+} // namespace
+
+const Stage& StageModel::stage(const QModelIndex& index) const {
+    return document().project().cycle.stages[std::size_t(index.row())];
+}
+
+bool StageModel::relevant(const QModelIndex& index) const {
+    if (field(index).kind == Kind::sparkOut) {
+        return index.row() == rowCount() - 1 || stage(index).spark_out.mode != SparkOut::Mode::none;
+    }
+    return ListModel::relevant(index);
+}
+
+void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
+    Project project = document().project();
+    Stage& to = project.cycle.stages[std::size_t(index.row())];
+    const Stage before = to;
+    to.spark_out = sparkOut;
+    const bool feeds = sparkOut.mode == SparkOut::Mode::none;
+    if (!feeds) { // a spark-out feeds nothing
+        to.radial_feed_mm.reset();
+        to.radial_feed_mm_min.reset();
+    } else if (before.spark_out.mode != SparkOut::Mode::none) {
+        const auto& started =
+            document().beforeEditsOf(QString::fromStdString(path(index))).cycle.stages;
+        const bool traverse = project.operation == Operation::traverse;
+        if (std::size_t(index.row()) < started.size()) { // what this edit took away
+            to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
+            to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
+        }
+        auto& feed = traverse ? to.radial_feed_mm : to.radial_feed_mm_min;
+        feed = feed ? feed : std::optional(traverse ? 0.001 : 0.1);
+    }
+    document().edit(std::move(project), {"Input", field(index).label},
+                    QString::fromStdString(path(index)));
+}
+
+QString StageModel::sparkOutShown(const QModelIndex& index) const {
+    const SparkOut& sparkOut = stage(index).spark_out;
+    switch (sparkOut.mode) {
+    case SparkOut::Mode::none: return tr("none");
+    case SparkOut::Mode::untilSize: return tr("until size");
+    case SparkOut::Mode::count: break;
+    }
+    return document().project().operation == Operation::traverse
+               ? tr("%n double strokes", nullptr, sparkOut.count)
+               : tr("%n revolutions", nullptr, sparkOut.count);
+}
+
+void StageModel::setOutcome(const OutcomePtr& outcome) {
+    m_stale = !outcome->ran();
+    if (outcome->ran()) {
+        m_run = outcome;
+    }
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    }
+}
+
+bool StageModel::isStock(const QModelIndex& index) const {
+    return isField(index) && std::string_view(field(index).key) == "stock_mm";
+}
+
+bool StageModel::known(int row) const {
+    return m_run && m_run->result.timeByStage_s.size() == std::size_t(rowCount())
+           && m_run->result.project.cycle.stages.size() == std::size_t(rowCount()) && row >= 0;
+}
+
+/// The stock a stage takes of the part's: the first one what the later ones leave [MODEL-7].
+double StageModel::stockShare(int row) const {
+    const Project& project = m_run->result.project;
+    const auto& stages = project.cycle.stages;
+    double later = 0;
+    for (std::size_t i = 1; i < stages.size(); ++i) {
+        later += stages[i].stock_mm;
+    }
+    const double own = row == 0 ? project.part.stock_mm - later : stages[std::size_t(row)].stock_mm;
+    return std::clamp(own / project.part.stock_mm, 0.0, 1.0);
+}
+
+double StageModel::timeShare(int row) const {
+    const double time_s = m_run->result.time_s;
+    return time_s > 0 ? m_run->result.timeByStage_s[std::size_t(row)] / time_s : 0;
+}
+
+QVariant StageModel::data(const QModelIndex& index, int role) const {
+    if (role == staleRole) {
+        return m_stale;
+    }
+    if (role != shareRole || !known(index.row())) {
+        return role == shareRole ? QVariant() : ListModel::data(index, role);
+    }
+    if (isStock(index)) {
+        return stockShare(index.row());
+    }
+    return isField(index) ? QVariant() : QVariant(timeShare(index.row()));
+}
+
+QVariant StageModel::resultData(const QModelIndex& index, int role) const {
+    const bool has = known(index.row());
+    const QString time =
+        has ? timeText(m_run->result.timeByStage_s[std::size_t(index.row())]) : QString();
+    switch (role) {
+    case Qt::DisplayRole: return has ? time : QStringLiteral("—");
+    case Qt::TextAlignmentRole: return int(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ForegroundRole:
+        return m_stale || !has
+                   ? QVariant(QGuiApplication::palette().color(QPalette::Disabled, QPalette::Text))
+                   : QVariant();
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return has ? tr("Stage %1: %2 s, %3 of the machining time")
+                         .arg(QString::number(index.row() + 1), time,
+                              percentText(timeShare(index.row())))
+                   : QVariant();
+    default: return {};
+    }
+}
+
+QVariant StageModel::resultHeader(int, int role) const {
+    switch (role) {
+    case Qt::DisplayRole:
+    case ColumnHeader::markupRole: return tr("Time, s");
+    case Qt::ToolTipRole: return tr("Machining time of the stage and its share of the cycle's.");
+    default: return {};
+    }
+}
+
+QString StageModel::shown(const QModelIndex& index) const {
+    const bool sparkOut =
+        field(index).kind == Kind::sparkOut && relevant(index) && refusedText(index).isNull();
+    return sparkOut ? sparkOutShown(index) : ListModel::shown(index);
+}
+
+} // namespace sparkout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/cycle.h"
+#include "core/study/outcome.h"
+#include "ui/inputs/forms/list_model.h"
+
+namespace sparkout {
+
+/// "62 %", "0.4 %".
+[[nodiscard]] QString percentText(double share);
+
+/// The stages of the document's cycle as a table; the last stage may spark out. A further column
+/// has the time of each stage; stock and time know the stage's share of the cycle's.
+class StageModel : public ListModel {
+    Q_OBJECT
+
+public:
+    static constexpr int shareRole = Qt::UserRole + 10; ///< 0…1; invalid where there is none
+    static constexpr int staleRole = Qt::UserRole + 11; ///< of the last run that could be made
+
+    using ListModel::ListModel;
+
+    [[nodiscard]] const Stage& stage(const QModelIndex& index) const;
+    void setSparkOut(const QModelIndex& index, SparkOut sparkOut);
+    void setOutcome(const sparkout::OutcomePtr& outcome);
+
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+protected:
+    [[nodiscard]] bool relevant(const QModelIndex& index) const override;
+    [[nodiscard]] QString shown(const QModelIndex& index) const override;
+    [[nodiscard]] int resultColumns() const override { return 1; }
+    [[nodiscard]] QVariant resultData(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant resultHeader(int column, int role) const override;
+
+private:
+    [[nodiscard]] QString sparkOutShown(const QModelIndex& index) const;
+    [[nodiscard]] bool isStock(const QModelIndex& index) const;
+    [[nodiscard]] bool known(int row) const; ///< whether the last run has this stage
+    [[nodiscard]] double stockShare(int row) const;
+    [[nodiscard]] double timeShare(int row) const;
+
+    OutcomePtr m_run;     ///< the last one that could be made
+    bool m_stale = false; ///< the inputs are faulty since
+};
+
+} // namespace sparkout

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/inputs/forms/stage_table.h"
+
+#include "ui/inputs/forms/stage_delegate.h"
+#include "ui/inputs/forms/stage_model.h"
+#include "ui/kit/help_topic.h"
+
+#include <QHeaderView>
+#include <QTableView>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+const std::string stagesPath = "/cycle/stages";
+
+/// Sums of stocks stay free of last bits such as 0.30000000000000004.
+double tidy(double stock_mm) {
+    return std::round(stock_mm * 1e9) / 1e9;
+}
+
+bool sparksOut(const Stage& stage) {
+    return stage.spark_out.mode != SparkOut::Mode::none;
+}
+
+const Field& stagesField() {
+    return *tableOf<Cycle>().find("stages");
+}
+
+} // namespace
+
+StageTable::StageTable(Document& document, QWidget* parent)
+    : StageTable(document, new StageModel(stagesPath, stagesField(), document), parent) {}
+
+StageTable::StageTable(Document& document, StageModel* model, QWidget* parent)
+    : ListTable(stagesPath, stagesField(), document, model, new StageDelegate(document), parent)
+    , m_stages(model) {
+    setHelpTopic(*this, QStringLiteral("stages"));
+    StageTable::fitRows();
+    view().setWordWrap(true); // a spark-out takes two lines
+    showTitleBold();
+    retranslate();
+}
+
+void StageTable::fitRows() {
+    setRowHeight(StageDelegate::rowHeight(view().fontMetrics()));
+}
+
+void StageTable::setOutcome(const OutcomePtr& outcome) {
+    m_stages->setOutcome(outcome);
+}
+
+void StageTable::applyStages(std::vector<Stage> stages, EditText text, int selected) {
+    Project project = document().project();
+    project.cycle.stages = std::move(stages);
+    apply(std::move(project), text, selected);
+}
+
+void StageTable::addRow() {
+    auto stages = document().project().cycle.stages;
+    if (stages.empty()) {
+        applyStages({Stage{}}, {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
+        return;
+    }
+    // The new stage shares the stock of the one it follows (or, for a spark-out, goes before it).
+    auto at = static_cast<std::size_t>(std::max(0, currentRow()));
+    const bool beforeSparkOut = sparksOut(stages[at]);
+    if (beforeSparkOut && at > 0) {
+        --at;
+    }
+    Stage added = stages[at];
+    added.spark_out = {};
+    if (sparksOut(stages[at])) {
+        const bool traverse = document().project().operation == Operation::traverse;
+        (traverse ? added.radial_feed_mm : added.radial_feed_mm_min) = traverse ? 0.001 : 0.1;
+        stages.insert(stages.begin(), added);
+        applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
+        return;
+    }
+    const double micrometres = std::round(stages[at].stock_mm * 500); // of half the stock
+    added.stock_mm = micrometres > 0 ? micrometres / 1000 : tidy(stages[at].stock_mm / 2);
+    stages[at].stock_mm = tidy(stages[at].stock_mm - added.stock_mm);
+    stages.insert(stages.begin() + static_cast<std::ptrdiff_t>(at) + 1, added);
+    applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")},
+                static_cast<int>(at) + 1);
+}
+
+void StageTable::removeRow() {
+    auto stages = document().project().cycle.stages;
+    const int at = currentRow();
+    if (at < 0 || stages.size() < 2) {
+        return;
+    }
+    const auto index = static_cast<std::size_t>(at);
+    Stage& heir = stages[index > 0 ? index - 1 : 1]; // the sum of the stocks stays
+    heir.stock_mm = tidy(heir.stock_mm + stages[index].stock_mm);
+    stages.erase(stages.begin() + at);
+    applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Remove a stage")},
+                std::min(at, static_cast<int>(stages.size()) - 1));
+}
+
+void StageTable::clearCell() {
+    const QModelIndex cell = view().currentIndex();
+    if (!m_stages->isField(cell) || m_stages->field(cell).kind != Kind::sparkOut) {
+        ListTable::clearCell();
+    } else if (m_stages->flags(cell) & Qt::ItemIsEditable) {
+        m_stages->accept(cell);
+        m_stages->setSparkOut(cell, {});
+        document().endMerge();
+    }
+}
+
+bool StageTable::canMove(int by) const {
+    const auto& stages = document().project().cycle.stages;
+    const int from = currentRow();
+    const int to = from + by;
+    const int count = static_cast<int>(stages.size());
+    return from >= 0 && to >= 0 && to < count && !sparksOut(stages[std::size_t(from)])
+           && !sparksOut(stages[std::size_t(to)]);
+}
+
+void StageTable::moveRow(int by) {
+    if (!canMove(by)) {
+        return;
+    }
+    auto stages = document().project().cycle.stages;
+    const int from = currentRow();
+    std::swap(stages[std::size_t(from)], stages[std::size_t(from + by)]);
+    applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Move a stage")}, from + by);
+}
+
+bool StageTable::canRemove() const {
+    return rows() > 1 && currentRow() >= 0;
+}
+
+ListTable::Texts StageTable::texts() const {
+    return {tr("Stages"),           tr("Stages of the cycle"), tr("Add a stage"),
+            tr("Remove the stage"), tr("Move the stage up"),   tr("Move the stage down")};
+}
+
+} // namespace sparkout

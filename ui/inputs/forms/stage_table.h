@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/cycle.h"
+#include "core/study/outcome.h"
+#include "ui/inputs/forms/list_table.h"
+
+namespace sparkout {
+
+class StageModel;
+
+/// The cycle's stages. Adding, removing and moving keep the sum of the stocks and leave a
+/// spark-out at the end.
+class StageTable : public ListTable {
+    Q_OBJECT
+
+public:
+    explicit StageTable(Document& document, QWidget* parent = nullptr);
+
+    void setOutcome(const sparkout::OutcomePtr& outcome);
+    void addRow() override;
+    void removeRow() override;
+    void moveRow(int by) override;
+    void clearCell() override;
+
+protected:
+    void fitRows() override;
+    [[nodiscard]] Texts texts() const override;
+    [[nodiscard]] bool canRemove() const override;
+    [[nodiscard]] bool canMove(int by) const override;
+
+private:
+    StageTable(Document& document, StageModel* model, QWidget* parent);
+    void applyStages(std::vector<Stage> stages, EditText text, int selected);
+
+    StageModel* m_stages;
+};
+
+} // namespace sparkout

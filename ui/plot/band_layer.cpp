@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/band_layer.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace sparkout {
+
+namespace {
+constexpr double nameGap = 4;
+constexpr double namePad = 2;   ///< of a name's coloured box, to both sides
+constexpr double leastBand = 2; ///< narrower bands are not named [px]
+} // namespace
+
+/// A band in sight and the room its name takes.
+struct BandLayer::Name {
+    double from, to;  ///< the band's pixels
+    double width;     ///< of the box
+    double left = 0;  ///< of the box, once placed
+    const Band* band; ///< whose name it is
+    const QString* text;
+
+    [[nodiscard]] bool touchesBand() const { return left < to && left + width > from; }
+};
+
+BandLayer::BandLayer(QCPAxisRect* rect, bool showNames)
+    : QCPLayerable(rect->parentPlot(), QStringLiteral("bands"))
+    , m_rect(rect)
+    , m_showNames(showNames) {}
+
+const Band* BandLayer::bandAt(double x) const {
+    const auto it =
+        std::ranges::find_if(m_bands, [x](const Band& b) { return b.from <= x && x < b.to; });
+    return it == m_bands.end() ? nullptr : &*it;
+}
+
+int BandLayer::nameMargin(const QFont& font) {
+    return QFontMetrics(font).height() + 4;
+}
+
+void BandLayer::applyDefaultAntialiasingHint(QCPPainter* painter) const {
+    painter->setAntialiasing(false);
+}
+
+QRect BandLayer::clipRect() const {
+    return mParentPlot->viewport();
+}
+
+void BandLayer::draw(QCPPainter* painter) {
+    const QCPAxis* axis = m_rect->axis(QCPAxis::atBottom);
+    const QRectF area = m_rect->rect();
+    painter->setPen(Qt::NoPen);
+    for (const Band& band : m_bands) {
+        const double from = std::max(axis->coordToPixel(band.from), area.left());
+        const double to = std::min(axis->coordToPixel(band.to), area.right() + 1);
+        if (to > from) {
+            painter->setBrush(band.colour);
+            painter->drawRect(QRectF(from, area.top(), to - from, area.height()));
+        }
+    }
+    m_drawnNames.clear();
+    if (m_showNames) {
+        drawNames(painter, area);
+    }
+}
+
+std::vector<BandLayer::Name> BandLayer::namesIn(const QRectF& area, bool brief) const {
+    const QCPAxis* axis = m_rect->axis(QCPAxis::atBottom);
+    const QFontMetricsF metrics(mParentPlot->font());
+    std::vector<Name> names;
+    for (const Band& band : m_bands) {
+        const QString& text = brief && !band.brief.isEmpty() ? band.brief : band.name;
+        const double from = std::max(axis->coordToPixel(band.from), area.left());
+        const double to = std::min(axis->coordToPixel(band.to), area.right() + 1);
+        const double width = metrics.horizontalAdvance(text) + 2 * namePad;
+        if (to >= from + leastBand && !text.isEmpty() && width <= area.width()) {
+            names.push_back({from, to, width, 0, &band, &text});
+        }
+    }
+    return names;
+}
+
+namespace {
+
+/// Puts the boxes side by side, each as near to the middle of its band as the others let it. The
+/// index of the first that lost its band, or nothing when all are well.
+template <typename Names>
+std::optional<std::size_t> place(Names& names, const QRectF& area) {
+    double free = area.left();
+    for (auto& name : names) {
+        name.left = std::max(free, (name.from + name.to - name.width) / 2);
+        free = name.left + name.width + nameGap;
+    }
+    double end = area.right() + 1;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        name->left = std::min(name->left, end - name->width);
+        end = name->left - nameGap;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!names[i].touchesBand() || names[i].left < area.left()) {
+            return i;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void BandLayer::drawNames(QCPPainter* painter, const QRectF& area) {
+    std::vector<Name> names = namesIn(area, false);
+    if (place(names, area)) {
+        names = namesIn(area, true);
+        while (place(names, area)) {
+            names.erase(
+                std::ranges::min_element(names, {}, [](const Name& n) { return n.to - n.from; }));
+        }
+    }
+    const QFontMetricsF metrics(mParentPlot->font());
+    painter->setFont(mParentPlot->font());
+    for (const Name& name : names) {
+        const QRectF box(name.left, area.top() - 2 - metrics.height(), name.width,
+                         metrics.height());
+        painter->setPen(Qt::NoPen);
+        painter->setBrush(name.band->colour);
+        painter->drawRect(box);
+        painter->setPen(mParentPlot->palette().color(QPalette::Text));
+        painter->drawText(QPointF(box.left() + namePad, box.bottom() - metrics.descent()),
+                          *name.text);
+        m_drawnNames.push_back({*name.text, box});
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/cursor_model.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+/// A, B and B − A.
+void put(std::vector<std::optional<double>>& into, std::size_t group,
+         const std::optional<double>& a, const std::optional<double>& b) {
+    into[3 * group] = a;
+    into[3 * group + 1] = b;
+    into[3 * group + 2] = a && b ? std::optional(*b - *a) : std::nullopt;
+}
+
+} // namespace
+
+void CursorModel::show(const QString& axis, const Places& places, const ReadCurves& curves) {
+    QStringList groups;
+    for (const ReadCurve& curve : curves) {
+        if (!groups.contains(curve.group)) {
+            groups << curve.group;
+        }
+    }
+    if (groups.isEmpty()) {
+        groups << QString();
+    }
+    const auto width = static_cast<std::size_t>(groups.size()) * perGroup;
+    std::vector<Row> rows{{axis, Digits::significant, true, {}}};
+    rows.front().values.resize(width);
+    for (std::size_t group = 0; group < width / perGroup; ++group) {
+        put(rows.front().values, group, places[0], places[1]);
+    }
+    for (const ReadCurve& curve : curves) {
+        auto row = std::ranges::find(rows, curve.name, &Row::name);
+        if (row == rows.end()) {
+            row = rows.insert(rows.end(), {curve.name, curve.digits, false, {}});
+            row->values.resize(width);
+        }
+        const auto value = [&](const std::optional<double>& place) {
+            return place ? curve.at(*place) : std::nullopt;
+        };
+        put(row->values, static_cast<std::size_t>(groups.indexOf(curve.group)), value(places[0]),
+            value(places[1]));
+    }
+    const bool same = groups == m_groups && rows.size() == m_rows.size();
+    if (same) {
+        m_rows = std::move(rows);
+        if (rowCount() > 0) {
+            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+        }
+        return;
+    }
+    beginResetModel();
+    m_groups = std::move(groups);
+    m_rows = std::move(rows);
+    endResetModel();
+}
+
+int CursorModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || m_rows.empty() ? 0 : static_cast<int>(m_rows.size()) - 1;
+}
+
+int CursorModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : 1 + perGroup * static_cast<int>(m_groups.size());
+}
+
+QString CursorModel::cell(const Row& row, int column) const {
+    const std::optional<double>& value = row.values[static_cast<std::size_t>(column)];
+    if (!value) {
+        return QStringLiteral("–");
+    }
+    const bool difference = column % perGroup == perGroup - 1;
+    if (row.place) {
+        return toldPlace(*value);
+    }
+    if (!difference) {
+        return told(*value, row.digits);
+    }
+    const std::optional<double>& beside = row.values[static_cast<std::size_t>(column) - 1];
+    return toldDifference(*value, row.digits, beside.value_or(*value));
+}
+
+QVariant CursorModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid()) {
+        return {};
+    }
+    const Row& row = m_rows[static_cast<std::size_t>(index.row()) + 1]; // the places stand above
+    if (role == Qt::DisplayRole) {
+        return index.column() == 0 ? row.name : cell(row, index.column() - 1);
+    }
+    if (role == Qt::TextAlignmentRole && index.column() > 0) {
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    return {};
+}
+
+QString CursorModel::header(int section, QChar between) const {
+    if (section == 0) {
+        return tr("Curve");
+    }
+    const QString& group = m_groups[(section - 1) / perGroup];
+    const int which = (section - 1) % perGroup;
+    const QString place = which == 0   ? QStringLiteral("A")
+                          : which == 1 ? QStringLiteral("B")
+                                       : QStringLiteral("B − A");
+    return group.isEmpty() ? place : group + between + place;
+}
+
+QVariant CursorModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    const bool known = orientation == Qt::Horizontal && section >= 0 && section < columnCount();
+    return known && role == Qt::DisplayRole ? header(section, u'\n') : QVariant();
+}
+
+CsvTable CursorModel::table() const {
+    CsvTable table;
+    for (int section = 0; section < columnCount(); ++section) {
+        table.header << header(section, u' ');
+    }
+    for (const Row& row : m_rows) {
+        std::vector<CsvCell> cells{row.name};
+        for (const std::optional<double>& value : row.values) {
+            CsvCell& cell = cells.emplace_back();
+            if (value) {
+                cell.emplace<double>(row.place ? plainPlace(*value) : *value);
+            }
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    return table;
+}
+
+QString CursorModel::asTsv() const {
+    return tabSeparated(table(), QLocale());
+}
+
+} // namespace sparkout

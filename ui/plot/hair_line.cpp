@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/hair_line.h"
+
+namespace sparkout {
+
+namespace {
+
+QString layerOf(QCustomPlot& plot) {
+    if (!plot.layer(HairLine::layerName())) {
+        plot.addLayer(HairLine::layerName());
+        plot.layer(HairLine::layerName())->setMode(QCPLayer::lmBuffered);
+    }
+    return HairLine::layerName();
+}
+
+} // namespace
+
+HairLine::HairLine(QCustomPlot& plot, Role role)
+    : QCPLayerable(&plot, layerOf(plot)), m_role(role) {}
+
+void HairLine::setAt(std::optional<double> x) {
+    if (x != m_x) {
+        m_x = x;
+        layer()->replot();
+    }
+}
+
+void HairLine::applyDefaultAntialiasingHint(QCPPainter* painter) const {
+    painter->setAntialiasing(false);
+}
+
+QRect HairLine::clipRect() const {
+    return mParentPlot->viewport();
+}
+
+void HairLine::draw(QCPPainter* painter) {
+    if (!m_x) {
+        return;
+    }
+    const bool moment = m_role == Role::moment;
+    QColor colour = mParentPlot->palette().color(moment ? QPalette::Highlight : QPalette::Text);
+    colour.setAlpha(moment ? 255 : 160);
+    painter->setPen(QPen(colour, moment ? 2 : 0));
+    for (const QCPAxisRect* rect : mParentPlot->axisRects()) {
+        const QCPAxis* axis = rect->axis(QCPAxis::atBottom);
+        if (axis && axis->range().contains(*m_x)) {
+            const double x = axis->coordToPixel(*m_x);
+            painter->drawLine(QLineF(x, rect->top(), x, rect->bottom()));
+        }
+    }
+}
+
+} // namespace sparkout

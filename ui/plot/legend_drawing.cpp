@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/legend_drawing.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr int sample = 22;
+constexpr int sampleGap = 5;
+constexpr int between = 14;
+constexpr int swatchHeight = 10;
+constexpr int haloWidth = 4;
+constexpr double hiddenOpacity = 0.45; ///< opacity of what is hidden
+} // namespace
+
+std::vector<QRect> legendRects(const LegendEntries& entries, const QFontMetrics& metrics,
+                               int width) {
+    std::vector<QRect> rects;
+    const int height = metrics.height() + 2;
+    int x = 0, y = 0;
+    for (const LegendEntry& e : entries) {
+        const int w = std::min(sample + sampleGap + metrics.horizontalAdvance(e.text) + 2, width);
+        if (x > 0 && x + w > width) {
+            x = 0;
+            y += height;
+        }
+        rects.emplace_back(x, y, w, height);
+        x += w + between;
+    }
+    return rects;
+}
+
+int legendHeight(const std::vector<QRect>& rects) {
+    return rects.empty() ? 0 : rects.back().bottom() + 1;
+}
+
+void drawLegendEntry(QPainter& painter, const LegendEntry& entry, const QRect& rect,
+                     const QColor& textColour) {
+    painter.save();
+    painter.setOpacity(entry.shown ? 1 : hiddenOpacity);
+    const int middle = rect.center().y();
+    if (entry.pen == Qt::NoPen) {
+        const QRect swatch(rect.left() + 4, middle - swatchHeight / 2 + 1, sample - 8,
+                           swatchHeight);
+        const bool frame = entry.fill == Qt::NoBrush;
+        painter.setPen(frame ? QPen(entry.colour, 2) : QPen(Qt::NoPen));
+        painter.setBrush(QBrush(entry.colour, entry.fill));
+        painter.drawRect(frame ? swatch.adjusted(4, 0, -4, 0) : swatch);
+    } else {
+        QPen pen(entry.colour, 2, entry.pen, Qt::FlatCap);
+        if (!entry.dash.isEmpty()) {
+            pen.setDashPattern(entry.dash);
+        }
+        if (entry.halo.isValid()) {
+            painter.setPen(QPen(entry.halo, haloWidth, Qt::SolidLine, Qt::FlatCap));
+            painter.drawLine(rect.left(), middle, rect.left() + sample, middle);
+        }
+        painter.setPen(pen);
+        painter.drawLine(rect.left(), middle, rect.left() + sample, middle);
+    }
+    painter.setPen(textColour);
+    QFont font = painter.font();
+    font.setStrikeOut(!entry.shown);
+    painter.setFont(font);
+    const QRect text = rect.adjusted(sample + sampleGap, 0, 0, 0);
+    const QFontMetrics metrics(font);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                     metrics.elidedText(entry.text, Qt::ElideRight, text.width()));
+    painter.restore();
+}
+
+void CurveChoice::toggle(int key) {
+    if (m_hidden.erase(key) == 0) {
+        m_hidden.insert(key);
+    }
+}
+
+void CurveChoice::only(int key, const LegendEntries& entries) {
+    std::set<int> others;
+    for (const LegendEntry& e : entries) {
+        if (e.key >= 0 && e.key != key) {
+            others.insert(e.key);
+        }
+    }
+    m_hidden = m_hidden == others ? std::set<int>() : others;
+}
+
+} // namespace sparkout

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/read_curves.h"
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+
+namespace sparkout {
+
+/// What the cursors need to know of a view's plot.
+struct CursorSubject {
+    std::function<QString()> axis;      ///< name of the horizontal axes, with its unit
+    std::function<QCPRange()> span;     ///< the places there are
+    std::function<ReadCurves()> curves; ///< that are shown, row by row
+    /// What of a place stays when the axis changes its unit, and the place of it [the same].
+    std::function<double(double)> keep, place;
+};
+
+/// Two vertical lines, A and B, through every axis rect of a plot, to read its curves at. They are
+/// dragged with the mouse, moved with Shift and arrows (A) or Ctrl, Shift and arrows (B), and put
+/// to places that are typed; and they are drawn in exported pictures, while shown.
+class PlotCursors : public QCPLayerable {
+    Q_OBJECT
+public:
+    static constexpr std::size_t count = 2;
+
+    PlotCursors(QCustomPlot& plot, CursorSubject subject);
+
+    QAction* toggle; ///< shows and hides them
+    [[nodiscard]] bool shown() const { return toggle->isChecked() && !mParentPlot->isHidden(); }
+    /// The place of a cursor on the axis of now; nothing before they were first shown.
+    [[nodiscard]] std::optional<double> at(std::size_t cursor) const;
+    void moveTo(std::size_t cursor, double x);
+    [[nodiscard]] static QString letter(std::size_t cursor); ///< "A", "B"
+    [[nodiscard]] const CursorSubject& subject() const { return m_subject; }
+    [[nodiscard]] QCustomPlot& plot() const { return *mParentPlot; }
+    void retranslate();
+
+signals:
+    void moved();
+    void shownChanged();
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void drawTag(QCPPainter& painter, const QCPAxisRect& rect, std::size_t cursor, double x) const;
+    void showThem(bool on);
+    [[nodiscard]] std::vector<QCPAxisRect*> rects() const; ///< that have a horizontal axis
+    [[nodiscard]] std::optional<std::size_t> cursorAt(const QPointF& at) const;
+    void dragTo(const QPointF& at);
+    bool onMouse(QMouseEvent& event);
+    bool onKey(const QKeyEvent& event);
+    void step(std::size_t cursor, int steps);
+    [[nodiscard]] double rounded(double x) const; ///< to what a pixel can tell
+
+    CursorSubject m_subject;
+    std::array<std::optional<double>, count> m_kept;
+    std::optional<std::size_t> m_dragged;
+    QCPAxisRect* m_rect = nullptr; ///< while dragged, the one the mouse was pressed in
+    bool m_pointing = false;       ///< the mouse is over a cursor
+};
+
+} // namespace sparkout

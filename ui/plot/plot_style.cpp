@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_style.h"
+
+#include "ui/kit/font_size.h"
+#include "ui/kit/theme.h"
+#include "ui/plot/number_ticker.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout::style {
+
+bool isDark(const QPalette& palette) {
+    return sparkout::isDark(palette);
+}
+
+QColor colour(Hue hue, const QPalette& palette) {
+    switch (hue) {
+    case Hue::blue: return tone(Tone::blue, palette);
+    case Hue::sky: return tone(Tone::sky, palette);
+    case Hue::vermilion: return tone(Tone::vermilion, palette);
+    case Hue::orange: return tone(Tone::orange, palette);
+    case Hue::green: return tone(Tone::green, palette);
+    case Hue::purple: return tone(Tone::purple, palette);
+    case Hue::yellow: return tone(Tone::yellow, palette);
+    }
+    return palette.color(QPalette::Text);
+}
+
+QColor dimmed(QColor colour, bool dim) {
+    if (dim) {
+        colour.setAlphaF(colour.alphaF() * 0.35F);
+    }
+    return colour;
+}
+
+void setUpAxis(QCPAxis& axis) {
+    axis.setLayer(QStringLiteral("axes"));
+    axis.grid()->setLayer(QStringLiteral("grid"));
+    axis.setNumberFormat(QStringLiteral("g"));
+    axis.setNumberPrecision(6);
+    axis.setSubTicks(false);
+    axis.setTicker(QSharedPointer<NumberTicker>::create());
+}
+
+void applyPalette(QCPAxis& axis, const QPalette& palette) {
+    const QColor text = palette.color(QPalette::Text);
+    QColor line = text;
+    line.setAlpha(150);
+    axis.setBasePen(line);
+    axis.setTickPen(line);
+    axis.setSubTickPen(line);
+    axis.setTickLabelColor(text);
+    axis.setLabelColor(text);
+    QColor grid = text;
+    grid.setAlpha(35);
+    axis.grid()->setPen(QPen(grid, 0));
+    axis.grid()->setSubGridVisible(false);
+    axis.grid()->setZeroLinePen(QPen(line, 0));
+}
+
+void applyPalette(QCustomPlot& plot, const QPalette& palette) {
+    plot.setBackground(palette.brush(QPalette::Base));
+    for (QCPAxisRect* rect : plot.axisRects()) {
+        for (QCPAxis* axis : rect->axes()) {
+            applyPalette(*axis, palette);
+        }
+    }
+}
+
+int ticksWithRoom(int height, const QFont& font) {
+    constexpr int least = 2, usual = 5;
+    constexpr double lines = 1.4; // of a number and what is clear of it
+    return std::clamp(static_cast<int>(height / (lines * QFontMetrics(font).height())), least,
+                      usual);
+}
+
+void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
+    constexpr double least = 0.6; // of the usual size
+    constexpr int air = 6;        // beyond the plot, before a neighbour's label
+    const auto fit = [&](QCPAxis& axis, int room) {
+        int need = 1;
+        for (const QString& line : axis.label().split(u'\n')) {
+            need = std::max(need, QFontMetrics(font).horizontalAdvance(line));
+        }
+        const double times = double(room) / need;
+        const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
+        if (axis.labelFont() != own) {
+            axis.setLabelFont(own);
+        }
+    };
+    const QRect all = rect.outerRect(); // a label stands in the middle of its axis
+    const int centre = rect.center().x();
+    for (QCPAxis* axis : rect.axes(QCPAxis::atBottom)) {
+        fit(*axis, 2 * std::min(centre - all.left(), all.right() - centre) - air);
+    }
+    for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
+        fit(*axis, rect.height() + air);
+        axis->ticker()->setTickCount(ticksWithRoom(rect.height(), font));
+    }
+}
+
+void setSafeRange(QCPAxis& axis, double low, double high) {
+    if (!std::isfinite(low) || !std::isfinite(high) || low > high) {
+        return;
+    }
+    const double least = std::max({std::abs(low), std::abs(high), 1e-6}) * 1e-9;
+    if (high - low < least) {
+        low -= least;
+        high += least;
+    }
+    axis.setRange(low, high);
+}
+
+} // namespace sparkout::style

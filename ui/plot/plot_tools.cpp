@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_tools.h"
+
+#include "ui/dialogs/save_dialog.h"
+#include "ui/kit/keyboard.h"
+#include "ui/kit/theme.h"
+#include "ui/plot/hair_line.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <QStatusTipEvent>
+#include <QTimer>
+#include <QToolButton>
+
+#include <qcustomplot.h>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int clipboardScale = 2;
+constexpr int message_ms = 6000;
+
+} // namespace
+
+PlotTools::PlotTools(QCustomPlot& plot, PlotSubject subject)
+    : QObject(&plot)
+    , fit(make(u"fit", {Qt::Key_Home}))
+    , back(make(u"back", {Qt::Key_Backspace, Qt::ALT | Qt::Key_Left}))
+    , forward(make(u"forward", {Qt::ALT | Qt::Key_Right}))
+    , copyPicture(make(u"copy", {QKeySequence::Copy}))
+    , copyData(make(u"", {Qt::CTRL | Qt::SHIFT | Qt::Key_C}))
+    , svg(make(u""))
+    , pdf(make(u""))
+    , xlsx(make(u""))
+    , csvRussian(make(u""))
+    , csvEnglish(make(u""))
+    , m_plot(plot)
+    , m_subject(std::move(subject))
+    , m_navigation(plot, m_subject.navigation) {
+    for (int scale = 1; scale <= largestPictureScale; ++scale) {
+        png.push_back(make(u""));
+    }
+    buildMenus();
+    connectActions();
+    retranslate();
+    follow();
+}
+
+QAction* PlotTools::make(const char16_t* icon, const QList<QKeySequence>& keys) {
+    auto* action = new QAction(this);
+    const QStringView name(icon);
+    if (!name.isEmpty()) {
+        action->setIcon(themeIcon(name));
+    }
+    action->setShortcuts(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    return action;
+}
+
+void PlotTools::buildMenus() {
+    m_export = new QMenu(&m_plot);
+    m_export->setObjectName(QStringLiteral("exportMenu"));
+    m_png = new QMenu(m_export);
+    m_csv = new QMenu(m_export);
+    m_csv->setToolTipsVisible(true);
+    m_export->addActions({copyPicture, copyData});
+    m_export->addSeparator();
+    m_export->addMenu(m_png);
+    m_export->addActions({svg, pdf});
+    m_export->addSeparator();
+    m_export->addAction(xlsx);
+    m_export->addMenu(m_csv);
+    for (QAction* action : png) {
+        m_png->addAction(action);
+    }
+    m_csv->addActions({csvRussian, csvEnglish});
+    m_plot.addActions({fit, back, forward, copyPicture, copyData});
+    m_plot.setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_png, &QMenu::aboutToShow, this, &PlotTools::retranslate); // the sizes of now
+    connect(&m_plot, &QWidget::customContextMenuRequested, this, &PlotTools::showContextMenu);
+}
+
+void PlotTools::connectActions() {
+    connect(fit, &QAction::triggered, &m_navigation, &PlotNavigation::fit);
+    connect(back, &QAction::triggered, &m_navigation, &PlotNavigation::back);
+    connect(forward, &QAction::triggered, &m_navigation, &PlotNavigation::forward);
+    connect(&m_navigation, &PlotNavigation::historyChanged, this, &PlotTools::follow);
+    connect(copyPicture, &QAction::triggered, this, &PlotTools::copyPictureNow);
+    connect(copyData, &QAction::triggered, this, &PlotTools::copyDataNow);
+    for (int scale = 1; scale <= largestPictureScale; ++scale) {
+        connect(png[static_cast<std::size_t>(scale - 1)], &QAction::triggered, this, [this, scale] {
+            savePicture(QStringLiteral("png"), tr("PNG pictures (*.png)"),
+                        [scale](const PlotPicture& p) { return pngWork(p, scale); });
+        });
+    }
+    connect(svg, &QAction::triggered, this,
+            [this] { savePicture(QStringLiteral("svg"), tr("SVG drawings (*.svg)"), svgWork); });
+    connect(pdf, &QAction::triggered, this,
+            [this] { savePicture(QStringLiteral("pdf"), tr("PDF documents (*.pdf)"), pdfWork); });
+    connect(xlsx, &QAction::triggered, this, [this] { saveData(TableFormat::xlsx); });
+    connect(csvRussian, &QAction::triggered, this, [this] { saveData(TableFormat::csvRussian); });
+    connect(csvEnglish, &QAction::triggered, this, [this] { saveData(TableFormat::csvEnglish); });
+}
+
+void PlotTools::setEnabled(bool enabled) {
+    m_enabled = enabled;
+    follow();
+}
+
+void PlotTools::addTool(QAction* action) {
+    m_more << action;
+    follow();
+}
+
+void PlotTools::follow() {
+    back->setEnabled(m_enabled && m_navigation.canGoBack());
+    forward->setEnabled(m_enabled && m_navigation.canGoForward());
+    const bool table = m_enabled && m_subject.table;
+    for (QAction* action : {copyData, xlsx, csvRussian, csvEnglish, m_csv->menuAction()}) {
+        action->setEnabled(table);
+    }
+    for (QAction* action :
+         QList<QAction*>{fit, copyPicture, svg, pdf, m_png->menuAction()} + m_more) {
+        action->setEnabled(m_enabled);
+    }
+    for (const auto& button : m_exportButtons) {
+        if (button) {
+            button->setEnabled(m_enabled);
+        }
+    }
+}
+
+QToolButton* PlotTools::button(QAction* action, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+QToolButton* PlotTools::exportButton(QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setIcon(themeIcon(m_subject.icon));
+    button->setMenu(m_export);
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setObjectName(QStringLiteral("export"));
+    m_exportButtons.emplace_back(button);
+    retranslate();
+    follow();
+    return button;
+}
+
+void PlotTools::showContextMenu(const QPoint& at) {
+    QMenu menu(&m_plot);
+    menu.setObjectName(QStringLiteral("plotMenu"));
+    if (!m_subject.own.isEmpty()) {
+        menu.addActions(m_subject.own);
+        menu.addSeparator();
+    }
+    menu.addActions({fit, back, forward});
+    menu.addActions(m_more);
+    menu.addSeparator();
+    menu.addActions(m_export->actions());
+    menu.exec(m_plot.mapToGlobal(at));
+}
+
+// --- copies and files ---------------------------------------------------------------------------
+
+QString PlotTools::fileName() const {
+    const QStringList heading = m_subject.heading();
+    return fileNameOf({heading.value(1), heading.value(0)});
+}
+
+PlotPicture PlotTools::picture() const {
+    return {&m_plot, m_subject.heading(), m_subject.legend ? m_subject.legend() : LegendEntries()};
+}
+
+template <typename Draw>
+auto PlotTools::inLightLook(Draw draw) const {
+    const QPalette own = m_plot.testAttribute(Qt::WA_SetPalette) ? m_plot.palette() : QPalette();
+    QCPLayer* hairLine = m_plot.layer(HairLine::layerName());
+    const auto look = [this, hairLine](const QPalette& palette, bool line) {
+        m_plot.setPalette(palette);
+        if (m_subject.restyle) {
+            m_subject.restyle();
+        }
+        if (hairLine) {
+            hairLine->setVisible(line);
+        }
+    };
+    look(paletteOf(Theme::light), false);
+    auto drawn = draw(picture());
+    look(own, true);
+    return drawn;
+}
+
+void PlotTools::copyPictureNow() {
+    QApplication::clipboard()->setImage(
+        inLightLook([](const PlotPicture& p) { return pictureImage(p, clipboardScale); }));
+    say(tr("The picture is on the clipboard."));
+}
+
+void PlotTools::copyDataNow() {
+    QApplication::clipboard()->setText(tabSeparated(m_subject.table(), QLocale()));
+    say(tr("The data are on the clipboard."));
+}
+
+void PlotTools::savePicture(const QString& suffix, const QString& filter,
+                            const std::function<PictureWork(const PlotPicture&)>& draw) {
+    SaveRequest request{tr("Save the picture"), fileName(), suffix, filter,
+                        [&] { return inLightLook(draw); }};
+    (void)saveWithDialog(m_plot.window(), m_settings, request);
+}
+
+void PlotTools::saveData(TableFormat format) {
+    (void)saveTable(m_plot.window(), m_settings, {m_subject.heading(), m_subject.table()}, format);
+}
+
+void PlotTools::say(const QString& text) {
+    const auto send = [this](const QString& tip) {
+        QStatusTipEvent event(tip);
+        QApplication::sendEvent(&m_plot, &event); // the window shows it in its status bar
+    };
+    send(text);
+    QTimer::singleShot(message_ms, &m_plot, [send] { send({}); });
+}
+
+void PlotTools::retranslate() {
+    fit->setText(tr("Show all"));
+    back->setText(tr("Back"));
+    forward->setText(tr("Forward"));
+    fit->setToolTip(
+        tr("Show all; a double click in the plot does it too. Wheel: zoom, over an axis that axis "
+           "only, with Shift move. Drag: move. Keys: + − and arrows."));
+    back->setToolTip(tr("Back to what was in sight before"));
+    forward->setToolTip(tr("Forward again"));
+    copyPicture->setText(tr("&Copy the picture"));
+    copyData->setText(tr("Copy the &data"));
+    for (QAction* action : {fit, back, forward, copyPicture, copyData}) {
+        nameShortcut(*action);
+    }
+    m_png->setTitle(tr("P&NG picture"));
+    m_csv->setTitle(tr("CSV &table"));
+    svg->setText(tr("&SVG drawing…"));
+    pdf->setText(tr("&PDF drawing…"));
+    const std::pair<QAction*, TableFormat> tables[] = {{xlsx, TableFormat::xlsx},
+                                                       {csvRussian, TableFormat::csvRussian},
+                                                       {csvEnglish, TableFormat::csvEnglish}};
+    for (const auto& [action, format] : tables) {
+        action->setText(tableFormatText(format));
+        action->setToolTip(tableFormatHint(format));
+    }
+    const QSize size = pictureSize(picture());
+    for (std::size_t i = 0; i < png.size(); ++i) {
+        const int scale = static_cast<int>(i) + 1;
+        png[i]->setText(tr("&%1×: %2 × %3 pixels…")
+                            .arg(scale)
+                            .arg(size.width() * scale)
+                            .arg(size.height() * scale));
+    }
+    for (const auto& button : m_exportButtons) {
+        if (button) {
+            const QString plot = m_subject.name ? m_subject.name() : QString();
+            button->setAccessibleName(plot.isEmpty() ? tr("Export") : tr("Export: %1").arg(plot));
+            button->setToolTip(plot.isEmpty() ? tr("Copy or save what the plot shows")
+                                              : tr("Copy or save: %1").arg(plot));
+        }
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/read_curves.h"
+
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <qcustomplot.h>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int sureDigits = 12;
+
+/// Between two points, on a straight line as the axis draws it.
+double interpolated(const XY& a, const XY& b, double x, bool logarithmic) {
+    if (b.x <= a.x) {
+        return b.y;
+    }
+    const double share = (x - a.x) / (b.x - a.x);
+    return logarithmic && a.y > 0 && b.y > 0 ? a.y * std::pow(b.y / a.y, share)
+                                             : a.y + share * (b.y - a.y);
+}
+
+bool isLogarithmic(const QCPAxis* axis) {
+    return axis && axis->scaleType() == QCPAxis::stLogarithmic;
+}
+
+std::optional<double> finite(double value) {
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<double> valueAt(const std::vector<XY>& line, double x) {
+    const auto above = std::ranges::upper_bound(line, x, {}, &XY::x);
+    if (above == line.begin()) {
+        return std::nullopt;
+    }
+    const XY& below = *(above - 1);
+    if (below.x == x) {
+        return finite(below.y);
+    }
+    return above == line.end() ? std::nullopt : finite(interpolated(below, *above, x, false));
+}
+
+std::optional<double> valueAt(const QCPGraph& graph, double x) {
+    const auto data = graph.data();
+    const auto above =
+        std::upper_bound(data->constBegin(), data->constEnd(), x,
+                         [](double place, const QCPGraphData& p) { return place < p.key; });
+    if (above == data->constBegin()) {
+        return std::nullopt;
+    }
+    const QCPGraphData& below = *(above - 1);
+    if (below.key == x) {
+        return finite(below.value);
+    }
+    if (above == data->constEnd()) {
+        return std::nullopt;
+    }
+    return finite(interpolated({below.key, below.value}, {above->key, above->value}, x,
+                               isLogarithmic(graph.valueAxis())));
+}
+
+std::optional<double> valueAt(const QCPCurve& curve, double x) {
+    const auto data = curve.data();
+    std::optional<double> value;
+    for (auto at = data->constBegin(); at != data->constEnd(); ++at) {
+        const auto before = at == data->constBegin() ? at : at - 1;
+        const bool falls = before->key > at->key;
+        const XY a{before->key, before->value}, b{at->key, at->value};
+        if (x >= std::min(a.x, b.x) && x <= std::max(a.x, b.x)) {
+            const bool logarithmic = isLogarithmic(curve.valueAxis());
+            value = finite(falls ? interpolated(b, a, x, logarithmic)
+                                 : interpolated(a, b, x, logarithmic));
+        }
+    }
+    return value;
+}
+
+QString told(double value, Digits digits) {
+    switch (digits) {
+    case Digits::hundredths: return Names::micrometres(value);
+    case Digits::signedHundredths: return Names::signedMicrometres(value);
+    case Digits::thousandths: return Names::fixed(value, 3);
+    case Digits::tenThousandths: return Names::millimetres(value);
+    case Digits::significant: break;
+    }
+    return Names::significant(value);
+}
+
+QString toldDifference(double value, Digits digits, double beside) {
+    if (digits == Digits::hundredths || digits == Digits::signedHundredths) {
+        return Names::signedMicrometres(value);
+    }
+    const QString other = told(beside, digits);
+    const auto point = other.lastIndexOf(QLocale().decimalPoint());
+    const auto decimals = point < 0 ? 0 : other.size() - point - QLocale().decimalPoint().size();
+    const bool rises = value >= 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+    return (rises ? QStringLiteral("+") : QString())
+           + Names::fixed(value, static_cast<int>(decimals));
+}
+
+double plainPlace(double x) {
+    return QString::number(x, 'g', sureDigits).toDouble();
+}
+
+QString toldPlace(double x) {
+    return showNumber(plainPlace(x), QLocale());
+}
+
+} // namespace sparkout

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/documents/report_kinds.h"
+
+#include "core/batch/scenario_source.h"
+#include "core/study/evaluate.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/documents/passport.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace sparkout::report {
+
+namespace {
+
+Report makeCard(const Subject& subject) {
+    return cycleCard(subject.outcome, subject.file, subject.date);
+}
+
+Report makeHandout(const Subject& subject) {
+    return courseHandout(subject.outcome, subject.file, subject.date, subject.handout,
+                         subject.breathe);
+}
+
+constexpr std::array allKinds{
+    KindRow{Kind::card, "card", "the cycle card", QT_TRANSLATE_NOOP("ReportKind", "Cycle car&d"),
+            false, makeCard},
+    KindRow{Kind::passport, "passport", "the accuracy passport, with the batch",
+            QT_TRANSLATE_NOOP("ReportKind", "Accuracy &passport"), true, passport},
+    KindRow{Kind::handout, "handout", "the hand-out of a course, a step of the cycle worked out",
+            QT_TRANSLATE_NOOP("ReportKind", "Course &hand-out"), false, makeHandout},
+};
+
+} // namespace
+
+std::span<const KindRow> kinds() {
+    return allKinds;
+}
+
+const KindRow& rowOf(Kind kind) {
+    return *std::ranges::find(allKinds, kind, &KindRow::kind);
+}
+
+std::optional<Kind> kindOf(const QString& key) {
+    const auto row = std::ranges::find_if(
+        allKinds, [&key](const KindRow& r) { return key == QLatin1StringView(r.key); });
+    return row == allKinds.end() ? std::nullopt : std::optional(row->kind);
+}
+
+QString menuText(Kind kind) {
+    return QCoreApplication::translate("ReportKind", rowOf(kind).menu);
+}
+
+OutcomePtr runWorstPart(const BatchOutcome& batch) {
+    const ScenarioSource source(batch.result.project);
+    return evaluate(source.project(batch.summary.worstPart), {});
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/outcome.h"
+#include "ui/report/format/report.h"
+#include "ui/report/handout/course_handout.h"
+#include "ui/session/batch_runner.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+/// The kinds of reports, each described once: command line, menus and help go by this table.
+namespace sparkout::report {
+
+enum class Kind { card, passport, handout };
+
+/// What is reported.
+struct Subject {
+    OutcomePtr outcome;    ///< of a run that ran
+    BatchOutcomePtr batch; ///< of the same inputs, run whole, for a kind that takes one; or null
+    OutcomePtr worst;      ///< run of the batch's worst part, beside a batch
+    QString file;          ///< path of the project, or empty
+    QDate date;
+    HandoutOptions handout;                ///< what the course hand-out is to have
+    std::function<void()> breathe = [] {}; ///< called between figures, so that a window may live
+};
+
+struct KindRow {
+    Kind kind;
+    const char* key;  ///< on the command line
+    const char* told; ///< there: what it is
+    const char* menu; ///< its menu, to be translated in the context ReportKind
+    bool takesBatch;  ///< it is about the project's batch, when there is one
+    Report (*make)(const Subject& subject);
+};
+
+[[nodiscard]] std::span<const KindRow> kinds(); ///< in the order of the menus
+[[nodiscard]] const KindRow& rowOf(Kind kind);
+[[nodiscard]] std::optional<Kind> kindOf(const QString& key);
+[[nodiscard]] QString menuText(Kind kind); ///< with its mnemonic
+
+/// Runs the part of the batch with the least margin as a cycle of its own.
+[[nodiscard]] OutcomePtr runWorstPart(const BatchOutcome& batch);
+
+} // namespace sparkout::report

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/formula_writer.h"
+
+#include "ui/text/formula_text.h"
+#include "ui/text/texts.h"
+
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace sparkout::report {
+
+namespace {
+
+constexpr int mostDigits = 13;
+constexpr int leastResultDigits = 2;
+constexpr double noLength_mm = 5e-10; ///< less than that is rounding of radii
+
+/// Without the last roundings of a difference of radii.
+FormulaTerm settled(FormulaTerm term) {
+    const bool length = term.unit && QLatin1StringView(term.unit) == QLatin1StringView("mm");
+    if (length && std::abs(term.value) < noLength_mm) {
+        term.value = 0;
+    }
+    return term;
+}
+
+QString printed(const FormulaTerm& term, int digits) {
+    return formulaNumber(term, digits).replace(u'-', QChar(0x2212));
+}
+
+LeafWriter numbersWith(int digits) {
+    return [digits](const FormulaTerm& term) {
+        const FormulaTerm shown = settled(term);
+        return FormulaLeaf{printed(shown, digits), shownValue(shown, digits)};
+    };
+}
+
+FormulaLeaf symbolLeaf(const FormulaTerm& term) {
+    return {isConstant(term) ? printed(term, sheetDigits) : QString::fromUtf8(term.symbol),
+            term.value};
+}
+
+/// With as few digits as give the result; the result loses some only where no number of digits
+/// does, as its terms cancel.
+std::pair<std::vector<FormulaNode>, int> substituted(const FormulaStep& step) {
+    const FormulaTerm result = settled(step.result);
+    for (int shown = resultDigits; shown >= leastResultDigits; --shown) {
+        for (int digits = sheetDigits; digits <= mostDigits; ++digits) {
+            std::vector<FormulaNode> side = rightSide(step, numbersWith(digits));
+            FormulaTerm found = result;
+            found.value = side.empty() ? result.value : side.front().value;
+            if (printed(settled(found), shown) == printed(result, shown)) {
+                return {std::move(side), shown};
+            }
+        }
+    }
+    return {rightSide(step, numbersWith(mostDigits)), leastResultDigits};
+}
+
+FormulaNode words(const QString& text) {
+    return {FormulaNode::Kind::text, text, 2, 0, {}};
+}
+
+/// The number of a term and its unit, with the powers of that raised.
+FormulaNode quantityNode(const QString& number, const FormulaTerm& term) {
+    static const QRegularExpression power(QStringLiteral("(\\p{L}+)\\^([0-9]+(?:[.,][0-9]+)?)"));
+    FormulaNode node{FormulaNode::Kind::row, {}, 2, term.value, {words(number)}};
+    if (!term.unit || !*term.unit) {
+        return node;
+    }
+    const QString unit = QChar::Nbsp + unitText(term.unit);
+    qsizetype from = 0;
+    for (auto it = power.globalMatch(unit); it.hasNext();) {
+        const auto match = it.next();
+        node.parts.push_back(words(unit.mid(from, match.capturedStart() - from)));
+        node.parts.push_back({FormulaNode::Kind::power,
+                              {},
+                              2,
+                              0,
+                              {words(match.captured(1)), words(match.captured(2))}});
+        from = match.capturedEnd();
+    }
+    node.parts.push_back(words(unit.mid(from)));
+    return node;
+}
+
+} // namespace
+
+Formula equation(const FormulaStep& step) {
+    const FormulaTerm result = settled(step.result);
+    auto [numbers, digits] = substituted(step);
+    Formula formula;
+    formula.sides = rightSide(step, symbolLeaf);
+    if (!numbers.empty() && inOneLine(numbers.front()) != inOneLine(formula.sides.front())) {
+        formula.sides.push_back(std::move(numbers.front()));
+    }
+    formula.sides.insert(formula.sides.begin(),
+                         leafNode(QString::fromUtf8(result.symbol), result.value));
+    const QString text = printed(result, digits);
+    if (inOneLine(formula.sides.back()) == text) {
+        formula.sides.pop_back(); // it states a number
+    }
+    formula.sides.push_back(quantityNode(text, result));
+    return formula;
+}
+
+std::vector<Block> FormulaWriter::write(const FormulaSheet& sheet) {
+    std::vector<Block> blocks;
+    for (const FormulaStep& step : sheet.steps) {
+        Formula formula = equation(step);
+        QString key;
+        for (const FormulaNode& side : formula.sides) {
+            key += inOneLine(side) + u'=';
+        }
+        if (m_written.contains(key)) {
+            continue;
+        }
+        m_written.insert(key);
+        formula.label = QStringLiteral("(%1)").arg(++m_count);
+        blocks.emplace_back(std::move(formula));
+    }
+    return blocks;
+}
+
+} // namespace sparkout::report

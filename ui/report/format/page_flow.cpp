@@ -1,0 +1,713 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/page_flow.h"
+
+#include "ui/report/format/formula_box.h"
+#include "ui/report/format/text_box.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace sparkout::report {
+
+namespace {
+
+// Sizes in tenths of a point, fonts in points.
+constexpr double bodySize = 9, smallSize = 7.5, headingSize = 11, titleSize = 15;
+constexpr double gap = 60, cellPad = 30, rowPad = 14, line = 5;
+constexpr double cellRoom = 2 * cellPad + 2; ///< beside its text, and for rounding
+constexpr QColor rule(150, 150, 150), shade(236, 236, 236), printInk(0, 0, 0),
+    printFaint(90, 90, 90);
+constexpr double formulaSize = 9.5, formulaIndent = 120, labelRoom = 260;
+constexpr double smallerBy = 0.5, leastSize = 6.5, leastHead = 5.5; ///< of a table's type
+constexpr double leastOneLine = 7.5; ///< so small to keep every row in one line
+constexpr int leastLines = 3;        ///< of a text or a row that follow a heading on its page
+constexpr std::size_t leastRows = 3; ///< of a table that is parted, on each of its pages
+constexpr double wholeShare = 0.5;   ///< of a page: what is smaller is never parted
+constexpr int introLines = 6;        ///< a text so short belongs to what follows or precedes it
+
+struct PageText {
+    Q_DECLARE_TR_FUNCTIONS(PageText)
+public:
+    static QString number(int page, int count) { return tr("page %1 of %2").arg(page).arg(count); }
+};
+
+/// What the columns of a table need.
+struct ColumnNeeds {
+    std::vector<double> least;  ///< the longest word, or the longest number with what belongs to it
+    std::vector<double> wanted; ///< the longest line of the rows
+    std::vector<double> head;   ///< the same with the head
+};
+
+/// `goesOn` is asked row by row, here and below; what comes of a stop is not used.
+using GoesOn = std::function<bool()>;
+
+ColumnNeeds needsOf(const Table& table, double body, double head, bool wholeNumbers,
+                    const GoesOn& goesOn) {
+    const auto columns = static_cast<std::size_t>(table.head.size());
+    ColumnNeeds needs{std::vector<double>(columns), std::vector<double>(columns),
+                      std::vector<double>(columns)};
+    const auto raise = [](double& value, double to) { value = std::max(value, to); };
+    for (const QStringList& row : table.rows) {
+        if (!goesOn()) {
+            break;
+        }
+        const QFont font = reportFont(body, table.lastIsSum && &row == &table.rows.back());
+        for (std::size_t c = 0; c < columns; ++c) {
+            const QString& text = row[static_cast<qsizetype>(c)];
+            const bool isText = c < table.texts.size() && table.texts[c];
+            const double whole = TextBox::widestLine(text, font) + cellRoom;
+            const double word = TextBox::widestWord(text, font) + cellRoom;
+            raise(needs.least[c], wholeNumbers && !isText ? whole : word);
+            raise(needs.wanted[c], whole);
+        }
+    }
+    const QFont font = reportFont(head, true);
+    for (std::size_t c = 0; c < columns; ++c) {
+        const QString& text = table.head[static_cast<qsizetype>(c)];
+        raise(needs.least[c], TextBox::widestWord(text, font) + cellRoom);
+        raise(needs.wanted[c], needs.least[c]);
+        needs.head[c] = std::max(needs.wanted[c], TextBox::widestLine(text, font) + cellRoom);
+    }
+    return needs;
+}
+
+double sumOf(const std::vector<double>& widths) {
+    return std::accumulate(widths.begin(), widths.end(), 0.0);
+}
+
+/// The cells of a column as words, to tell how many lines they take at a width.
+class ColumnWords {
+public:
+    ColumnWords(const Table& table, std::size_t column, double body, const GoesOn& goesOn) {
+        const QFontMetricsF metrics(reportFont(body));
+        m_space = metrics.horizontalAdvance(u' ');
+        for (const QStringList& row : table.rows) {
+            auto& lines = m_cells.emplace_back();
+            if (!goesOn()) {
+                continue;
+            }
+            for (const QString& paragraph : row[static_cast<qsizetype>(column)].split(u'\n')) {
+                auto& words = lines.emplace_back();
+                for (const QString& word : paragraph.split(u' ', Qt::SkipEmptyParts)) {
+                    words.push_back(metrics.horizontalAdvance(word));
+                }
+            }
+        }
+    }
+    [[nodiscard]] std::vector<int> lines(double width) const {
+        std::vector<int> counts;
+        for (const auto& cell : m_cells) {
+            int count = 0;
+            for (const std::vector<double>& words : cell) {
+                double taken = 0;
+                ++count;
+                for (const double word : words) {
+                    const double with = taken > 0 ? taken + m_space + word : word;
+                    count += with > width && taken > 0 ? 1 : 0;
+                    taken = with > width ? word : with;
+                }
+            }
+            counts.push_back(count);
+        }
+        return counts;
+    }
+
+private:
+    double m_space = 0;
+    std::vector<std::vector<std::vector<double>>> m_cells; ///< by row, line and word
+};
+
+/// Widens columns to what they want, the least first, as far as there is room.
+void widen(std::vector<double>& widths, const std::vector<double>& wanted, double width,
+           std::size_t spared = 0) {
+    std::vector<std::size_t> order(widths.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t c) { return wanted[c] - widths[c]; });
+    order.resize(order.size() - std::min(spared, order.size()));
+    double spare = width - sumOf(widths);
+    for (const std::size_t c : order) {
+        const double more = std::clamp(wanted[c] - widths[c], 0.0, std::max(0.0, spare));
+        widths[c] += more;
+        spare -= more;
+    }
+}
+
+/// Shares the room among the columns so that the rows take as few lines as can be: the three that
+/// want most are tried in steps, the others get what they want.
+void share(std::vector<double>& widths, const std::vector<double>& wanted, double width,
+           const Table& table, double body, const GoesOn& goesOn) {
+    constexpr std::size_t tried = 3;
+    constexpr int steps = 24;
+    if (sumOf(wanted) <= width || widths.size() < tried) {
+        widen(widths, wanted, width);
+        return;
+    }
+    widen(widths, wanted, width, tried);
+    const double spare = width - sumOf(widths);
+    std::vector<std::size_t> most(widths.size());
+    std::iota(most.begin(), most.end(), std::size_t{0});
+    std::ranges::stable_sort(most, std::greater<>(),
+                             [&](std::size_t c) { return wanted[c] - widths[c]; });
+    most.resize(tried);
+    std::array<std::array<std::vector<int>, steps + 1>, tried> lines;
+    for (std::size_t i = 0; i < tried; ++i) {
+        const ColumnWords words(table, most[i], body, goesOn);
+        for (int k = 0; k <= steps; ++k) {
+            lines[i][static_cast<std::size_t>(k)] =
+                words.lines(widths[most[i]] + spare * k / steps - cellRoom);
+        }
+    }
+    std::array<int, tried> best{steps, 0, 0};
+    std::pair<int, double> least{std::numeric_limits<int>::max(), 0};
+    for (int a = 0; a <= steps && goesOn(); ++a) {
+        for (int b = 0; a + b <= steps; ++b) {
+            const std::array<int, tried> given{a, b, steps - a - b};
+            std::pair<int, double> cost{0, 0};
+            for (std::size_t r = 0; r < table.rows.size(); ++r) {
+                int row = 0;
+                for (std::size_t i = 0; i < tried; ++i) {
+                    row = std::max(row, lines[i][static_cast<std::size_t>(given[i])][r]);
+                }
+                cost.first += row;
+            }
+            for (std::size_t i = 0; i < tried; ++i) { // of equals the one that misses least
+                const double missing = wanted[most[i]] - widths[most[i]] - spare * given[i] / steps;
+                cost.second += missing * missing / wanted[most[i]];
+            }
+            if (cost < least) {
+                least = cost;
+                best = given;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < tried; ++i) {
+        widths[most[i]] += spare * best[i] / steps;
+    }
+}
+
+} // namespace
+
+/// Columns that fill the page: rows in one line each where that can be, in slightly smaller type if
+/// need be, then short heads.
+PageFlow::Columns PageFlow::columnsOf(const Table& table) const {
+    const double width = m_area.width();
+    const auto headOf = [](double body) {
+        return std::max(leastHead, smallSize - (bodySize - body));
+    };
+    const GoesOn goesOn = [this] { return this->goesOn(); };
+    Columns columns{{}, bodySize, smallSize};
+    ColumnNeeds needs = needsOf(table, bodySize, smallSize, true, goesOn);
+    for (double body = bodySize; body >= leastOneLine; body -= smallerBy) {
+        const ColumnNeeds smaller = needsOf(table, body, headOf(body), true, goesOn);
+        if (sumOf(smaller.wanted) <= width) {
+            needs = smaller;
+            columns.body = body;
+            break;
+        }
+    }
+    while (sumOf(needs.least) > width && columns.body > leastSize) {
+        columns.body -= smallerBy;
+        needs = needsOf(table, columns.body, headOf(columns.body), true, goesOn);
+    }
+    columns.head = headOf(columns.body);
+    if (sumOf(needs.least) > width) {
+        needs = needsOf(table, columns.body, columns.head, false, goesOn);
+    }
+    columns.widths = needs.least;
+    share(columns.widths, needs.wanted, width, table, columns.body, goesOn);
+    widen(columns.widths, needs.head, width);
+    const double scale = width / sumOf(columns.widths); // spread what is over, or press together
+    std::ranges::for_each(columns.widths, [scale](double& w) { w *= scale; });
+    return columns;
+}
+
+PageFlow::Row PageFlow::rowOf(const QStringList& cells, const Columns& columns, const Table& table,
+                              const QFont& font) {
+    Row row{{}, 0};
+    for (std::size_t c = 0; c < columns.widths.size(); ++c) {
+        const bool left = c < table.texts.size() && table.texts[c];
+        row.boxes.emplace_back(cells[static_cast<qsizetype>(c)], font,
+                               columns.widths[c] - 2 * cellPad,
+                               left ? Qt::AlignLeft : Qt::AlignRight);
+        row.height = std::max(row.height, row.boxes.back().height());
+    }
+    if (table.symbols && &cells != &table.head) {
+        row.boxes.front().showIndices();
+    }
+    row.height += 2 * rowPad;
+    return row;
+}
+
+PageFlow::Row PageFlow::headOf(const Table& table, const Columns& columns) const {
+    return rowOf(table.head, columns, table, reportFont(columns.head, true));
+}
+
+std::vector<PageFlow::Row> PageFlow::rowsOf(const Table& table, const Columns& columns) const {
+    std::vector<Row> rows;
+    for (const QStringList& cells : table.rows) {
+        if (!goesOn()) {
+            break;
+        }
+        const bool sum = table.lastIsSum && &cells == &table.rows.back();
+        rows.push_back(rowOf(cells, columns, table, reportFont(columns.body, sum)));
+    }
+    return rows;
+}
+
+const PageFlow::LaidOutTable& PageFlow::laidOut(const Table& table) const {
+    if (m_laidOut.table != &table) {
+        const Columns columns = columnsOf(table);
+        m_laidOut = {&table, columns, headOf(table, columns), rowsOf(table, columns)};
+    }
+    return m_laidOut;
+}
+
+std::vector<PageFlow::Row> PageFlow::rowsOf(const Facts& facts) const {
+    const double width = m_area.width() / 2 - 2 * cellPad;
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < facts.facts.size(); i += 2) {
+        Row row{{}, 0};
+        for (std::size_t k = i; k < std::min(i + 2, facts.facts.size()); ++k) {
+            row.boxes.emplace_back(facts.facts[k].first, reportFont(smallSize), width);
+            row.boxes.emplace_back(facts.facts[k].second, reportFont(bodySize, true), width);
+            const auto pair = row.boxes.end() - 2;
+            row.height = std::max(row.height, pair->height() + (pair + 1)->height());
+        }
+        row.height += 2 * rowPad;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+PageFlow::PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing)
+    : m_report(report)
+    , m_keepGoing(keepGoing)
+    , m_area(area)
+    , m_top(2 * smallSize * 10 + gap / 2)
+    , m_bottom(area.height() - 2 * smallSize * 10 - gap / 2) {
+    newPage();
+    addTitle();
+    for (m_block = 0; m_block < report.blocks.size(); ++m_block) {
+        need(std::min(together(m_block), m_bottom - m_top));
+        std::visit(*this, report.blocks[m_block]);
+        if (!goesOn()) {
+            break;
+        }
+    }
+    addMargins();
+}
+
+bool PageFlow::goesOn() const {
+    m_stopped = m_stopped || !m_keepGoing(double(m_block) / double(m_report.blocks.size()));
+    return !m_stopped;
+}
+
+void PageFlow::newPage() {
+    m_pages.emplace_back();
+    m_y = m_top;
+}
+
+void PageFlow::need(double height) {
+    if (height > room() && m_y > m_top) {
+        newPage();
+    }
+}
+
+void PageFlow::mark(Pages::Box::Kind kind, double height, std::vector<TextBox> cells) {
+    m_boxes.push_back(
+        {kind, m_block, static_cast<int>(m_pages.size()) - 1, m_y, height, std::move(cells)});
+}
+
+void PageFlow::addTitle() {
+    const TextBox title(m_report.title, reportFont(titleSize, true), m_area.width());
+    mark(Pages::Box::Kind::title, title.height(), {title});
+    add([title, y = m_y](QPainter& p) { title.paint(p, 0, y); });
+    m_y += title.height() + gap / 2;
+}
+
+void PageFlow::operator()(const Heading& heading) {
+    const TextBox box(heading.text, reportFont(headingSize, true), m_area.width());
+    m_y += m_y > m_top ? gap : 0;
+    m_marks.push_back({heading.text, static_cast<int>(m_pages.size()) - 1, m_y});
+    mark(Pages::Box::Kind::heading, box.height(), {box});
+    add([box, y = m_y](QPainter& p) { box.paint(p, 0, y); });
+    m_y += box.height() + gap / 3;
+}
+
+void PageFlow::operator()(const Paragraph& paragraph) {
+    const TextBox box = boxOf(paragraph);
+    const double lineHeight = box.height() / box.lines();
+    for (int first = 0; first < box.lines();) {
+        need(lineHeight);
+        const int left = box.lines() - first;
+        int fitting = std::max(1, static_cast<int>(room() / lineHeight));
+        if (fitting < left && left - fitting < leastLines - 1 && fitting > leastLines) {
+            fitting = left - leastLines + 1; // no line alone on the next page
+        }
+        const TextBox part = box.part(first, std::min(fitting, left));
+        mark(Pages::Box::Kind::text, part.height(), {part});
+        add([part, y = m_y](QPainter& p) { part.paint(p, 0, y); });
+        m_y += part.height();
+        first += part.lines();
+        if (first < box.lines()) {
+            newPage();
+        }
+    }
+    m_y += gap / 3;
+}
+
+TextBox PageFlow::boxOf(const Paragraph& paragraph) const {
+    return {paragraph.text, reportFont(bodySize, paragraph.strong), m_area.width()};
+}
+
+bool PageFlow::introduces(std::size_t block, const TextBox& box) const {
+    if (block + 1 >= m_report.blocks.size() || box.lines() > introLines) {
+        return false;
+    }
+    const Block& next = m_report.blocks[block + 1];
+    return std::holds_alternative<Table>(next) || std::holds_alternative<Facts>(next)
+           || std::holds_alternative<Formula>(next);
+}
+
+double PageFlow::noteBelow(std::size_t table) const {
+    const auto* note = table + 1 < m_report.blocks.size()
+                           ? std::get_if<Paragraph>(&m_report.blocks[table + 1])
+                           : nullptr;
+    if (!note) {
+        return 0;
+    }
+    const TextBox box = boxOf(*note);
+    return box.lines() > introLines || introduces(table + 1, box) ? 0 : gap / 2 + box.height();
+}
+
+std::size_t PageFlow::rowsThatFit(const std::vector<Row>& rows, std::size_t first,
+                                  double note) const {
+    double taken = 0;
+    std::size_t end = first;
+    while (end < rows.size() && taken + rows[end].height <= room()) {
+        taken += rows[end].height;
+        ++end;
+    }
+    const std::size_t over = end == rows.size() && taken + note > room() ? 1 : rows.size() - end;
+    if (over > 0 && over < leastRows && rows.size() - first >= 2 * leastRows) {
+        end = rows.size() - leastRows;
+    }
+    return end;
+}
+
+/// Two pairs abreast, framed as a card's head is.
+void PageFlow::operator()(const Facts& facts) {
+    const double half = m_area.width() / 2;
+    const std::vector<Row> rows = rowsOf(facts);
+    for (std::size_t r = 0, end = 0; r < rows.size(); ++r) {
+        if (r == end) {
+            need(rows[r].height);
+            end = std::max(r + 1, rowsThatFit(rows, r, noteBelow(m_block)));
+        }
+        const Row& row = rows[r];
+        mark(Pages::Box::Kind::facts, row.height, row.boxes);
+        add([row, y = m_y, half](QPainter& p) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double x = double(k) * half;
+                p.setPen(QPen(rule, line));
+                p.drawRect(QRectF(x, y, half, row.height));
+                if (2 * k < row.boxes.size()) {
+                    const TextBox& name = row.boxes[2 * k];
+                    p.setPen(printFaint);
+                    name.paint(p, x + cellPad, y + rowPad);
+                    p.setPen(printInk);
+                    row.boxes[2 * k + 1].paint(p, x + cellPad, y + rowPad + name.height());
+                }
+            }
+        });
+        m_y += row.height;
+        if (r + 1 == end && end < rows.size()) {
+            newPage();
+        }
+    }
+    m_y += gap / 2;
+}
+
+void PageFlow::addRow(const Row& row, const Columns& columns, const QColor& ground,
+                      Pages::Box::Kind kind) {
+    mark(kind, row.height, row.boxes);
+    add([row, widths = columns.widths, y = m_y, ground](QPainter& p) {
+        double x = 0;
+        for (std::size_t c = 0; c < row.boxes.size(); ++c) {
+            p.setPen(QPen(rule, line));
+            p.setBrush(ground.isValid() ? QBrush(ground) : QBrush(Qt::NoBrush));
+            p.drawRect(QRectF(x, y, widths[c], row.height));
+            p.setPen(printInk);
+            row.boxes[c].paint(p, x + cellPad, y + rowPad);
+            x += widths[c];
+        }
+    });
+    m_y += row.height;
+}
+
+/// A row that no page can hold goes on over the next ones, line by line.
+void PageFlow::addLongRow(const Row& row, const Row& head, const Columns& columns,
+                          const QColor& ground) {
+    const int lines = std::ranges::max_element(row.boxes, {}, &TextBox::lines)->lines();
+    const double lineHeight = row.boxes.front().height() / row.boxes.front().lines();
+    for (int first = 0; first < lines;) {
+        if (room() < std::min(leastLines, lines - first) * lineHeight + 2 * rowPad) {
+            newPage();
+            addRow(head, columns, shade, Pages::Box::Kind::head);
+        }
+        const int fitting = std::max(1, static_cast<int>((room() - 2 * rowPad) / lineHeight));
+        Row piece{{}, 0};
+        for (const TextBox& box : row.boxes) {
+            piece.boxes.push_back(box.part(first, fitting));
+            piece.height = std::max(piece.height, piece.boxes.back().height());
+        }
+        piece.height += 2 * rowPad;
+        addRow(piece, columns, ground, Pages::Box::Kind::row);
+        first += fitting;
+    }
+}
+
+void PageFlow::operator()(const Table& table) {
+    const auto& [of, columns, head, rows] = laidOut(table);
+    const double wholePage = m_bottom - m_top - head.height;
+    for (std::size_t r = 0, end = 0; r < rows.size() && goesOn(); ++r) {
+        const bool isLong = rows[r].height > wholePage;
+        if (r == end) {
+            const double least =
+                isLong ? leastLines * rows[r].boxes.front().height() : rows[r].height;
+            need(head.height + std::min(least, wholePage));
+            addRow(head, columns, shade, Pages::Box::Kind::head);
+            end = std::max(r + 1, rowsThatFit(rows, r, noteBelow(m_block)));
+        }
+        const bool sum = table.lastIsSum && r + 1 == rows.size();
+        const QColor ground = sum ? shade : QColor();
+        if (isLong) {
+            addLongRow(rows[r], head, columns, ground);
+            end = std::max(r + 1, rowsThatFit(rows, r + 1, noteBelow(m_block)));
+        } else {
+            addRow(rows[r], columns, ground, Pages::Box::Kind::row);
+        }
+        if (r + 1 == end && end < rows.size()) {
+            newPage();
+        }
+    }
+    m_y += gap / 2;
+}
+
+namespace {
+
+/// Of rows: all of them where that is little, else as many as a parted table shows.
+double rowsTogether(const std::vector<double>& heights, double above, double below, double page) {
+    const double whole = above + std::accumulate(heights.begin(), heights.end(), below);
+    if (whole <= wholeShare * page) {
+        return whole;
+    }
+    double first = above;
+    for (std::size_t r = 0; r < std::min(leastRows, heights.size()); ++r) {
+        first += heights[r];
+    }
+    return std::min(first, page);
+}
+
+} // namespace
+
+double PageFlow::together(std::size_t block) const {
+    if (block >= m_report.blocks.size()) {
+        return 0;
+    }
+    const double page = m_bottom - m_top;
+    const auto heights = [](const std::vector<Row>& rows) {
+        std::vector<double> all;
+        std::ranges::transform(rows, std::back_inserter(all), &Row::height);
+        return all;
+    };
+    const Block& of = m_report.blocks[block];
+    if (const auto* heading = std::get_if<Heading>(&of)) {
+        const TextBox box(heading->text, reportFont(headingSize, true), m_area.width());
+        return gap + box.height() + gap / 3 + together(block + 1);
+    }
+    if (const auto* paragraph = std::get_if<Paragraph>(&of)) {
+        const TextBox box = boxOf(*paragraph);
+        const double lineHeight = box.height() / box.lines();
+        if (introduces(block, box)) {
+            return box.height() + gap / 3 + together(block + 1);
+        }
+        return lineHeight * (box.lines() <= leastLines + 1 ? box.lines() : leastLines);
+    }
+    if (const auto* facts = std::get_if<Facts>(&of)) {
+        return rowsTogether(heights(rowsOf(*facts)), 0, noteBelow(block), page);
+    }
+    if (const auto* table = std::get_if<Table>(&of)) {
+        const LaidOutTable& all = laidOut(*table);
+        return rowsTogether(heights(all.rows), all.head.height, noteBelow(block), page);
+    }
+    if (const auto* figure = std::get_if<Figure>(&of)) {
+        return heightOf(*figure);
+    }
+    if (const auto* formula = std::get_if<Formula>(&of)) {
+        return std::min(heightOf(*formula), page);
+    }
+    return 0;
+}
+
+double PageFlow::scaleOf(const Figure& figure) const {
+    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width());
+    const double heading = 2 * (headingSize * 10 + gap); // the one above stays with it
+    return std::min(m_area.width() / figure.size.width(),
+                    (m_bottom - m_top - caption.height() - heading) / figure.size.height());
+}
+
+double PageFlow::heightOf(const Figure& figure) const {
+    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width());
+    return figure.size.height() * scaleOf(figure) + caption.height();
+}
+
+void PageFlow::operator()(const Figure& figure) {
+    const TextBox caption(figure.caption, reportFont(smallSize), m_area.width(), Qt::AlignHCenter);
+    const double scale = scaleOf(figure);
+    mark(Pages::Box::Kind::figure, heightOf(figure), {caption});
+    add([figure, scale, y = m_y](QPainter& p) {
+        p.translate(0, y);
+        p.scale(scale, scale);
+        figure.paint(p);
+    });
+    m_y += figure.size.height() * scale;
+    add([caption, y = m_y](QPainter& p) {
+        p.setPen(printFaint);
+        caption.paint(p, 0, y);
+    });
+    m_y += caption.height() + gap / 2;
+}
+
+namespace {
+
+/// The sides of an equation in lines that fit: each begins with its sign.
+std::vector<std::vector<FormulaBox>> formulaLines(const Formula& formula, double width) {
+    const FormulaBox equals =
+        formulaBox({FormulaNode::Kind::sign, QStringLiteral(" = "), 2, 0, {}}, formulaSize);
+    std::vector<std::vector<FormulaBox>> lines(1);
+    double taken = 0;
+    for (const FormulaNode& side : formula.sides) {
+        const FormulaBox box = formulaBox(side, formulaSize);
+        const double needed = box.width + equals.width;
+        if (lines.back().size() > 1 && taken + needed > width) {
+            lines.emplace_back();
+            taken = formulaIndent;
+        }
+        if (&side != &formula.sides.front()) {
+            lines.back().push_back(equals);
+        }
+        lines.back().push_back(box);
+        taken += needed;
+    }
+    return lines;
+}
+
+} // namespace
+
+namespace {
+
+/// A line of an equation with its size, pressed together where it is too wide.
+struct FormulaLine {
+    FormulaLine(const std::vector<FormulaBox>& boxes, double room) {
+        double wide = 0, below = 0, above = 0;
+        for (const FormulaBox& box : boxes) {
+            wide += box.width;
+            above = std::max(above, box.ascent);
+            below = std::max(below, box.descent);
+        }
+        scale = std::min(1.0, room / wide);
+        ascent = above * scale;
+        height = (above + below) * scale;
+    }
+    double scale, ascent, height;
+};
+
+double indentOf(bool first) {
+    return first ? formulaIndent : 2 * formulaIndent;
+}
+
+} // namespace
+
+double PageFlow::heightOf(const Formula& formula) const {
+    const double width = m_area.width() - formulaIndent - labelRoom;
+    double height = 0;
+    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
+        const double x = indentOf(height == 0);
+        height += FormulaLine(boxes, width + formulaIndent - x).height + gap / 6;
+    }
+    return height;
+}
+
+void PageFlow::operator()(const Formula& formula) {
+    const TextBox label(formula.label, reportFont(bodySize), labelRoom, Qt::AlignRight);
+    const double width = m_area.width() - formulaIndent - labelRoom;
+    bool first = true;
+    for (const std::vector<FormulaBox>& boxes : formulaLines(formula, width)) {
+        const double x = indentOf(first);
+        const FormulaLine size(boxes, width + formulaIndent - x);
+        need(size.height);
+        mark(Pages::Box::Kind::formula, size.height);
+        add([=, y = m_y + size.ascent, right = m_area.width() - labelRoom](QPainter& p) {
+            p.setPen(printInk);
+            if (first) {
+                label.paint(p, right, y - label.height() * 0.8);
+            }
+            p.translate(x, y);
+            p.scale(size.scale, size.scale);
+            double at = 0;
+            for (const FormulaBox& box : boxes) {
+                box.paint(p, at, 0);
+                at += box.width;
+            }
+        });
+        m_y += size.height + gap / 6;
+        first = false;
+    }
+    m_y += gap / 4;
+}
+
+void PageFlow::operator()(const PageBreak&) {
+    if (m_y > m_top) {
+        newPage();
+    }
+}
+
+void PageFlow::addMargins() {
+    const double width = m_area.width();
+    const double height = m_area.height();
+    const QFont font = reportFont(smallSize);
+    const QString origin = m_report.origin();
+    const QString about = m_report.subject;
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        const QString number =
+            PageText::number(static_cast<int>(i) + 1, static_cast<int>(m_pages.size()));
+        m_pages[i].push_back([=, bottom = m_bottom, top = m_top](QPainter& p) {
+            const QFontMetricsF metrics(font);
+            const auto elided = [&](const QString& text, double room) {
+                return metrics.elidedText(text, Qt::ElideRight, room);
+            };
+            p.setFont(font);
+            p.setPen(printFaint);
+            p.drawText(QPointF(0, metrics.ascent()), elided(about, width));
+            const double base = height - metrics.descent();
+            const double numberWidth = metrics.horizontalAdvance(number);
+            p.drawText(QPointF(0, base), elided(origin, width - numberWidth - gap));
+            p.drawText(QPointF(width - numberWidth, base), number);
+            p.setPen(QPen(rule, line));
+            p.drawLine(QPointF(0, top - gap / 2), QPointF(width, top - gap / 2));
+            p.drawLine(QPointF(0, bottom + gap / 2), QPointF(width, bottom + gap / 2));
+        });
+    }
+}
+
+} // namespace sparkout::report

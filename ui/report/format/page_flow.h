@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/format/pages.h"
+#include "ui/report/format/text_box.h"
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+
+#include <functional>
+#include <vector>
+
+namespace sparkout::report {
+
+/// Lays the blocks of a report out one below the other, page by page [units: tenths of a point].
+class PageFlow {
+public:
+    using Paint = std::function<void(QPainter&)>;
+    PageFlow(const Report& report, QSizeF area, const KeepGoing& keepGoing);
+    [[nodiscard]] std::vector<std::vector<Paint>> takePages() { return std::move(m_pages); }
+    [[nodiscard]] std::vector<Pages::Mark> takeMarks() { return std::move(m_marks); }
+    [[nodiscard]] std::vector<Pages::Box> takeBoxes() { return std::move(m_boxes); }
+
+    void operator()(const Heading& heading);
+    void operator()(const Paragraph& paragraph);
+    void operator()(const Facts& facts);
+    void operator()(const Table& table);
+    void operator()(const Figure& figure);
+    void operator()(const Formula& formula);
+    void operator()(const PageBreak&);
+
+private:
+    /// Widths of a table's columns, and the size of its type [points]: smaller where a number would
+    /// not fit into its cell else.
+    struct Columns {
+        std::vector<double> widths;
+        double body, head;
+    };
+    /// A row as it is laid out.
+    struct Row {
+        std::vector<TextBox> boxes;
+        double height;
+    };
+    struct LaidOutTable {
+        const Table* table = nullptr;
+        Columns columns;
+        Row head;
+        std::vector<Row> rows; ///< not all of them where it was stopped
+    };
+    [[nodiscard]] Columns columnsOf(const Table& table) const;
+    /// The last one asked for is kept: what stands above a table asks for it, too.
+    [[nodiscard]] const LaidOutTable& laidOut(const Table& table) const;
+    [[nodiscard]] static Row rowOf(const QStringList& cells, const Columns& columns,
+                                   const Table& table, const QFont& font);
+    [[nodiscard]] Row headOf(const Table& table, const Columns& columns) const;
+    [[nodiscard]] std::vector<Row> rowsOf(const Table& table, const Columns& columns) const;
+    /// Pairs of facts, two abreast.
+    [[nodiscard]] std::vector<Row> rowsOf(const Facts& facts) const;
+    /// How much of a block, and of what is never parted from it, stands on one page at least.
+    [[nodiscard]] double together(std::size_t block) const;
+    [[nodiscard]] double scaleOf(const Figure& figure) const;
+    [[nodiscard]] double heightOf(const Figure& figure) const; ///< with its caption
+    [[nodiscard]] double heightOf(const Formula& formula) const;
+    [[nodiscard]] TextBox boxOf(const Paragraph& paragraph) const;
+    /// Asked row by row, for a table may fill hundreds of pages.
+    [[nodiscard]] bool goesOn() const;
+    void newPage();
+    /// Begins a page unless so much fits below what is there.
+    void need(double height);
+    [[nodiscard]] double room() const { return m_bottom - m_y; }
+    /// The end of the rows from the first that fit on this page: where few are over, more go with
+    /// them to the next page, and the last ones keep the room for the note below.
+    [[nodiscard]] std::size_t rowsThatFit(const std::vector<Row>& rows, std::size_t first,
+                                          double note) const;
+    /// Whether a short text belongs to what follows it.
+    [[nodiscard]] bool introduces(std::size_t block, const TextBox& box) const;
+    /// Height of the note below a table.
+    [[nodiscard]] double noteBelow(std::size_t table) const;
+    void add(Paint paint) { m_pages.back().push_back(std::move(paint)); }
+    void mark(Pages::Box::Kind kind, double height, std::vector<TextBox> cells = {});
+    void addTitle();
+    void addRow(const Row& row, const Columns& columns, const QColor& ground,
+                Pages::Box::Kind kind);
+    void addLongRow(const Row& row, const Row& head, const Columns& columns, const QColor& ground);
+    void addMargins(); ///< head and foot of every page
+
+    const Report& m_report;
+    const KeepGoing& m_keepGoing;
+    mutable bool m_stopped = false;
+    mutable LaidOutTable m_laidOut;
+    QSizeF m_area;
+    double m_top, m_bottom;
+    double m_y = 0;
+    std::size_t m_block = 0; ///< which is laid out
+    std::vector<std::vector<Paint>> m_pages;
+    std::vector<Pages::Mark> m_marks;
+    std::vector<Pages::Box> m_boxes;
+};
+
+} // namespace sparkout::report

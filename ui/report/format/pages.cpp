@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/pages.h"
+
+#include "ui/report/format/page_flow.h"
+#include "ui/report/format/pdf_details.h"
+
+#include <QBuffer>
+#include <QMarginsF>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QPrinter>
+
+#include <algorithm>
+
+namespace sparkout::report {
+
+namespace {
+constexpr QMarginsF margins_mm(18, 12, 12, 12); // the left one for filing
+constexpr int pdfResolution = 1200;
+constexpr double pointsPerInch = 72;
+
+/// The title as a list of documents shows it.
+QString fullTitle(const Report& report) {
+    return report.subject.isEmpty() ? report.title
+                                    : report.title + QStringLiteral(" – ") + report.subject;
+}
+
+/// The properties once more, as newer readers want them.
+QByteArray xmp(const Report& report) {
+    return QStringLiteral("<?xpacket begin=\"\uFEFF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+                          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF "
+                          "xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
+                          "<rdf:Description rdf:about=\"\" "
+                          "xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
+                          "xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">"
+                          "<dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">%1</rdf:li></rdf:Alt>"
+                          "</dc:title><dc:creator><rdf:Seq><rdf:li>%2</rdf:li></rdf:Seq>"
+                          "</dc:creator><xmp:CreatorTool>%3</xmp:CreatorTool></rdf:Description>"
+                          "</rdf:RDF></x:xmpmeta>\n<?xpacket end=\"w\"?>\n")
+        .arg(report.title.toHtmlEscaped(), report.author.toHtmlEscaped(),
+             report.program.toHtmlEscaped())
+        .toUtf8();
+}
+
+constexpr double layoutShare = 0.3; ///< of the time a PDF takes, about
+
+bool paintRange(const Pages& pages, QPagedPaintDevice& device, int first, int last,
+                const KeepGoing& keepGoing = {}) {
+    QPainter painter;
+    if (!painter.begin(&device)) {
+        return false;
+    }
+    const double scale = device.logicalDpiX() / Pages::unitsPerInch;
+    for (int page = first; page <= last; ++page) {
+        const double share = layoutShare + (1 - layoutShare) * (page - first) / (last - first + 1);
+        if ((keepGoing && !keepGoing(share)) || (page > first && !device.newPage())) {
+            return false;
+        }
+        painter.save();
+        painter.scale(scale, scale);
+        pages.paint(painter, page);
+        painter.restore();
+    }
+    return painter.end();
+}
+} // namespace
+
+Pages::Pages(const Report& report, QSizeF area_units, const KeepGoing& keepGoing) {
+    PageFlow flow(report, area_units, [&keepGoing](double share) {
+        return !keepGoing || keepGoing(share * layoutShare);
+    });
+    m_pages = flow.takePages();
+    m_marks = flow.takeMarks();
+    m_boxes = flow.takeBoxes();
+}
+
+void Pages::paint(QPainter& painter, int page) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const Paint& paint : m_pages.at(static_cast<std::size_t>(page))) {
+        painter.save();
+        paint(painter);
+        painter.restore();
+    }
+}
+
+void setUpPaper(QPagedPaintDevice& device) {
+    device.setPageSize(QPageSize(QPageSize::A4));
+    device.setPageOrientation(QPageLayout::Portrait);
+    device.setPageMargins(margins_mm, QPageLayout::Millimeter);
+}
+
+QSizeF areaOf(const QPagedPaintDevice& device) {
+    return device.pageLayout().paintRect(QPageLayout::Point).size() * Pages::unitsPerInch
+           / pointsPerInch;
+}
+
+bool printPages(const Pages& pages, QPrinter& printer) {
+    const bool some = printer.printRange() == QPrinter::PageRange && printer.fromPage() > 0;
+    const int first = some ? std::clamp(printer.fromPage() - 1, 0, pages.count() - 1) : 0;
+    const int last =
+        some ? std::clamp(printer.toPage() - 1, first, pages.count() - 1) : pages.count() - 1;
+    return paintRange(pages, printer, first, last);
+}
+
+QByteArray pdf(const Report& report, const KeepGoing& keepGoing) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly)) {
+        return {};
+    }
+    PdfDetails details{fullTitle(report), report.author, report.subject,
+                       report.program,    report.date,   {}};
+    bool painted = false;
+    {
+        QPdfWriter writer(&buffer);
+        writer.setResolution(pdfResolution);
+        setUpPaper(writer);
+        writer.setDocumentXmpMetadata(xmp(report));
+        const Pages pages(report, areaOf(writer), keepGoing);
+        const double top_pt = writer.pageLayout().margins(QPageLayout::Point).top();
+        for (const Pages::Mark& mark : pages.marks()) {
+            details.outline.push_back(
+                {mark.text, mark.page, top_pt + mark.y * pointsPerInch / Pages::unitsPerInch});
+        }
+        painted = paintRange(pages, writer, 0, pages.count() - 1, keepGoing);
+    }
+    return painted ? withDetails(bytes, details) : QByteArray();
+}
+
+} // namespace sparkout::report

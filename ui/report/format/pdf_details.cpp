@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/pdf_details.h"
+
+#define POINTERHOLDER_TRANSITION 4 // libqpdf with std::shared_ptr alone
+#include <qpdf/Buffer.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFExc.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace sparkout::report {
+
+namespace {
+
+QPDFObjectHandle pdfText(const QString& text) {
+    return QPDFObjectHandle::newUnicodeString(text.toStdString());
+}
+
+void putProperties(QPDF& document, const PdfDetails& details) {
+    QPDFObjectHandle info = document.getTrailer().getKey("/Info");
+    const auto put = [&info](const char* key, const QString& text) {
+        if (text.isEmpty()) {
+            info.removeKey(key);
+        } else {
+            info.replaceKey(key, pdfText(text));
+        }
+    };
+    put("/Title", details.title);
+    put("/Author", details.author);
+    put("/Subject", details.subject);
+    put("/Creator", details.creator);
+    info.replaceKey("/CreationDate",
+                    QPDFObjectHandle::newString(
+                        "D:" + details.date.toString(QStringLiteral("yyyyMMdd")).toStdString()));
+}
+
+/// Entries below one root, each a linked list's member [ISO 32000-1, 12.3.3].
+void putOutline(QPDF& document, const std::vector<Bookmark>& bookmarks) {
+    const std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(document).getAllPages();
+    std::vector<QPDFObjectHandle> items;
+    QPDFObjectHandle root =
+        document.makeIndirectObject(QPDFObjectHandle::parse("<< /Type /Outlines >>"));
+    for (const Bookmark& bookmark : bookmarks) {
+        QPDFObjectHandle page = pages.at(static_cast<std::size_t>(bookmark.page)).getObjectHandle();
+        const double height =
+            page.getKey("/MediaBox").getArrayItem(3).getNumericValue(); // of an upright page
+        QPDFObjectHandle place = QPDFObjectHandle::newArray();
+        place.appendItem(page);
+        place.appendItem(QPDFObjectHandle::newName("/XYZ"));
+        place.appendItem(QPDFObjectHandle::newNull()); // the left edge and the zoom stay
+        place.appendItem(QPDFObjectHandle::newReal(std::max(0.0, height - bookmark.y_pt), 2));
+        place.appendItem(QPDFObjectHandle::newNull());
+        QPDFObjectHandle item = QPDFObjectHandle::newDictionary();
+        item.replaceKey("/Title", pdfText(bookmark.text));
+        item.replaceKey("/Parent", root);
+        item.replaceKey("/Dest", place);
+        items.push_back(document.makeIndirectObject(item));
+        if (items.size() > 1) {
+            QPDFObjectHandle& before = items[items.size() - 2];
+            before.replaceKey("/Next", items.back());
+            items.back().replaceKey("/Prev", before);
+        }
+    }
+    if (items.empty()) {
+        return;
+    }
+    root.replaceKey("/First", items.front());
+    root.replaceKey("/Last", items.back());
+    root.replaceKey("/Count", QPDFObjectHandle::newInteger(static_cast<long long>(items.size())));
+    document.getRoot().replaceKey("/Outlines", root);
+    document.getRoot().replaceKey("/PageMode", QPDFObjectHandle::newName("/UseOutlines"));
+}
+
+} // namespace
+
+QByteArray withDetails(const QByteArray& pdf, const PdfDetails& details) {
+    try {
+        QPDF document;
+        document.setSuppressWarnings(true);
+        document.setAttemptRecovery(false);
+        document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+        putProperties(document, details);
+        putOutline(document, details.outline);
+        QPDFWriter writer(document);
+        writer.setOutputMemory();
+        writer.setDeterministicID(true);
+        writer.write();
+        const auto bytes = writer.getBufferSharedPointer();
+        return {reinterpret_cast<const char*>(bytes->getBuffer()),
+                static_cast<qsizetype>(bytes->getSize())};
+    } catch (const std::exception&) { // of libqpdf: what it cannot read it throws
+        return {};
+    }
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/legend_drawing.h"
+#include "ui/report/format/report.h"
+
+class QCustomPlot;
+
+/// Plots of the views as figures of a report. In the thread of the window.
+namespace sparkout::report {
+
+/// Width of a figure in its own units.
+inline constexpr int figureWidth = 820;
+
+/// A plot as it stands on white paper, the same on every device; before it is given its data.
+void setUpForPaper(QCustomPlot& plot, int height);
+
+/// The plot in vectors, its legend above it.
+[[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
+                                const QString& caption, const QString& told);
+
+} // namespace sparkout::report

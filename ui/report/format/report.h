@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/format/formula_node.h"
+
+#include <QDate>
+#include <QSizeF>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <variant>
+#include <vector>
+
+class QPainter;
+
+/// A printed document as a value, in the present language: what the pages, the web page and the
+/// Markdown text are all made from. Texts are plain.
+namespace sparkout::report {
+
+struct Heading {
+    QString text;
+};
+
+struct Paragraph {
+    QString text;
+    bool strong = false;
+};
+
+/// Names with their values, two abreast on a page.
+struct Facts {
+    std::vector<std::pair<QString, QString>> facts;
+};
+
+/// Every row has as many cells as the head; the first column reads from the left, the others stand
+/// to the right unless they are texts. No cell is empty.
+struct Table {
+    QStringList head;
+    std::vector<QStringList> rows;
+    std::vector<bool> texts; ///< by column: set to the left
+    bool lastIsSum = false;  ///< the last row adds up the others
+    bool symbols = false;    ///< the first column has symbols: "k_s"
+};
+
+/// A drawing in vectors.
+struct Figure {
+    QString caption;
+    QString told; ///< the same in words, for who cannot see it
+    QSizeF size;  ///< in units of the drawing; it is scaled to the width of the page
+    std::function<void(QPainter&)> paint;
+};
+
+/// An equation: its left side, then what that is equal to: symbols, numbers put in, the result.
+struct Formula {
+    std::vector<FormulaNode> sides;
+    QString label; ///< its number, at the edge
+};
+
+/// What follows begins on a page of its own.
+struct PageBreak {};
+
+using Block = std::variant<Heading, Paragraph, Facts, Table, Figure, Formula, PageBreak>;
+
+struct Report {
+    QString title;
+    QString subject; ///< what it is about: the part and the project
+    QString author;
+    QString file;     ///< name of the project's file
+    QString program;  ///< "Sparkout 0.1.0"
+    QString language; ///< "en"
+    QDate date;
+    std::vector<Block> blocks;
+
+    /// The line at the foot of every page.
+    [[nodiscard]] QString origin() const;
+};
+
+} // namespace sparkout::report

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/report_text.h"
+
+#include "ui/plot/svg_device.h"
+#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/pages.h"
+#include "ui/text/texts.h"
+
+#include <QFileInfo>
+#include <QPainter>
+#include <QRegularExpression>
+
+namespace sparkout::report {
+
+namespace {
+
+constexpr int figureDotsPerInch = 96;
+
+const char* const styleSheet =
+    "body{font-family:sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#000;"
+    "background:#fff}h1{font-size:1.5em}h2{font-size:1.15em;margin-top:1.5em}"
+    "table{border-collapse:collapse;width:100%;margin:.5em 0}"
+    "th,td{border:1px solid #999;padding:.25em .5em;text-align:right;vertical-align:top}"
+    "th{background:#eee;font-size:.85em}td.text,th.text{text-align:left}"
+    "tr.sum td{font-weight:bold;background:#eee}dl{display:grid;"
+    "grid-template-columns:repeat(auto-fill,minmax(16em,1fr));gap:.4em 1em}dt{font-size:.8em;"
+    "color:#555}dd{margin:0;font-weight:bold}figure{margin:1em 0}figure svg{width:100%;"
+    "height:auto}div.formula{display:flex;align-items:center;gap:1em;overflow-x:auto;"
+    "margin:.4em 0 .4em 1.5em}div.formula math{margin:0}div.formula span{margin-left:auto;"
+    "color:#555}@page{size:A4;margin:12mm 12mm 12mm 18mm}@media print{body{max-width:none;margin:0;"
+    "padding:0;font-size:9.5pt}h1,h2{break-after:avoid}thead{display:table-header-group}"
+    "tr,figure,dl div,div.formula{break-inside:avoid}p{orphans:3;widows:3}"
+    "p:has(+table),p:has(+dl),p:has(+div.formula){break-after:avoid}"
+    "th,tr.sum td{print-color-adjust:exact;-webkit-print-color-adjust:exact}"
+    "div.page{break-before:page}}figcaption,footer{font-size:.8em;color:#555;text-align:"
+    "center}";
+
+QByteArray drawn(const Figure& figure) {
+    SvgDevice device(figure.size.toSize(), figureDotsPerInch, figure.told);
+    QPainter painter;
+    if (painter.begin(&device)) {
+        figure.paint(painter);
+        painter.end();
+    }
+    return device.document();
+}
+
+/// A drawing as an element of its page; the names in it are its own.
+QString svgOf(const Figure& figure, int number) {
+    QString svg = QString::fromUtf8(drawn(figure));
+    svg.remove(0, svg.indexOf(QStringLiteral("<svg")));
+    const QString own = QStringLiteral("f%1c").arg(number);
+    svg.replace(QStringLiteral("<clipPath id=\"c"), QStringLiteral("<clipPath id=\"") + own);
+    svg.replace(QStringLiteral("clip-path=\"url(#c"), QStringLiteral("clip-path=\"url(#") + own);
+    return svg;
+}
+
+class Html {
+public:
+    void operator()(const Heading& h) {
+        m_text += QStringLiteral("<h2>%1</h2>\n").arg(h.text.toHtmlEscaped());
+    }
+    void operator()(const Paragraph& p) {
+        const QString text = lines(p.text);
+        m_text += p.strong ? QStringLiteral("<p><strong>%1</strong></p>\n").arg(text)
+                           : QStringLiteral("<p>%1</p>\n").arg(text);
+    }
+    void operator()(const Facts& facts) {
+        m_text += QStringLiteral("<dl>\n");
+        for (const auto& [name, value] : facts.facts) {
+            m_text += QStringLiteral("<div><dt>%1</dt><dd>%2</dd></div>\n")
+                          .arg(name.toHtmlEscaped(), lines(value));
+        }
+        m_text += QStringLiteral("</dl>\n");
+    }
+    void operator()(const Table& table) {
+        m_text += QStringLiteral("<table>\n<thead>") + row(table.head, table, "th", false)
+                  + QStringLiteral("</thead>\n<tbody>\n");
+        for (std::size_t r = 0; r < table.rows.size(); ++r) {
+            m_text +=
+                row(table.rows[r], table, "td", table.lastIsSum && r + 1 == table.rows.size());
+        }
+        m_text += QStringLiteral("</tbody>\n</table>\n");
+    }
+    void operator()(const Figure& figure) {
+        m_text += QStringLiteral("<figure>\n%1<figcaption>%2</figcaption>\n</figure>\n")
+                      .arg(svgOf(figure, ++m_figures), figure.caption.toHtmlEscaped());
+    }
+    void operator()(const Formula& formula) {
+        m_text += QStringLiteral("<div class=\"formula\">%1<span>%2</span></div>\n")
+                      .arg(mathMarkup(formula), formula.label.toHtmlEscaped());
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("<div class=\"page\"></div>\n"); }
+    [[nodiscard]] const QString& text() const { return m_text; }
+
+private:
+    static QString lines(const QString& text) {
+        return text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br/>"));
+    }
+    static QString row(const QStringList& cells, const Table& table, const char* tag, bool sum) {
+        const QString name = QString::fromLatin1(tag);
+        QString text = sum ? QStringLiteral("<tr class=\"sum\">") : QStringLiteral("<tr>");
+        for (qsizetype c = 0; c < cells.size(); ++c) {
+            const auto i = static_cast<std::size_t>(c);
+            const bool isText = i < table.texts.size() && table.texts[i];
+            const bool isSymbol = table.symbols && c == 0 && &cells != &table.head;
+            text += u'<' + name
+                    + (isText ? QStringLiteral(" class=\"text\">") : QStringLiteral(">"))
+                    + (isSymbol ? withIndices(cells[c]) : lines(cells[c])) + QStringLiteral("</")
+                    + name + u'>';
+        }
+        return text + QStringLiteral("</tr>\n");
+    }
+
+    QString m_text;
+    int m_figures = 0;
+};
+
+class Markdown {
+public:
+    void operator()(const Heading& h) { m_text += QStringLiteral("## ") + plain(h.text) + end(); }
+    void operator()(const Paragraph& p) {
+        static const QRegularExpression indent(QStringLiteral("^[ \\x{a0}]+"),
+                                               QRegularExpression::MultilineOption);
+        static const QRegularExpression bullet(QStringLiteral("^([-+])"),
+                                               QRegularExpression::MultilineOption);
+        static const QRegularExpression count(QStringLiteral("^(\\d+)([.)])"),
+                                              QRegularExpression::MultilineOption);
+        QString text = plain(p.text).remove(indent);
+        text.replace(bullet, QStringLiteral("\\\\1"));
+        text.replace(count, QStringLiteral("\\1\\\\2"));
+        text.replace(u'\n', QStringLiteral("  \n"));
+        m_text += (p.strong ? QStringLiteral("**%1**").arg(text) : text) + end();
+    }
+    void operator()(const Facts& facts) {
+        for (const auto& [name, value] : facts.facts) {
+            m_text += QStringLiteral("* %1: **%2**\n").arg(plain(name), inLine(value));
+        }
+        m_text += u'\n';
+    }
+    void operator()(const Table& table) {
+        m_text += row(table.head) + QStringLiteral("|");
+        for (qsizetype c = 0; c < table.head.size(); ++c) {
+            const auto i = static_cast<std::size_t>(c);
+            const bool isText = i < table.texts.size() && table.texts[i];
+            m_text += isText ? QStringLiteral(" :-- |") : QStringLiteral(" --: |");
+        }
+        m_text += u'\n';
+        for (const QStringList& cells : table.rows) {
+            m_text += row(cells, table.symbols);
+        }
+        m_text += u'\n';
+    }
+    void operator()(const Figure& figure) {
+        const QString name = QStringLiteral("figure-%1").arg(++m_figures);
+        m_text += QStringLiteral("![%1][%2]").arg(plain(figure.caption), name) + end();
+        m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.told)) + end();
+        m_pictures += QStringLiteral("[%1]: data:image/svg+xml;base64,").arg(name)
+                      + QString::fromLatin1(drawn(figure).toBase64()) + u'\n';
+    }
+    /// In one line, with indices and powers as HTML has them, which Markdown takes.
+    void operator()(const Formula& formula) {
+        static const QRegularExpression power(QStringLiteral("\\^\\(([0-9.,/]+)\\)"));
+        m_text += indexed(inOneLine(formula)).replace(power, QStringLiteral("<sup>\\1</sup>"))
+                  + QStringLiteral(" ") + plain(formula.label) + end();
+    }
+    void operator()(const PageBreak&) { m_text += QStringLiteral("---") + end(); }
+    [[nodiscard]] const QString& text() const { return m_text; }
+    /// The drawings, for the end of the file: the text above them stays one to read.
+    [[nodiscard]] const QString& pictures() const { return m_pictures; }
+    /// Signs that mean something to Markdown or HTML stand for themselves.
+    static QString plain(const QString& text) {
+        static const QRegularExpression signs(QStringLiteral("([\\\\`*_{}\\[\\]#|~$])"));
+        QString out = text;
+        out.replace(signs, QStringLiteral("\\\\1"));
+        return out.replace(u'&', QStringLiteral("&amp;"))
+            .replace(u'<', QStringLiteral("&lt;"))
+            .replace(u'>', QStringLiteral("&gt;"));
+    }
+
+private:
+    static QString end() { return QStringLiteral("\n\n"); }
+    static QString inLine(const QString& text) {
+        return plain(text).replace(u'\n', QStringLiteral("<br>"));
+    }
+    /// "k_s" as HTML writes it, which Markdown takes.
+    static QString indexed(const QString& text) {
+        static const QRegularExpression index(QStringLiteral("\\\\_(\\w+)"),
+                                              QRegularExpression::UseUnicodePropertiesOption);
+        return plain(text).replace(index, QStringLiteral("<sub>\\1</sub>"));
+    }
+    static QString row(const QStringList& cells, bool symbols = false) {
+        QString text = QStringLiteral("|");
+        for (const QString& cell : cells) {
+            const bool isSymbol = symbols && &cell == &cells.front();
+            text += u' ' + (isSymbol ? indexed(cell) : inLine(cell)) + QStringLiteral(" |");
+        }
+        return text + u'\n';
+    }
+
+    QString m_text, m_pictures;
+    int m_figures = 0;
+};
+
+} // namespace
+
+QByteArray html(const Report& report) {
+    Html body;
+    for (const Block& block : report.blocks) {
+        std::visit(body, block);
+    }
+    const QString title = report.title.toHtmlEscaped();
+    const QString subject = report.subject.toHtmlEscaped();
+    const QString page =
+        QStringList{
+            QStringLiteral("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\""),
+            report.language,
+            QStringLiteral("\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>"),
+            title,
+            QStringLiteral(" – "),
+            subject,
+            QStringLiteral("</title>\n<meta name=\"author\" content=\""),
+            report.author.toHtmlEscaped(),
+            QStringLiteral("\"/>\n<meta name=\"generator\" content=\""),
+            report.program.toHtmlEscaped(),
+            QStringLiteral("\"/>\n<style>"),
+            QString::fromLatin1(styleSheet),
+            QStringLiteral("</style>\n</head>\n<body>\n<h1>"),
+            title,
+            QStringLiteral("</h1>\n<p>"),
+            subject,
+            QStringLiteral("</p>\n"),
+            body.text(),
+            QStringLiteral("<footer>"),
+            report.origin().toHtmlEscaped(),
+            QStringLiteral("</footer>\n</body>\n</html>\n")}
+            .join(QString());
+    return harmlessText(page).toUtf8();
+}
+
+QByteArray markdown(const Report& report) {
+    Markdown body;
+    for (const Block& block : report.blocks) {
+        std::visit(body, block);
+    }
+    return harmlessText(QStringLiteral("# ") + Markdown::plain(report.title)
+                        + QStringLiteral("\n\n") + Markdown::plain(report.subject)
+                        + QStringLiteral("\n\n") + body.text() + QStringLiteral("---\n\n")
+                        + Markdown::plain(report.origin()) + u'\n'
+                        + (body.pictures().isEmpty() ? QString() : u'\n' + body.pictures()))
+        .toUtf8();
+}
+
+std::optional<Format> formatOf(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == u"pdf") {
+        return Format::pdf;
+    }
+    if (suffix == u"html" || suffix == u"htm") {
+        return Format::html;
+    }
+    if (suffix == u"md" || suffix == u"markdown") {
+        return Format::markdown;
+    }
+    return {};
+}
+
+QByteArray bytesOf(const Report& report, Format format, const KeepGoing& keepGoing) {
+    switch (format) {
+    case Format::pdf: return pdf(report, keepGoing);
+    case Format::html: return html(report);
+    case Format::markdown: return markdown(report);
+    }
+    return {};
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/format/report.h"
+#include "ui/tables/sheet.h"
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace sparkout::report {
+
+/// One file that needs no other: figures are SVG inside it. Well-formed XML too.
+[[nodiscard]] QByteArray html(const Report& report);
+
+/// Tables and texts; a figure is told in words, and its drawing is SVG in the file itself.
+[[nodiscard]] QByteArray markdown(const Report& report);
+
+/// The formats of an exported report, by the ending of the file.
+enum class Format { pdf, html, markdown };
+[[nodiscard]] std::optional<Format> formatOf(const QString& path);
+
+/// Empty when it could not be made, or was stopped: pages are, the other formats are quick.
+[[nodiscard]] QByteArray bytesOf(const Report& report, Format format,
+                                 const KeepGoing& keepGoing = {});
+
+} // namespace sparkout::report

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/format/text_box.h"
+
+#include "ui/report/format/formula_box.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QTextLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout::report {
+
+namespace {
+constexpr double unitsPerPoint = 10;
+constexpr QChar wordJoiner(0x2060);
+const QString keptSlash = u'/' + QString(wordJoiner);
+
+QStringList wrapped(const QString& text, const QFont& font, double width) {
+    QStringList lines;
+    for (QString paragraph : text.split(u'\n')) {
+        paragraph.replace(u'/', keptSlash); // a unit stays whole
+        QTextLayout layout(paragraph, font);
+        QTextOption option;
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        layout.setTextOption(option);
+        layout.beginLayout();
+        for (QTextLine row = layout.createLine(); row.isValid(); row = layout.createLine()) {
+            row.setLineWidth(width);
+            lines += paragraph.mid(row.textStart(), row.textLength()).remove(wordJoiner).trimmed();
+        }
+        layout.endLayout();
+        if (paragraph.isEmpty()) {
+            lines += QString();
+        }
+    }
+    return lines;
+}
+} // namespace
+
+TextBox::TextBox(QString text, QFont font, double width, Qt::Alignment align)
+    : m_font(std::move(font)), m_width(width), m_align(align) {
+    const QFontMetricsF metrics(m_font);
+    m_lineHeight = metrics.height();
+    m_ascent = metrics.ascent();
+    m_lines = wrapped(text, m_font, width);
+}
+
+TextBox TextBox::part(int first, int count) const {
+    TextBox box = *this;
+    box.m_lines = m_lines.mid(first, count);
+    return box;
+}
+
+void TextBox::paint(QPainter& painter, double x, double y) const {
+    painter.setFont(m_font);
+    const QFontMetricsF metrics(m_font);
+    for (qsizetype i = 0; i < m_lines.size(); ++i) {
+        const double spare = m_width - metrics.horizontalAdvance(m_lines[i]);
+        const double shift = m_align & Qt::AlignRight     ? spare
+                             : m_align & Qt::AlignHCenter ? spare / 2
+                                                          : 0;
+        const QPointF at(x + std::max(0.0, shift), y + m_ascent + double(i) * m_lineHeight);
+        if (m_indices) {
+            formulaBox(leafNode(m_lines[i], 0), m_font.pixelSize() / unitsPerPoint)
+                .paint(painter, at.x(), at.y());
+        } else {
+            painter.drawText(at, m_lines[i]);
+        }
+    }
+}
+
+double TextBox::widestWord(const QString& text, const QFont& font) {
+    static const QRegularExpression space(QStringLiteral("[ \\n]+"));
+    double width = 0;
+    for (const QString& word : text.split(space)) {
+        width = std::max(width, QFontMetricsF(font).horizontalAdvance(word));
+    }
+    return width;
+}
+
+double TextBox::widestLine(const QString& text, const QFont& font) {
+    double width = 0;
+    for (const QString& line : text.split(u'\n')) {
+        width = std::max(width, QFontMetricsF(font).horizontalAdvance(line));
+    }
+    return width;
+}
+
+QFont reportFont(double points, bool bold) {
+    QFont font;
+    font.setPixelSize(qRound(points * unitsPerPoint));
+    font.setBold(bold);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    return font;
+}
+
+} // namespace sparkout::report

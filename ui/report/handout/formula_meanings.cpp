@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the formulas of the hand-out are made of and taken from.
+#include "ui/report/handout/course_handout_parts.h"
+
+#include "core/quality/depth_limits.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace sparkout::report {
+
+namespace {
+
+// Sheets are known by the names that the engine gives them.
+constexpr const char *balanceName = "Elastic balance of one radius", *normalName = "Normal force",
+                     *tangentialName = "Tangential force",
+                     *burnName = "Limiting depth of cut, burn",
+                     *roughnessName = "Limiting feed, roughness",
+                     *sharpeningName = "Limiting depth of cut, self-sharpening";
+
+struct Meaning {
+    const char* symbol;
+    const char* text;            ///< to be translated in the context "Symbol"
+    const char* sheet = nullptr; ///< name of the one it holds for; null: all others
+};
+
+constexpr Meaning meanings[] = {
+    {"D_e", QT_TRANSLATE_NOOP("Symbol", "equivalent diameter of wheel and part")},
+    {"V_d", QT_TRANSLATE_NOOP("Symbol", "surface speed of the part")},
+    {"k_s", QT_TRANSLATE_NOOP("Symbol", "normal force of shear, per width and depth")},
+    {"k_r", QT_TRANSLATE_NOOP("Symbol", "normal force of the wear flats, per width and root of "
+                                        "the depth")},
+    {"k_t", QT_TRANSLATE_NOOP("Symbol", "tangential force of shear, per width and depth")},
+    {"P_y", QT_TRANSLATE_NOOP("Symbol", "normal force")},
+    {"P_z", QT_TRANSLATE_NOOP("Symbol", "tangential force")},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"), burnName},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"), roughnessName},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"), sharpeningName},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"),
+     "Limiting depth of cut, wheel drive"},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "limiting depth of cut"),
+     "Limiting depth of cut, work drive"},
+    {"a", QT_TRANSLATE_NOOP("Symbol", "actual feed: the depth of this cut")},
+    {"b", QT_TRANSLATE_NOOP("Symbol", "effective width of cut")},
+    {"t_П", QT_TRANSLATE_NOOP("Symbol", "accumulated programmed feed, from the first touch on")},
+    {"R_max0", QT_TRANSLATE_NOOP("Symbol", "largest radius of the blank")},
+    {"R_min0", QT_TRANSLATE_NOOP("Symbol", "smallest radius of the blank")},
+    {"R_k", QT_TRANSLATE_NOOP("Symbol", "radius k before the cut")},
+    {"R_k′", QT_TRANSLATE_NOOP("Symbol", "radius k after the cut")},
+    {"R_t", QT_TRANSLATE_NOOP("Symbol", "target radius")},
+    {"Π_k", QT_TRANSLATE_NOOP("Symbol", "stock left at radius k")},
+    {"h", QT_TRANSLATE_NOOP("Symbol", "stock left below the cut"), burnName},
+    {"h", QT_TRANSLATE_NOOP("Symbol", "lag of the radius: what the wheel head is ahead of it")},
+    {"γ", QT_TRANSLATE_NOOP("Symbol", "compliance of the system")},
+    {"A", QT_TRANSLATE_NOOP("Symbol", "lag per depth of cut, without the wear flats")},
+    {"C", QT_TRANSLATE_NOOP("Symbol", "deflection by the wear flats, per root of the depth")},
+    {"√a", QT_TRANSLATE_NOOP("Symbol", "root of the depth of cut")},
+    {"γ·P_y", QT_TRANSLATE_NOOP("Symbol", "deflection of the system")},
+    {"y", QT_TRANSLATE_NOOP("Symbol", "deflection of all that yields"), balanceName},
+    {"T", QT_TRANSLATE_NOOP("Symbol", "temperature rise of the surface that is just allowed")},
+    {"√(Ωτ)", QT_TRANSLATE_NOOP("Symbol", "depth that the heat reaches during the contact")},
+    {"x", QT_TRANSLATE_NOOP("Symbol", "that stock over twice this depth")},
+    {"c", QT_TRANSLATE_NOOP("Symbol", "temperature rise per force, from the heat conduction")},
+    {"p", QT_TRANSLATE_NOOP("Symbol", "coefficient of the cubic equation w³ + p·w = Q")},
+    {"Q", QT_TRANSLATE_NOOP("Symbol", "right side of that equation")},
+    {"S", QT_TRANSLATE_NOOP("Symbol", "Cardano's root on the way to w")},
+    {"w", QT_TRANSLATE_NOOP("Symbol", "fourth root of the depth of cut")},
+    {"N_s", QT_TRANSLATE_NOOP("Symbol", "structure number of the wheel")},
+    {"G", QT_TRANSLATE_NOOP("Symbol", "profile of the dressed grains")},
+    {"y", QT_TRANSLATE_NOOP("Symbol", "opening of the wheel's profile by the cut"), roughnessName},
+    {"s", QT_TRANSLATE_NOOP("Symbol", "share of the profile that the cut takes")},
+    {"f", QT_TRANSLATE_NOOP("Symbol", "calibration of Ra: measured over computed")},
+    {"S_ф", QT_TRANSLATE_NOOP("Symbol", "limiting actual feed")},
+    {"S_b", QT_TRANSLATE_NOOP("Symbol", "section of a bond bridge")},
+    {"D_b", QT_TRANSLATE_NOOP("Symbol", "diameter of a bond bridge")},
+    {"n_g", QT_TRANSLATE_NOOP("Symbol", "grains on a square millimetre of the wheel")},
+    {"f_g", QT_TRANSLATE_NOOP("Symbol", "force that breaks a grain")},
+    {"f_b", QT_TRANSLATE_NOOP("Symbol", "force that breaks its bond")},
+    {"f_cr", QT_TRANSLATE_NOOP("Symbol", "critical force of one grain")},
+    {"F",
+     QT_TRANSLATE_NOOP("Symbol", "force that the wheel bears, per width and root of the "
+                                 "depth"),
+     sharpeningName},
+    {"F", QT_TRANSLATE_NOOP("Symbol", "tangential force that the drive allows, per width")},
+};
+
+bool isSheet(const FormulaSheet& sheet, const char* name) {
+    return QLatin1StringView(sheet.name) == QLatin1StringView(name);
+}
+
+} // namespace
+
+QString symbolMeaning(const FormulaSheet& sheet, const char* symbol) {
+    const auto found = std::ranges::find_if(meanings, [&](const Meaning& meaning) {
+        return QString::fromUtf8(meaning.symbol) == QString::fromUtf8(symbol)
+               && (!meaning.sheet || isSheet(sheet, meaning.sheet));
+    });
+    return found == std::end(meanings) ? QString()
+                                       : QCoreApplication::translate("Symbol", found->text);
+}
+
+std::vector<FormulaSource> sourcesOf(const FormulaSheet& sheet, const Place& at) {
+    std::vector<FormulaSource> sources{{sheet.source, ""}};
+    const bool plunges = at.zone == Zone::section || wheelStands(at);
+    if (isSheet(sheet, normalName) || isSheet(sheet, tangentialName)) {
+        sources.push_back({"KORCHAK", ""});
+        sources.push_back({"ALSIGAR2021", plunges ? "1" : "2"});
+    } else if (isSheet(sheet, balanceName)) {
+        sources.push_back({"ALSIGAR2021", plunges ? "3" : "4"});
+        if (at.zone == Zone::section) {
+            sources.push_back({"AKINTSEVA2020", "1"});
+        }
+    } else if (isSheet(sheet, burnName)) {
+        sources.push_back({"PEREVERZEV1999", "25"});
+    } else if (isSheet(sheet, sharpeningName)) {
+        sources.push_back({"PEREVERZEV1999", "23, 24"});
+    } else if (isSheet(sheet, roughnessName)) {
+        sources.push_back({"PEREVERZEV1999", ""});
+    }
+    return sources;
+}
+
+} // namespace sparkout::report

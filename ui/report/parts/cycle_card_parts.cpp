@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The head, settings and stages of the card.
+#include "ui/report/parts/cycle_card_parts.h"
+
+#include "core/process/system_compliance.h"
+#include "core/units.h"
+#include "ui/charts/verdict_shop_text.h"
+#include "ui/report/parts/report_values.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+
+#include <QLocale>
+
+#include <cmath>
+#include <numbers>
+
+namespace sparkout::report {
+
+QString CycleCard::operation(const Project& project) {
+    if (project.operation == Operation::traverse) {
+        return tr("Cylindrical traverse grinding");
+    }
+    return project.part.surface == Surface::internal ? tr("Internal plunge grinding")
+                                                     : tr("Cylindrical plunge grinding");
+}
+
+Facts CycleCard::header(const Project& project, const QDate& date) {
+    const Part& part = project.part;
+    return {{{tr("Operation"), operation(project)},
+             {tr("Part"), cell(oneLine(part.name))},
+             {tr("Equipment"), cell(oneLine(project.machine.name))},
+             {tr("Size by the drawing"), drawnSize(part)},
+             {tr("Material"), cell(oneLine(project.material.grade))},
+             {tr("Hardness"), inputFact(project, "/material/hardness_hrc").second},
+             inputFact(project, "/part/length_mm"),
+             inputFact(project, "/part/stock_mm"),
+             {tr("Prepared by"), cell(oneLine(project.author))},
+             {tr("Date"), dateText(date)}}};
+}
+
+Facts CycleCard::settings(const Outcome& outcome) {
+    const Project& project = outcome.result.project;
+    const Wheel& wheel = project.wheel;
+    Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
+                 {tr("Wheel diameter × width"),
+                  withUnit(plainNumber(wheel.diameter_mm) + QStringLiteral(" × ")
+                               + plainNumber(wheel.width_mm),
+                           "mm")},
+                 inputFact(project, "/wheel/dullness"),
+                 inputFact(project, "/machine/wheel_speed_m_s"),
+                 {tr("Wheel rotation"),
+                  withUnit(Names::significant(outcome.shop.wheelSpeed_rpm, 4), "rev/min")},
+                 inputFact(project, "/machine/work_speed_rpm"),
+                 {tr("Work surface speed"),
+                  tr("%1 m/min")
+                      .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
+                                              * project.machine.work_speed_rpm / units::mmPerM))},
+                 inputFact(project, "/part/initial_runout_mm")}};
+    if (project.operation == Operation::traverse) {
+        for (const char* path :
+             {"/machine/overrun_entry_mm", "/machine/overrun_exit_mm", "/machine/dwell_entry_s",
+              "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
+            facts.facts.push_back(inputFact(project, path));
+        }
+    }
+    QString control = tr("by the position of the wheel head");
+    if (project.gauge.control == Control::gauge) {
+        const auto section = static_cast<std::size_t>(gaugeSection(project));
+        const SectionResult& at = outcome.result.sections.at(section);
+        const double place = project.gauge.position_mm.value_or(at.position_mm);
+        control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
+                      .arg(Names::zone(at.zone, static_cast<int>(section)),
+                           withUnit(project.gauge.position_mm ? plainNumber(place)
+                                                              : Names::significant(place),
+                                    "mm"));
+    }
+    facts.facts.emplace_back(tr("Size control"), control);
+    return facts;
+}
+
+Table CycleCard::stages(const Outcome& outcome) {
+    const Project& project = outcome.result.project;
+    const bool traverse = project.operation == Operation::traverse;
+    Table table;
+    table.head = {tr("Stage"),
+                  traverse ? tr("Radial feed, mm/dbl stroke") : tr("Radial feed, mm/min")};
+    if (traverse) {
+        table.head << tr("Axial feed, mm/min");
+    }
+    table.head << tr("Stock per side, mm") << (traverse ? tr("Double strokes") : tr("Revolutions"))
+               << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
+               << tr("Largest force Py, N");
+    double stock = 0;
+    const auto count = project.cycle.stages.size();
+    const auto rest = [&table](QStringList row, const ShopColumn& shop, const QString& sparkOut) {
+        row << shop::value(ShopRow::count, shop) << shop::value(ShopRow::time, shop) << sparkOut
+            << shop::value(ShopRow::peakPower, shop) << shop::value(ShopRow::normalForce, shop);
+        table.rows.push_back(row);
+    };
+    const auto feed = [](const std::optional<double>& value) {
+        return value ? plainNumber(*value) : cell({});
+    };
+    for (std::size_t z = 0; z < count; ++z) {
+        const Stage& stage = project.cycle.stages[z];
+        const bool feeds = stage.spark_out.mode == SparkOut::Mode::none;
+        QStringList row{QString::number(z + 1),
+                        feeds ? feed(traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min)
+                              : plainNumber(0)};
+        if (traverse) {
+            row << feed(stage.axial_feed_mm_min);
+        }
+        row << plainNumber(stage.stock_mm); // a spark-out removes its stock, too
+        stock += stage.stock_mm;
+        rest(row, outcome.shop.stages.at(z),
+             feeds ? cell({})
+             : stage.spark_out.mode == SparkOut::Mode::untilSize
+                 ? tr("until size")
+                 : plainNumber(stage.spark_out.count));
+    }
+    QStringList sum{tr("Cycle"), cell({})};
+    if (traverse) {
+        sum << cell({});
+    }
+    sum << plainNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows
+    rest(sum, outcome.shop.cycle, cell({}));
+    table.lastIsSum = true;
+    table.texts = {true};
+    return table;
+}
+
+} // namespace sparkout::report

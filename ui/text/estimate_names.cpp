@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/estimate_names.h"
+
+#include "core/quality/estimates.h"
+#include "ui/text/texts.h"
+
+#include <QStringList>
+
+namespace sparkout {
+
+QString EstimateNames::inputs(ConstraintKind kind) {
+    QStringList names;
+    for (const Field* field : estimatesBehind(kind)) {
+        names += inputText(field->label).toLower();
+    }
+    return names.join(u", ");
+}
+
+QString EstimateNames::behind(ConstraintKind kind) {
+    const QString names = inputs(kind);
+    return names.isEmpty() ? QString() : tr("Rests on estimates, to be calibrated: %1.").arg(names);
+}
+
+} // namespace sparkout

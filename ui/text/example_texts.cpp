@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/example_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+[[maybe_unused]] constexpr const char* titles[] = {
+    QT_TRANSLATE_NOOP("Example", "Bore 40H7, plunge with spark-out"),
+    QT_TRANSLATE_NOOP("Example", "Shaft with four sections, two-stage plunge"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, factory cycle"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 30h6, optimal cycle"),
+    QT_TRANSLATE_NOOP("Example", "Shaft 38.74h6, factory cycle"),
+    QT_TRANSLATE_NOOP("Example", "Slender shaft with a soft middle"),
+    QT_TRANSLATE_NOOP("Example", "Spark-out until size"),
+    QT_TRANSLATE_NOOP("Example", "Dull wheel"),
+    QT_TRANSLATE_NOOP("Example", "Freshly dressed wheel"),
+    // and the names of their kept runs
+    QT_TRANSLATE_NOOP("Example", "Factory"),
+    QT_TRANSLATE_NOOP("Example", "Optimal"),
+};
+
+/// Written in Cyrillic letters for the most part.
+bool isRussian(const QString& text) {
+    const auto of = [&](QChar::Script script) {
+        return std::ranges::count_if(text, [script](QChar c) { return c.script() == script; });
+    };
+    return of(QChar::Script_Cyrillic) > of(QChar::Script_Latin);
+}
+
+} // namespace
+
+QString exampleTitle(const std::string& title) {
+    const bool cut = title.find('\0') != std::string::npos; // translations end there, titles do not
+    return cut ? QString::fromStdString(title)
+               : QCoreApplication::translate("Example", title.c_str());
+}
+
+QString exampleNotes(const std::string& notes) {
+    const bool russian = QLocale().language() == QLocale::Russian;
+    QStringList shown;
+    const QString all = QString::fromStdString(notes);
+    for (const QString& paragraph : all.split(QStringLiteral("\n\n"))) {
+        if (isRussian(paragraph) == russian && !paragraph.startsWith(u"Verdict: ")) {
+            shown += paragraph;
+        }
+    }
+    return shown.isEmpty() ? all : shown.join(QStringLiteral("\n\n"));
+}
+
+} // namespace sparkout

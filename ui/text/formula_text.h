@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/limits/formula.h"
+
+#include <QString>
+
+namespace sparkout {
+
+/// As many digits as a reader can check the next line with.
+inline constexpr int sheetDigits = 5;
+
+/// The number of a term as a formula shows it: "0.0125", "8.38·10⁻⁷", of lengths in mm above 1 with
+/// their nanometres.
+[[nodiscard]] QString formulaNumber(const FormulaTerm& term, int digits = sheetDigits);
+/// The value that is read off those digits.
+[[nodiscard]] double shownValue(const FormulaTerm& term, int digits = sheetDigits);
+
+/// A formula with its numbers in the present language, plain text: its name and source, then one
+/// paragraph a step, "L = √(a·D_e) = √(0.005·28.6) = 0.378 mm".
+[[nodiscard]] QString formulaText(const FormulaSheet& sheet);
+
+/// The same as rich text, with indices below and powers above the line.
+[[nodiscard]] QString formulaMarkup(const FormulaSheet& sheet);
+
+} // namespace sparkout

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/names.h"
+
+#include "core/quality/ranges.h"
+#include "ui/text/texts.h"
+
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+/// The current locale without group separators, which read as decimal ones in another language.
+QLocale numbers() {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
+// c.value over the nearer end, above 0, of its range.
+QString timesOfEnd(const ConstraintResult& c) {
+    const double times = c.value / c.limit;
+    int digits = 2;
+    while (digits < 6 && times != 1 && std::abs(times - 1) < std::pow(10, 1 - digits)) {
+        ++digits; // what is beyond the end, or not quite, is not shown as the end
+    }
+    QString text = Names::significant(times, digits);
+    while (text.contains(numbers().decimalPoint())
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1);
+    }
+    return text;
+}
+
+} // namespace
+
+StrokeStep strokeStep(Zone zone, Step step) {
+    using enum StrokeStep;
+    constexpr StrokeStep rz1[] = {none,          plungeIn,     entryDwell,
+                                  workingStroke, returnStroke, dwellAfterReturn};
+    constexpr StrokeStep nz[] = {none, workingStroke, returnStroke, none, none, none};
+    constexpr StrokeStep rz2[] = {none, workingStroke, exitDwell, returnStroke, none, none};
+    const int i = std::clamp(static_cast<int>(step), 0, 5);
+    switch (zone) {
+    case Zone::rz1: return rz1[i];
+    case Zone::nz: return nz[i];
+    case Zone::rz2: return rz2[i];
+    case Zone::section: break;
+    }
+    return none;
+}
+
+QString Names::zone(Zone zone, int section) {
+    switch (zone) {
+    case Zone::rz1: return tr("RZ1", "entry reversal zone, short");
+    case Zone::nz: return tr("NZ", "zone between reversals, short");
+    case Zone::rz2: return tr("RZ2", "exit reversal zone, short");
+    case Zone::section: break;
+    }
+    return tr("Section %1").arg(section);
+}
+
+QString Names::zoneFull(Zone zone, int section) {
+    switch (zone) {
+    case Zone::rz1: return tr("Entry reversal zone RZ1");
+    case Zone::nz: return tr("Zone between reversals NZ");
+    case Zone::rz2: return tr("Exit reversal zone RZ2");
+    case Zone::section: break;
+    }
+    return tr("Section %1").arg(section);
+}
+
+QString Names::step(Step step) {
+    return step == Step::none ? QString()
+                              : tr("E%1", "step of a double stroke").arg(static_cast<int>(step));
+}
+
+QString Names::stepMeaning(Zone zone, Step step) {
+    switch (strokeStep(zone, step)) {
+    case StrokeStep::plungeIn: return tr("plunge-in");
+    case StrokeStep::entryDwell: return tr("entry dwell");
+    case StrokeStep::workingStroke: return tr("working stroke");
+    case StrokeStep::exitDwell: return tr("exit dwell");
+    case StrokeStep::returnStroke: return tr("return stroke");
+    case StrokeStep::dwellAfterReturn: return tr("dwell after return");
+    case StrokeStep::none: break;
+    }
+    return {};
+}
+
+QString Names::moment(Operation operation, int stroke, int count, bool strokeDone) {
+    if (stroke == 0) {
+        return tr("Before the first touch");
+    }
+    const bool traverse = operation == Operation::traverse;
+    const QString text =
+        strokeDone
+            ? (traverse ? tr("After double stroke %1 of %2") : tr("After revolution %1 of %2"))
+            : (traverse ? tr("Within double stroke %1 of %2") : tr("Within revolution %1 of %2"));
+    return text.arg(stroke).arg(count);
+}
+
+QString Names::place(const Place& place, Operation operation) {
+    QStringList parts{zone(place.zone, place.section)};
+    if (place.step != Step::none) {
+        parts << step(place.step);
+    }
+    parts << tr("stage %1").arg(place.stage);
+    parts << (operation == Operation::traverse ? tr("double stroke %1").arg(place.cycleCount)
+                                               : tr("revolution %1").arg(place.cycleCount));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString Names::moment(const Place& place, Operation operation) {
+    QStringList parts;
+    if (place.step != Step::none) {
+        parts << step(place.step);
+    }
+    parts << tr("stage %1").arg(place.stage);
+    parts << (operation == Operation::traverse
+                  ? tr("double stroke %1", "short").arg(place.cycleCount)
+                  : tr("revolution %1").arg(place.cycleCount));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString Names::status(RunStatus status) {
+    switch (status) {
+    case RunStatus::completed: return tr("Completed");
+    case RunStatus::cannotReachSize: return tr("Cannot reach size");
+    case RunStatus::tooLong: return tr("Too long: the run was ended");
+    case RunStatus::stopped: return tr("Stopped");
+    case RunStatus::notSolved: return tr("The balance of forces was not solved");
+    case RunStatus::refused: return tr("The inputs are refused");
+    }
+    return {};
+}
+
+QString Names::constraint(ConstraintKind kind) {
+    switch (kind) {
+    case ConstraintKind::diameterMin: return tr("Smallest diameter");
+    case ConstraintKind::diameterMax: return tr("Largest diameter");
+    case ConstraintKind::radialRunout: return tr("Radial runout");
+    case ConstraintKind::roundness: return tr("Roundness");
+    case ConstraintKind::cylindricity: return tr("Cylindricity");
+    case ConstraintKind::totalRunout: return tr("Total runout");
+    case ConstraintKind::roughness: return tr("Roughness Ra");
+    case ConstraintKind::burn: return tr("Depth of cut without burn");
+    case ConstraintKind::selfSharpening: return tr("Contact pressure on the wheel");
+    case ConstraintKind::wheelPower: return tr("Wheel drive power");
+    case ConstraintKind::workPower: return tr("Work drive power");
+    case ConstraintKind::rangeRadialFeed: return tr("Radial feed in range");
+    case ConstraintKind::rangeAxialFeed: return tr("Axial feed in range");
+    case ConstraintKind::rangePlungeFeed: return tr("Plunge feed in range");
+    case ConstraintKind::rangeWorkSpeed: return tr("Work speed in range");
+    case ConstraintKind::gaugeCommands: return tr("Gauge commands");
+    case ConstraintKind::overlap: return tr("Overlap of the turns");
+    }
+    return {};
+}
+
+QString Names::inSentence(QString name) {
+    if (name.size() > 1 && name[1].isLower() && name.section(u' ', 0, 0).size() > 2) {
+        name[0] = name[0].toLower();
+    }
+    return name;
+}
+
+QString Names::where(const ConstraintResult& constraint) {
+    if (constraint.at || constraint.section >= 0) {
+        return zone(constraint.zone, constraint.at ? constraint.at->section : constraint.section);
+    }
+    if (scopeOf(constraint.kind) == ConstraintScope::part) {
+        return tr("whole part");
+    }
+    return constraint.stage > 0 ? tr("stage %1").arg(constraint.stage) : tr("cycle");
+}
+
+QString Names::amount(ConstraintKind kind, double value, bool withSign) {
+    const QString unit = QString::fromUtf8(constraintUnit(kind));
+    if (unit == QStringLiteral("µm")) {
+        return withSign ? signedMicrometres(value) : micrometres(value);
+    }
+    if (kind == ConstraintKind::gaugeCommands) {
+        return fixed(value, 0);
+    }
+    QString text = significant(value);
+    while (text.contains(numbers().decimalPoint())
+           && (text.endsWith(u'0') || !text.back().isDigit())) {
+        text.chop(1); // limits are round
+    }
+    return (withSign && value > 0 ? QStringLiteral("+") : QString()) + text;
+}
+
+bool Names::isRange(ConstraintKind kind) {
+    return kind == ConstraintKind::rangeRadialFeed || kind == ConstraintKind::rangeAxialFeed
+           || kind == ConstraintKind::rangePlungeFeed || kind == ConstraintKind::rangeWorkSpeed;
+}
+
+QString Names::limit(const ConstraintResult& c) {
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    const QString text = amount(c.kind, c.limit, deviation);
+    const bool marked = isRange(c.kind) || c.kind == ConstraintKind::overlap;
+    return marked ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
+}
+
+QString Names::margin(const ConstraintResult& c) {
+    if (!c.isWhole) {
+        return QStringLiteral("–");
+    }
+    return isRange(c.kind) ? inRange(c, true) : amount(c.kind, c.margin, true);
+}
+
+QString Names::inRange(const ConstraintResult& c, bool brief) {
+    if (c.limit <= 0) {
+        return c.holds ? tr("in range") : tr("out of range");
+    }
+    const QString times = timesOfEnd(c);
+    if (brief) {
+        return (c.isLeast ? tr("%1× min") : tr("%1× max")).arg(times);
+    }
+    return (c.isLeast ? tr("%1 × the lower limit") : tr("%1 × the upper limit")).arg(times);
+}
+
+QString Names::besideLimit(const ConstraintResult& c) {
+    if (!isRange(c.kind)) {
+        return margin(c);
+    }
+    return c.limit > 0 ? timesOfEnd(c) + u'×' : inRange(c, true);
+}
+
+QString Names::value(const ConstraintResult& c) {
+    const bool deviation =
+        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
+    return c.isWhole ? amount(c.kind, c.value, deviation) : QStringLiteral("–");
+}
+
+QString Names::uncutStrips(const Project& project) {
+    const std::vector<OverlapCheck> all = checkOverlaps(project);
+    const auto least = std::ranges::min_element(all, {}, &OverlapCheck::overlap);
+    return least == all.end() || least->holds()
+               ? QString()
+               : tr("Strips stay uncut (overlap B/s %1, below 1): this is not the whole surface, "
+                    "and its size, form and roughness are those of the cut part alone.")
+                     .arg(significant(least->overlap));
+}
+
+QString Names::issue(const Issue& issue) {
+    const QString text = issueText(issue);
+    return issue.path.empty() ? text : locationText(issue.path) + QStringLiteral(": ") + text;
+}
+
+QString Names::refusal(const Issues& issues, int most) {
+    QStringList lines;
+    int left = 0;
+    for (const Issue& i : issues) {
+        if (i.severity != Severity::error) {
+            continue;
+        }
+        if (lines.size() < most) {
+            lines << issue(i);
+        } else {
+            ++left;
+        }
+    }
+    if (left > 0) {
+        lines << tr("and %1 more").arg(left);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString Names::fixed(double value, int decimals) {
+    const double least = 0.5 * std::pow(10.0, -decimals);
+    return numbers()
+        .toString(std::abs(value) < least ? 0.0 : value, 'f', decimals)
+        .replace(u'-', u'−');
+}
+
+QString Names::micrometres(double value_um) {
+    return fixed(value_um, 2);
+}
+
+QString Names::signedMicrometres(double value_um) {
+    return (value_um >= 0.005 ? QStringLiteral("+") : QString()) + micrometres(value_um);
+}
+
+QString Names::millimetres(double value_mm) {
+    return fixed(value_mm, 4);
+}
+
+QString Names::significant(double value, int digits) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("–");
+    }
+    const double size = std::abs(value);
+    const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+    return fixed(value, std::clamp(digits - before, 0, 9));
+}
+
+} // namespace sparkout

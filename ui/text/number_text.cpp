@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/number_text.h"
+
+#include <QRegularExpression>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace sparkout {
+
+namespace {
+
+constexpr qsizetype longest = 400; // digits of the smallest double, with room
+constexpr double smallestPlain = 1e-7;
+constexpr double largestPlain = 1e15;
+
+/// The text in the letters from_chars reads; empty when it holds others.
+QByteArray plain(const QString& text) {
+    const QString trimmed = text.trimmed();
+    if (trimmed.size() > longest) {
+        return {};
+    }
+    QByteArray out;
+    for (const QChar c : trimmed) {
+        switch (c.unicode()) {
+        case u',':
+        case u'.': out += '.'; break;
+        case u'-':
+        case u'\u2212':
+        case u'\u2013': out += '-'; break;
+        case u'e':
+        case u'E':
+        case u'\u0435': // Cyrillic letters that look the same
+        case u'\u0415': out += 'e'; break;
+        case u'+': out += '+'; break;
+        default:
+            if (c < u'0' || c > u'9') {
+                return {};
+            }
+            out += char(c.unicode());
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+std::optional<double> parseNumber(const QString& text) {
+    QByteArray digits = plain(text);
+    if (digits.startsWith('+')) {
+        digits.remove(0, 1);
+        if (digits.startsWith('-')) {
+            return {};
+        }
+    }
+    double value = 0;
+    const char* const end = digits.constData() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.constData(), end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+        return {};
+    }
+    return value;
+}
+
+QString showNumber(double value, const QLocale& locale) {
+    const double size = std::abs(value);
+    const bool plain = value == 0 || (size >= smallestPlain && size < largestPlain);
+    char buffer[64];
+    const auto [end, error] =
+        plain ? std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed)
+              : std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
+    QString text = QString::fromLatin1(buffer, end - buffer);
+    static const QRegularExpression padding(QStringLiteral("e\\+?(-?)0*(\\d)"));
+    return text.replace(padding, QStringLiteral("e\\1\\2")).replace(u'.', locale.decimalPoint());
+}
+
+QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
+    if (!parseNumber(text)) {
+        return text;
+    }
+    QString mantissa = text.trimmed();
+    const qsizetype e = mantissa.indexOf(QRegularExpression(QStringLiteral("[eE\u0435\u0415]")));
+    const QString exponent = e < 0 ? QString() : mantissa.mid(e);
+    mantissa.truncate(e < 0 ? mantissa.size() : e);
+    const bool comma = mantissa.contains(u',');
+    const qsizetype separator = mantissa.indexOf(comma ? u',' : u'.');
+    qsizetype decimals = separator < 0 ? 0 : mantissa.size() - separator - 1;
+    if (mantissa.size() > 17) {
+        return text; // the last digit is beyond what a double tells apart
+    }
+    qlonglong digits = std::llround(*parseNumber(mantissa) * std::pow(10.0, double(decimals)));
+    if (digits + steps == 0 && !zeroAllowed) {
+        digits *= 10;
+        ++decimals;
+    }
+    digits += steps;
+    QString shown = QString::number(std::abs(digits)).rightJustified(decimals + 1, u'0');
+    if (decimals > 0) {
+        shown.insert(shown.size() - decimals,
+                     comma || separator < 0 ? QLocale().decimalPoint() : QStringLiteral("."));
+        if (comma) {
+            shown.replace(u'.', u',');
+        }
+    }
+    return (digits < 0 ? QStringLiteral("-") : QString()) + shown + exponent;
+}
+
+QString dateText(const QDate& date) {
+    const QLocale locale;
+    return locale.toString(date, locale.language() == QLocale::Russian
+                                     ? QStringLiteral("dd.MM.yyyy")
+                                     : QStringLiteral("d MMMM yyyy"));
+}
+
+QString momentText(const QDateTime& moment) {
+    return dateText(moment.date()) + moment.time().toString(QStringLiteral(", HH:mm"));
+}
+
+} // namespace sparkout

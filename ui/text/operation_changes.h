@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project.h"
+
+#include <QStringList>
+
+namespace sparkout {
+
+/// What another operation made of the inputs outside the stages: "Ground length L_p: 100 mm → 50
+/// mm".
+[[nodiscard]] QStringList changesOfOperation(const Project& before, const Project& after);
+
+} // namespace sparkout

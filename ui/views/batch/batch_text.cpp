@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/batch/batch_text.h"
+
+#include "core/quality/constraints.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double doubtful = 0.05; ///< probability below which a shape is called not normal
+constexpr double minute_s = 60;
+
+/// Never nothing for a little, nor the whole for almost all.
+QString percent(double share) {
+    const double hundredth = 100 * share;
+    const double toEnd = std::min(hundredth, 100 - hundredth);
+    int decimals = hundredth > 0 && hundredth < 10 ? 1 : 0;
+    if (toEnd > 1e-6 && toEnd < 1) {
+        decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(toEnd))));
+    }
+    return Names::fixed(hundredth, decimals);
+}
+
+/// Ppk, where it was made; else the greatest number.
+double leastPpk(const CharacteristicSummary& summary) {
+    return summary.ppk ? summary.ppk->value : std::numeric_limits<double>::max();
+}
+
+} // namespace
+
+QString BatchText::name(const Characteristic& characteristic) {
+    const std::string_view key = characteristic.name;
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (key == constraintName(kind)) {
+            return Names::constraint(kind);
+        }
+    }
+    return key == "time" ? tr("Machining time") : tr("Mean diameter");
+}
+
+QString BatchText::where(const Characteristic& characteristic) {
+    return characteristic.section < 0 ? tr("whole part")
+                                      : Names::zone(characteristic.zone, characteristic.section);
+}
+
+QString BatchText::full(const Characteristic& characteristic) {
+    return characteristic.section < 0
+               ? name(characteristic)
+               : QStringLiteral("%1, %2").arg(name(characteristic), where(characteristic));
+}
+
+QString BatchText::axis(const Characteristic& characteristic) {
+    return QStringLiteral("%1, %2").arg(name(characteristic), unitText(characteristic.unit));
+}
+
+QString BatchText::factor(FactorKind kind) {
+    return inputText(tableOf<Factors>().fields[static_cast<std::size_t>(kind)].label);
+}
+
+QString BatchText::factorAxis(FactorKind kind) {
+    const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+    return *unit ? QStringLiteral("%1, %2").arg(factor(kind), unitText(unit)) : factor(kind);
+}
+
+QString BatchText::value(double value, const Characteristic& characteristic) {
+    const int count =
+        std::clamp(static_cast<int>(std::lround(-std::log10(characteristic.resolution))), 0, 6);
+    return Names::fixed(value, count);
+}
+
+QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
+    const double beyond = std::min(percentile.order, 1 - percentile.order);
+    const bool isTold = beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
+    return !isTold ? QStringLiteral("–") : value(percentile.value, of.characteristic);
+}
+
+QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {
+    return value(interval.low, characteristic) + u'…' + value(interval.high, characteristic);
+}
+
+QString BatchText::capability(const std::optional<Capability>& capability) {
+    return capability ? QStringLiteral("%1 (%2…%3)")
+                            .arg(brief(*capability), Names::fixed(capability->interval.low, 2),
+                                 Names::fixed(capability->interval.high, 2))
+                      : QStringLiteral("–");
+}
+
+QString BatchText::brief(const Capability& capability) {
+    return Names::fixed(capability.value, 2);
+}
+
+QString BatchText::share(const Share& share) {
+    if (!share.interval) {
+        return tr("%1 (%2 %)").arg(share.count).arg(percent(share.value));
+    }
+    return tr("%1 (%2 %; %3…%4 %)")
+        .arg(share.count)
+        .arg(percent(share.value), percent(share.interval->low), percent(share.interval->high));
+}
+
+QString BatchText::normality(const CharacteristicSummary& summary) {
+    if (!summary.normality) {
+        return QStringLiteral("–");
+    }
+    const double probability = summary.normality->probability;
+    const QString p = probability < 0.001 ? QStringLiteral("< %1").arg(Names::fixed(0.001, 3))
+                                          : Names::fixed(probability, 3);
+    return probability < doubtful ? tr("%1, not normal").arg(p) : p;
+}
+
+QString BatchText::test(NormalityTest test) {
+    return test == NormalityTest::shapiroWilk ? tr("Shapiro–Wilk") : tr("Anderson–Darling");
+}
+
+std::optional<NormalityTest> BatchText::testOf(const BatchSummary& summary) {
+    const auto tested = std::ranges::find_if(
+        summary.characteristics, [](const auto& of) { return of.normality.has_value(); });
+    return tested == summary.characteristics.end() ? std::nullopt
+                                                   : std::optional(tested->normality->test);
+}
+
+QString BatchText::normalityName(const BatchSummary& summary) {
+    const auto of = testOf(summary);
+    return of ? tr("Normality, p (%1)", "name of the test").arg(test(*of)) : tr("Normality, p");
+}
+
+QString BatchText::shortNormalityName(const BatchSummary& summary) {
+    const auto of = testOf(summary);
+    return of ? tr("%1, p", "name of the test").arg(test(*of)) : tr("Normality, p");
+}
+
+QString BatchText::fitness(Fitness fitness) {
+    switch (fitness) {
+    case Fitness::fit: return tr("conforms to the drawing");
+    case Fitness::conditional: return tr("conforms conditionally to the drawing");
+    case Fitness::unfit: return tr("does not conform to the drawing");
+    }
+    return {};
+}
+
+QString BatchText::decision(const BatchOutcome& outcome) {
+    const BatchSummary& summary = outcome.summary;
+    const BatchVerdict verdict = weigh(summary, outcome.result);
+    const CharacteristicSummary* const of =
+        verdict.characteristic ? &summary.characteristics[*verdict.characteristic] : nullptr;
+    const auto limit = [&verdict] { return Names::significant(verdict.limit); };
+    const auto limitPercent = [&verdict] { return Names::significant(100 * verdict.limit); };
+    switch (verdict.reason) {
+    case BatchReason::noPart: return tr("no part was run");
+    case BatchReason::partsFail:
+        return verdict.limit > 0 ? tr("%1 % of the parts are not good, more than the allowed %2 %")
+                                       .arg(percent(verdict.value), limitPercent())
+                                 : tr("not every part is good");
+    case BatchReason::someFail:
+        return tr("%1 % of the parts are not good, no more than the allowed %2 %")
+            .arg(percent(verdict.value), limitPercent());
+    case BatchReason::stopped: return tr("not all parts of the batch were run");
+    case BatchReason::noSample:
+        return tr("every part that was run is good, but such parts are no sample and tell no Ppk");
+    case BatchReason::fewParts: return tr("a single part tells no Ppk");
+    case BatchReason::outside:
+        return tr("%1 % of the parts are expected out of tolerance, more than the allowed %2 %: %3")
+            .arg(Names::significant(100 * verdict.value, 2), limitPercent(),
+                 full(of->characteristic));
+    case BatchReason::ppk:
+        return tr("Ppk %1, its lower bound below %2: %3")
+            .arg(capability(of->ppk), limit(), full(of->characteristic));
+    case BatchReason::allHold:
+        return of ? tr("every part is good, and the least lower bound of Ppk reaches %1: %2, %3")
+                        .arg(limit(), capability(of->ppk), full(of->characteristic))
+                  : tr("every part is good, and the sizes hardly scatter");
+    }
+    return {};
+}
+
+QString BatchText::run(const BatchOutcome& outcome) {
+    const Batch& batch = *outcome.result.project.batch;
+    const QString scenarios =
+        choiceText(choicesOf<Scenarios>()[static_cast<std::size_t>(batch.scenarios)].label);
+    if (outcome.factors.empty()) {
+        return tr("The nominal part alone: nothing scatters.");
+    }
+    if (!outcome.summary.isSample) {
+        return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts))
+            .arg(scenarios);
+    }
+    const QString what =
+        tr("%1, seed %2", "Latin hypercube, seed 1").arg(scenarios).arg(batch.seed);
+    if (outcome.result.status == BatchStatus::stopped) {
+        return tr("Stopped after %1 of %2 parts, %3.")
+            .arg(outcome.summary.parts)
+            .arg(outcome.result.batchParts)
+            .arg(what);
+    }
+    return tr("%n part(s), %1.", nullptr, static_cast<int>(outcome.summary.parts)).arg(what);
+}
+
+QString BatchText::counts(const BatchSummary& summary) {
+    QStringList texts;
+    if (summary.parts > 0) {
+        texts << tr("Not good: %1.").arg(share(summary.bad));
+    }
+    if (summary.stripped > 0) {
+        texts << tr("%1 of %2 parts have no size, form and Ra: strips stay uncut, so no Ppk is "
+                    "told.")
+                     .arg(summary.stripped)
+                     .arg(summary.parts);
+    }
+    if (summary.failed > 0) {
+        texts << tr("%n did not reach size.", nullptr, static_cast<int>(summary.failed));
+    }
+    return texts.join(u' ');
+}
+
+QString BatchText::verdict(const BatchOutcome& outcome) {
+    const QString text =
+        tr("The cycle %1: %2.", "verdict, reason")
+            .arg(fitness(weigh(outcome.summary, outcome.result).fitness), decision(outcome));
+    return (counts(outcome.summary) + u' ' + text).trimmed();
+}
+
+QString BatchText::progress(qint64 done, qint64 parts, double left_s) {
+    const QString count = tr("%1 of %2 parts").arg(done).arg(parts);
+    if (left_s < 0) {
+        return count;
+    }
+    return left_s < 2 * minute_s
+               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
+               : tr("%1, %2 min left").arg(count).arg(std::ceil(left_s / minute_s), 0, 'f', 0);
+}
+
+QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {
+    QStringList texts;
+    const ScenarioSource source(outcome.result.project);
+    const std::vector<double> values = source.values(part);
+    for (std::size_t f = 0; f < values.size(); ++f) {
+        const FactorKind kind = source.factors()[f].kind;
+        const char* unit = tableOf<Factors>().fields[static_cast<std::size_t>(kind)].unit;
+        texts << QStringLiteral("%1 %2 %3")
+                     .arg(factor(kind), Names::significant(values[f]), unitText(unit))
+                     .trimmed();
+    }
+    return tr("Part %1").arg(part) + (texts.isEmpty() ? QString() : QStringLiteral(": "))
+           + texts.join(QStringLiteral(", "));
+}
+
+std::vector<std::size_t> placesOf(const BatchSummary& summary, const std::string& name) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
+        if (name == summary.characteristics[i].characteristic.name) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary, const std::string& name) {
+    std::vector<std::size_t> places = placesOf(summary, name);
+    if (places.size() > mostPlaces) {
+        std::ranges::stable_sort(
+            places, {}, [&summary](std::size_t i) { return leastPpk(summary.characteristics[i]); });
+        places.resize(mostPlaces);
+        std::ranges::sort(places);
+    }
+    return places;
+}
+
+} // namespace sparkout

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/view.h"
+#include "ui/session/batch_runner.h"
+#include "ui/session/document.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSplitter;
+
+namespace sparkout {
+
+class BatchFigures;
+class CopyTable;
+class HistogramPlot;
+class LegendStrip;
+class ParetoPlot;
+class PlotPages;
+class PlotTools;
+class ScatterPlot;
+class SensitivityPlot;
+class Settings;
+
+/// The view "Batch": parts that differ by the factors of the project, run one after another. How
+/// they scatter against the tolerance field, zone beside zone, with the figures of each; which
+/// factor matters most; any two quantities against each other. A quick batch runs by itself when
+/// the inputs change, another one on demand; results of other inputs are drawn faint.
+class BatchView : public View {
+    Q_OBJECT
+public:
+    explicit BatchView(QWidget* parent = nullptr, Settings* settings = nullptr);
+
+    [[nodiscard]] HistogramPlot* histograms() const { return m_histograms; }
+    [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
+    [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
+    [[nodiscard]] ParetoPlot* pareto() const { return m_pareto; }
+    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
+    [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
+    [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
+    [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
+    [[nodiscard]] bool stale() const { return m_batchStale; } ///< what is shown is of other inputs
+    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+
+    [[nodiscard]] QString title() const override;
+    void retranslate() override;
+    void forget() override;
+
+signals:
+    /// The document is to be changed so.
+    void editWanted(const std::function<sparkout::Project(sparkout::Project)>& edit,
+                    const sparkout::EditText& text);
+    /// A run of such inputs is to be kept beside the project, under a name.
+    void runWanted(const std::function<std::optional<sparkout::Project>(sparkout::Project)>& inputs,
+                   const QString& name);
+    void batchShown(); ///< the outcome of a batch has been drawn
+
+protected:
+    [[nodiscard]] QString hint() const override;
+    void recolour() override;
+    void showOutcome() override;
+
+private:
+    void build(Settings* settings);
+    QWidget* buildRunBar();
+    void buildTools(QWidget* bar);
+    QWidget* buildFigures();
+    void connectParts();
+    void chooseContent();
+    void chooseName();
+    void chooseWeights();
+    void chooseQuantities();
+    void setQuantities();
+
+    void noteStale();
+    void runBatch();
+    [[nodiscard]] bool quick() const; ///< so few parts that it runs by itself
+    void takeBatch(const BatchOutcomePtr& outcome);
+    void takeWorst();
+    void nameRows();
+    [[nodiscard]] bool wantsIndices() const; ///< Sobol's are chosen, but not there yet
+    void runIndices();
+    void takeIndices(const SobolIndicesPtr& indices);
+
+    void fillNames();
+    void fillQuantities();
+    void showBatch();
+    void showState();
+    void replotShown();
+    [[nodiscard]] QString notice() const;
+    [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
+    [[nodiscard]] std::string chosenName() const;
+    [[nodiscard]] QStringList heading() const;
+
+    HistogramPlot* m_histograms;
+    SensitivityPlot* m_sensitivity;
+    ScatterPlot* m_scatter;
+    ParetoPlot* m_pareto;
+    QSplitter* m_splitter;
+    LegendStrip* m_legend;
+    PlotPages* m_pages = nullptr;
+    BatchFigures* m_figures;
+    CopyTable* m_table = nullptr;
+    QComboBox* m_name;
+    QComboBox* m_weights; ///< rank regression or Sobol indices
+    QComboBox* m_across;
+    QComboBox* m_up;
+    QPushButton* m_run;
+    QPushButton* m_stop;
+    QPushButton* m_worst;
+    QPushButton* m_rows; ///< of all parts, into a file
+    QPushButton* m_add;
+    QProgressBar* m_progress;
+    QLabel* m_state;
+    QLabel* m_notice;
+    QLabel* m_values;
+    Settings* m_settings;
+    QWidget* m_runBar = nullptr;
+    std::string m_wanted = "diameter"; ///< characteristic the user chose
+    OutcomePtr m_good;                 ///< the inputs that were accepted last
+    BatchOutcomePtr m_batch;           ///< what is shown
+    BatchOutcomePtr m_refused;         ///< the last one that could not be run
+    SobolIndicesPtr m_indices;         ///< of what is shown
+    BatchOutcomePtr m_indicesOf;       ///< what they are, or were refused, or stopped, of
+    BatchRunner* m_runner;
+    BatchRunner* m_indexRunner;
+    bool m_batchStale = true;
+    std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
+};
+
+} // namespace sparkout

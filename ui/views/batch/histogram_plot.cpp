@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/batch/histogram_plot.h"
+
+#include "ui/plot/plot_style.h"
+#include "ui/text/texts.h"
+#include "ui/views/batch/batch_text.h"
+
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double barRoom = 0.05;     ///< beside the outermost bar or limit, of what is between them
+constexpr double countRoom = 1.08;   ///< above the highest bar
+constexpr double leastOutlined = 6;  ///< width of a bar with an outline [px]
+constexpr int valueTicks = 3;        ///< have room below narrow cells
+constexpr double tickRoom = 1.6;     ///< of a value below the axis, of its width
+constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room for a name
+
+} // namespace
+
+HistogramPlot::HistogramPlot(QWidget* parent) : ViewPlot(parent) {
+    setNotAntialiasedElements(QCP::aeAll);
+    plotLayout()->clear();
+    retranslate();
+    connect(this, &QCustomPlot::mouseMove, this, &HistogramPlot::onMouse);
+    connect(this, &QCustomPlot::afterLayout, this, &HistogramPlot::outline);
+    setBuilt();
+}
+
+void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
+    const bool sameOne = !m_cells.empty() && summaries.size() == m_cells.size()
+                         && std::string_view(summaries.front().characteristic.name)
+                                == m_cells.front().summary.characteristic.name;
+    const bool moved = sameOne && valueAxis(0)->range() != m_fitted;
+    const QCPRange values = moved ? valueAxis(0)->range() : QCPRange();
+    const QCPRange counts = moved ? countAxis(0)->range() : QCPRange();
+    clearItems();
+    clearPlottables();
+    plotLayout()->clear();
+    m_cells.clear();
+    for (CharacteristicSummary& summary : summaries) {
+        Cell cell;
+        cell.summary = std::move(summary);
+        build(cell, static_cast<int>(m_cells.size()));
+        m_cells.push_back(std::move(cell));
+    }
+    if (!m_cells.empty()) {
+        plotLayout()->setRowStretchFactor(0, 0.001);
+        plotLayout()->setRowSpacing(0);
+    }
+    restyle();
+    retranslate();
+    show();
+    fit();
+    if (moved) {
+        valueAxis(0)->setRange(values);
+        countAxis(0)->setRange(counts);
+    }
+    emit contentChanged();
+}
+
+void HistogramPlot::build(Cell& cell, int column) {
+    cell.header = new QCPTextElement(this);
+    cell.rect = new QCPAxisRect(this, true);
+    plotLayout()->addElement(0, column, cell.header);
+    plotLayout()->addElement(1, column, cell.rect);
+    for (QCPAxis* axis : cell.rect->axes()) {
+        style::setUpAxis(*axis);
+        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+                [this, axis] { link(axis); });
+    }
+    QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed); // half a part is none
+    whole->setTickStep(1);
+    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    cell.rect->axis(QCPAxis::atLeft)->setTicker(whole);
+    QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
+    values->grid()->setVisible(false);
+    values->ticker()->setTickCount(valueTicks);
+    cell.bars = new QCPBars(values, cell.rect->axis(QCPAxis::atLeft));
+    cell.bars->removeFromLegend();
+    cell.bars->setSelectable(QCP::stNone);
+    QVector<double> at, counts;
+    for (const HistogramBar& bar : cell.summary.histogram) {
+        cell.bars->setWidth(bar.high - bar.low);
+        if (bar.count > 0) { // nothing stands where none is, not even an outline
+            at << (bar.low + bar.high) / 2;
+            counts << static_cast<double>(bar.count);
+        }
+    }
+    cell.bars->setData(at, counts, true);
+    const Characteristic& of = cell.summary.characteristic;
+    cell.low = of.low ? addLine(cell, *of.low) : nullptr;
+    cell.high = of.high ? addLine(cell, *of.high) : nullptr;
+    cell.mean = cell.summary.mean95 ? addLine(cell, cell.summary.moments.mean) : nullptr;
+}
+
+QCPItemStraightLine* HistogramPlot::addLine(const Cell& cell, double value) {
+    auto* line = new QCPItemStraightLine(this);
+    for (QCPItemPosition* point : {line->point1, line->point2}) {
+        point->setAxisRect(cell.rect);
+        point->setAxes(cell.rect->axis(QCPAxis::atBottom), cell.rect->axis(QCPAxis::atLeft));
+    }
+    line->point1->setCoords(value, 0);
+    line->point2->setCoords(value, 1);
+    line->setClipAxisRect(cell.rect);
+    line->setSelectable(false);
+    return line;
+}
+
+/// The same axis of the other cells follows.
+void HistogramPlot::link(const QCPAxis* moved) {
+    if (m_linking) {
+        return;
+    }
+    m_linking = true;
+    for (const Cell& cell : m_cells) {
+        if (cell.rect != moved->axisRect()) {
+            cell.rect->axis(moved->axisType())->setRange(moved->range());
+        }
+    }
+    m_linking = false;
+}
+
+void HistogramPlot::fit() {
+    double low = std::numeric_limits<double>::max(), high = -low, most = 1;
+    for (const Cell& cell : m_cells) {
+        for (const HistogramBar& bar : cell.summary.histogram) {
+            low = std::min(low, bar.low);
+            high = std::max(high, bar.high);
+            most = std::max(most, static_cast<double>(bar.count));
+        }
+        const Characteristic& of = cell.summary.characteristic;
+        low = std::min(low, of.low.value_or(low));
+        high = std::max(high, of.high.value_or(high));
+    }
+    if (m_cells.empty() || low > high) {
+        return;
+    }
+    const double beside = barRoom * (high - low);
+    style::setSafeRange(*valueAxis(0), low - beside, high + beside);
+    style::setSafeRange(*countAxis(0), 0, countRoom * most);
+    m_fitted = valueAxis(0)->range();
+}
+
+// --- what is shown ------------------------------------------------------------------------------
+
+void HistogramPlot::show() {
+    for (const Cell& cell : m_cells) {
+        cell.bars->setVisible(m_choice.shows(partsKey));
+        for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
+            if (limit) {
+                limit->setVisible(m_choice.shows(limitsKey));
+            }
+        }
+        if (cell.mean) {
+            cell.mean->setVisible(m_choice.shows(meanKey));
+        }
+    }
+}
+
+void HistogramPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void HistogramPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+LegendEntries HistogramPlot::legendEntries() const {
+    if (m_cells.empty()) {
+        return {};
+    }
+    const Cell& cell = m_cells.front();
+    LegendEntries entries{
+        {cell.bars->brush().color(), Qt::NoPen, tr("parts"), partsKey, m_choice.shows(partsKey)}};
+    const auto add = [&](const QCPItemStraightLine* line, Key key, const QString& text) {
+        if (line) {
+            entries.push_back(
+                {line->pen().color(), line->pen().style(), text, key, m_choice.shows(key)});
+        }
+    };
+    add(cell.low ? cell.low : cell.high, limitsKey, tr("limits of the drawing"));
+    add(cell.mean, meanKey, tr("mean"));
+    return entries;
+}
+
+CsvTable HistogramPlot::table() const {
+    CsvTable table;
+    table.byPlace = true;
+    table.header << tr("Where") << tr("From") << tr("To") << tr("Unit") << tr("Parts");
+    for (std::size_t i = 0; i < m_cells.size() && m_choice.shows(partsKey); ++i) {
+        const Characteristic& of = m_cells[i].summary.characteristic;
+        const QCPRange range = valueAxis(static_cast<int>(i))->range();
+        for (const HistogramBar& bar : m_cells[i].summary.histogram) {
+            if (bar.high >= range.lower && bar.low <= range.upper) {
+                table.rows.push_back({BatchText::where(of), bar.low, bar.high, unitText(of.unit),
+                                      static_cast<double>(bar.count)});
+            }
+        }
+    }
+    return table;
+}
+
+CsvTable HistogramPlot::tableOf(const BatchSummary& summary) {
+    CsvTable table;
+    table.ownUnits = true;
+    table.header << tr("Where") << tr("Characteristic") << tr("From") << tr("To") << tr("Unit")
+                 << tr("Parts");
+    for (const CharacteristicSummary& each : summary.characteristics) {
+        const Characteristic& of = each.characteristic;
+        for (const HistogramBar& bar : each.histogram) {
+            table.rows.push_back({BatchText::where(of), BatchText::name(of), bar.low, bar.high,
+                                  unitText(of.unit), static_cast<double>(bar.count)});
+        }
+    }
+    return table;
+}
+
+void HistogramPlot::onMouse(QMouseEvent* event) {
+    for (const Cell& cell : m_cells) {
+        if (!cell.rect->rect().contains(event->pos())) {
+            continue;
+        }
+        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
+        const Characteristic& of = cell.summary.characteristic;
+        for (const HistogramBar& bar : cell.summary.histogram) {
+            if (x >= bar.low && x < bar.high) {
+                emit pointed(tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
+                                 .arg(BatchText::full(of),
+                                      BatchText::range({bar.low, bar.high}, of),
+                                      unitText(of.unit)));
+                return;
+            }
+        }
+    }
+    emit pointed({});
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void HistogramPlot::restyle() {
+    style::applyPalette(*this, palette());
+    const auto colour = [this](style::Hue hue) {
+        return style::dimmed(style::colour(hue, palette()), isDimmed());
+    };
+    for (const Cell& cell : m_cells) {
+        cell.header->setFont(font());
+        cell.header->setTextColor(palette().color(QPalette::Text));
+        for (QCPAxis* axis : cell.rect->axes()) {
+            axis->setTickLabelFont(font());
+            axis->setLabelFont(font());
+        }
+        cell.bars->setBrush(colour(style::Hue::sky));
+        for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
+            if (limit) {
+                limit->setPen(QPen(colour(style::Hue::vermilion), 2));
+            }
+        }
+        if (cell.mean) {
+            cell.mean->setPen(QPen(colour(style::Hue::blue), 1.5, Qt::DashLine));
+        }
+    }
+}
+
+/// A name and ticks that have no room below a cell give way to the unit and to fewer ticks.
+/// Bars are set apart where that leaves something of them; narrow ones are an area of one colour,
+/// each at least a pixel wide.
+void HistogramPlot::outline() {
+    const QFontMetrics text(font());
+    for (const Cell& cell : m_cells) {
+        QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
+        const Characteristic& of = cell.summary.characteristic;
+        const QString full = BatchText::axis(of);
+        const bool named = m_cells.size() <= mostNamed
+                           && text.horizontalAdvance(full) <= cell.rect->outerRect().width();
+        values.setLabel(named ? full : unitText(of.unit));
+        const int tick =
+            std::max(text.horizontalAdvance(BatchText::value(values.range().lower, of)),
+                     text.horizontalAdvance(BatchText::value(values.range().upper, of)));
+        values.ticker()->setTickCount(
+            std::clamp(static_cast<int>(cell.rect->width() / (tickRoom * tick)), 2, valueTicks));
+        style::fitValueAxes(*cell.rect, font());
+        const double width = cell.bars->width() / values.range().size() * cell.rect->width();
+        cell.bars->setPen(QPen(width < leastOutlined ? cell.bars->brush().color()
+                                                     : palette().color(QPalette::Base),
+                               1));
+    }
+}
+
+QString HistogramPlot::headingOf(const CharacteristicSummary& summary) const {
+    const Characteristic& of = summary.characteristic;
+    const QString where = BatchText::where(of);
+    const bool named = summary.ppk && m_cells.size() <= mostNamed;
+    return named ? QStringLiteral("%1, Ppk %2").arg(where, BatchText::brief(*summary.ppk)) : where;
+}
+
+void HistogramPlot::setTexts() {
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        const Cell& cell = m_cells[i];
+        const Characteristic& of = cell.summary.characteristic;
+        cell.header->setText(headingOf(cell.summary));
+        cell.rect->axis(QCPAxis::atBottom)
+            ->setLabel(m_cells.size() <= mostNamed ? BatchText::axis(of) : unitText(of.unit));
+        cell.rect->axis(QCPAxis::atLeft)->setLabel(i == 0 ? tr("Parts") : QString());
+    }
+}
+
+} // namespace sparkout

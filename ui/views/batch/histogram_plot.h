@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_summary.h"
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/view_plot.h"
+#include "ui/tables/csv_table.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// One characteristic of a batch, zone beside zone: how many parts came out where, against the
+/// limits of the drawing, with the mean. All cells have the same axes.
+class HistogramPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    enum Key { partsKey, limitsKey, meanKey }; ///< of the legend
+
+    explicit HistogramPlot(QWidget* parent = nullptr);
+
+    /// Of one characteristic; no replot. What was in sight stays while it is the same one.
+    void setSummaries(std::vector<CharacteristicSummary> summaries);
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void restyle() override;
+
+    [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
+    [[nodiscard]] QCPBars* bars(int cell) const { return at(cell).bars; }
+    [[nodiscard]] QCPItemStraightLine* low(int cell) const { return at(cell).low; } ///< null: none
+    [[nodiscard]] QCPItemStraightLine* high(int cell) const { return at(cell).high; }
+    [[nodiscard]] QCPItemStraightLine* mean(int cell) const { return at(cell).mean; }
+    [[nodiscard]] QCPAxis* valueAxis(int cell) const {
+        return at(cell).rect->axis(QCPAxis::atBottom);
+    }
+    [[nodiscard]] QCPAxis* countAxis(int cell) const {
+        return at(cell).rect->axis(QCPAxis::atLeft);
+    }
+    [[nodiscard]] QString heading(int cell) const { return at(cell).header->text(); }
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const;                               ///< the bars in sight
+    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary); ///< of every characteristic
+
+private:
+    void setTexts() override;
+    struct Cell {
+        CharacteristicSummary summary;
+        QCPTextElement* header = nullptr;
+        QCPAxisRect* rect = nullptr;
+        QCPBars* bars = nullptr;
+        QCPItemStraightLine* low = nullptr;
+        QCPItemStraightLine* high = nullptr;
+        QCPItemStraightLine* mean = nullptr;
+    };
+
+    [[nodiscard]] const Cell& at(int cell) const { return m_cells[static_cast<std::size_t>(cell)]; }
+    void build(Cell& cell, int column);
+    [[nodiscard]] QCPItemStraightLine* addLine(const Cell& cell, double value);
+    void link(const QCPAxis* moved);
+    void show();
+    void outline();
+    void onMouse(QMouseEvent* event);
+    [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
+
+    std::vector<Cell> m_cells;
+    CurveChoice m_choice;
+    QCPRange m_fitted; ///< of the values, as they were fitted last
+    bool m_linking = false;
+};
+
+} // namespace sparkout

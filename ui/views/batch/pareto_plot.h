@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/view_plot.h"
+#include "ui/session/batch_runner.h"
+#include "ui/tables/csv_table.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// Why the parts of a batch fail: a row a requirement, the most frequent at the top, with the share
+/// that the causes so far have of all. A part that fails several counts at each of them.
+class ParetoPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    enum Key { partsKey, sumKey }; ///< of the legend
+
+    explicit ParetoPlot(QWidget* parent = nullptr);
+
+    void setBatch(BatchOutcomePtr outcome); ///< no replot
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void restyle() override;
+
+    [[nodiscard]] bool empty() const { return causes().empty(); } ///< no part fails
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary);
+    [[nodiscard]] QCPBars* bars() const { return m_bars; }
+    [[nodiscard]] QCPGraph* sum() const { return m_sum; } ///< of the shares [%]
+    [[nodiscard]] QStringList names() const;              ///< of the rows, from the top
+
+private:
+    void setTexts() override;
+    void show();
+    void onMouse(QMouseEvent* event);
+    [[nodiscard]] const std::vector<RejectCause>& causes() const;
+    [[nodiscard]] double sumAt(std::size_t row) const; ///< [%]
+    [[nodiscard]] static QString nameOf(const RejectCause& cause);
+
+    BatchOutcomePtr m_outcome;
+    CurveChoice m_choice;
+    QCPAxisRect* m_rect = nullptr;
+    QCPBars* m_bars = nullptr;
+    QCPGraph* m_sum = nullptr;
+};
+
+} // namespace sparkout

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/batch/part_rows.h"
+
+#include "core/batch/batch_run.h"
+#include "core/batch/part_table.h"
+#include "core/files/safe_file_writer.h"
+#include "ui/dialogs/save_dialog.h"
+#include "ui/text/example_texts.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+#include "ui/views/batch/batch_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <thread>
+
+namespace sparkout {
+
+namespace {
+
+struct PartRows {
+    Q_DECLARE_TR_FUNCTIONS(PartRows)
+};
+
+PartTable::Dialect dialectOfParts(TableFormat format) {
+    const bool russian = format == TableFormat::csvRussian;
+    return {russian ? ';' : ',',
+            russian ? ',' : '.',
+            csvBegin().toStdString(),
+            "\r\n",
+            {PartRows::tr("done").toStdString(), PartRows::tr("does not reach size").toStdString(),
+             PartRows::tr("strips stay uncut").toStdString()},
+            PartRows::tr("yes").toStdString(),
+            PartRows::tr("no").toStdString()};
+}
+
+std::vector<std::string> headOfParts(const PartColumns& columns) {
+    QStringList names{PartRows::tr("Part"), PartRows::tr("State"), PartRows::tr("Good"),
+                      PartRows::tr("Least margin, of its limit")};
+    for (const GivenFactor& factor : columns.factors) {
+        names << BatchText::factorAxis(factor.kind);
+    }
+    for (const Characteristic& of : columns.characteristics) {
+        names << QStringLiteral("%1, %2").arg(BatchText::full(of), unitText(of.unit));
+    }
+    for (const ConstraintKind kind : columns.requirements) {
+        names << PartRows::tr("%1: holds", "a requirement").arg(Names::constraint(kind));
+    }
+    std::vector<std::string> head;
+    for (const QString& name : names) {
+        head.push_back(harmlessCell(harmlessText(name)).toStdString());
+    }
+    return head;
+}
+
+bool writeRows(const Project& project, TableFormat format, const std::string& path,
+               const KeepGoing& keepGoing, const std::stop_token& stop,
+               std::optional<FileError>& error) {
+    SafeFileWriter file(path, SafeFileWriter::Existing::replaced); // the dialog has asked
+    const ScenarioSource source(project);
+    PartColumns columns = PartColumns::of(source, stop);
+    const std::vector<std::string> head = headOfParts(columns);
+    const PartTable table(std::move(columns), dialectOfParts(format));
+    file.write(table.head(head));
+    std::int64_t done = 0;
+    const auto all = static_cast<double>(source.parts());
+    BatchOptions options;
+    options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+    options.stop = stop;
+    options.sink = [&](const PartRecord& record) {
+        return keepGoing(static_cast<double>(++done) / all) && file.write(table.line(record));
+    };
+    const bool written = !file.error()
+                         && runBatch(project, options).status == BatchStatus::completed
+                         && file.finish();
+    error = file.error();
+    return written;
+}
+
+} // namespace
+
+bool savePartRows(QWidget* window, Settings* settings, const Project& project, TableFormat format) {
+    SaveRequest request;
+    request.title = PartRows::tr("All parts of the batch");
+    request.name = fileNameOf({exampleTitle(project.title), request.title});
+    request.suffix = tableFormatSuffix(format);
+    request.filter = tableFormatFilter(format);
+    request.stream = [&project, format](const std::string& path, const KeepGoing& keepGoing,
+                                        const std::stop_token& stop,
+                                        std::optional<FileError>& error) {
+        return writeRows(project, format, path, keepGoing, stop, error);
+    };
+    return saveWithDialog(window, settings, request);
+}
+
+} // namespace sparkout

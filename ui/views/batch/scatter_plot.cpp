@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/batch/scatter_plot.h"
+
+#include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+#include "ui/views/batch/batch_text.h"
+
+#include <QLineF>
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+using style::Hue;
+
+constexpr double partSize = 5, worstSize = 11; ///< [px]
+constexpr double nearEnough = 8;               ///< [px] a point is meant within
+constexpr double scatterRoom = 0.05;
+
+} // namespace
+
+std::size_t quantityCount(const BatchOutcome& outcome) {
+    return outcome.factors.size() + outcome.summary.characteristics.size();
+}
+
+QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity) {
+    if (quantity < outcome.factors.size()) {
+        return BatchText::factorAxis(outcome.factors[quantity].kind);
+    }
+    const Characteristic& of =
+        outcome.summary.characteristics[quantity - outcome.factors.size()].characteristic;
+    return QStringLiteral("%1, %2").arg(BatchText::full(of), unitText(of.unit));
+}
+
+double quantityOf(const BatchOutcome& outcome, std::size_t row, BatchQuantity quantity) {
+    return quantity < outcome.factors.size()
+               ? outcome.drawn[row][quantity]
+               : outcome.result.statistics.rows[row].values[quantity - outcome.factors.size()];
+}
+
+ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {
+    plotLayout()->clear();
+    m_rect = new QCPAxisRect(this, true);
+    plotLayout()->addElement(0, 0, m_rect);
+    for (QCPAxis* axis : m_rect->axes()) {
+        style::setUpAxis(*axis);
+    }
+    for (QCPGraph** graph : {&m_good, &m_outside, &m_worst}) {
+        *graph = addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+        (*graph)->setLineStyle(QCPGraph::lsNone);
+        (*graph)->removeFromLegend();
+        (*graph)->setSelectable(QCP::stNone);
+        (*graph)->setAdaptiveSampling(false);
+    }
+    connect(this, &QCustomPlot::mouseMove, this, &ScatterPlot::onMouse);
+    restyle();
+    retranslate();
+    setBuilt();
+}
+
+void ScatterPlot::setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up) {
+    m_outcome = std::move(outcome);
+    m_across = across;
+    m_up = up;
+    fill();
+}
+
+const Characteristic* ScatterPlot::characteristic(BatchQuantity quantity) const {
+    const std::size_t factors = m_outcome->factors.size();
+    return quantity < factors
+               ? nullptr
+               : &m_outcome->summary.characteristics[quantity - factors].characteristic;
+}
+
+bool ScatterPlot::outside(std::size_t row) const {
+    return std::ranges::any_of(std::array{m_across, m_up}, [&](BatchQuantity quantity) {
+        const Characteristic* of = characteristic(quantity);
+        const double value = quantityOf(*m_outcome, row, quantity);
+        return of && ((of->low && value < *of->low) || (of->high && value > *of->high));
+    });
+}
+
+void ScatterPlot::fill() {
+    for (QCPItemStraightLine* line : m_limits) {
+        removeItem(line);
+    }
+    m_limits.clear();
+    for (QCPGraph* graph : {m_good, m_outside, m_worst}) {
+        graph->data()->clear();
+    }
+    const std::size_t rows = m_outcome ? m_outcome->result.statistics.rows.size() : 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const double x = quantityOf(*m_outcome, i, m_across), y = quantityOf(*m_outcome, i, m_up);
+        if (!std::isfinite(x) || !std::isfinite(y)) {
+            continue;
+        }
+        (outside(i) ? m_outside : m_good)->addData(x, y);
+        if (m_outcome->result.statistics.rows[i].part == m_outcome->summary.worstPart) {
+            m_worst->addData(x, y);
+        }
+    }
+    if (m_outcome) {
+        addLimits(m_across, QCPAxis::atBottom);
+        addLimits(m_up, QCPAxis::atLeft);
+    }
+    restyle();
+    retranslate();
+    show();
+    fit();
+    emit contentChanged();
+}
+
+void ScatterPlot::addLimits(BatchQuantity quantity, QCPAxis::AxisType axis) {
+    const Characteristic* of = characteristic(quantity);
+    if (!of) {
+        return;
+    }
+    for (const std::optional<double>& limit : {of->low, of->high}) {
+        if (!limit) {
+            continue;
+        }
+        auto* line = new QCPItemStraightLine(this);
+        for (QCPItemPosition* point : {line->point1, line->point2}) {
+            point->setAxisRect(m_rect);
+            point->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+        }
+        const bool upright = axis == QCPAxis::atBottom;
+        line->point1->setCoords(upright ? *limit : 0, upright ? 0 : *limit);
+        line->point2->setCoords(upright ? *limit : 1, upright ? 1 : *limit);
+        line->setClipAxisRect(m_rect);
+        line->setSelectable(false);
+        m_limits.push_back(line);
+    }
+}
+
+/// The points; limits only where they are near, or they would squeeze them.
+void ScatterPlot::fit() {
+    const auto fitAxis = [this](QCPAxis& axis, BatchQuantity quantity) {
+        double low = 0, high = 0;
+        bool any = false;
+        for (std::size_t i = 0; i < m_outcome->result.statistics.rows.size(); ++i) {
+            const double value = quantityOf(*m_outcome, i, quantity);
+            if (std::isfinite(value)) {
+                low = any ? std::min(low, value) : value;
+                high = any ? std::max(high, value) : value;
+                any = true;
+            }
+        }
+        const double size = high - low;
+        if (const Characteristic* of = characteristic(quantity)) {
+            for (const std::optional<double>& limit : {of->low, of->high}) {
+                if (limit && *limit > low - size && *limit < high + size) {
+                    low = std::min(low, *limit);
+                    high = std::max(high, *limit);
+                }
+            }
+        }
+        const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * 1e-3;
+        const double beside = std::max(scatterRoom * (high - low), least);
+        style::setSafeRange(axis, low - beside, high + beside);
+    };
+    if (m_outcome && quantityCount(*m_outcome) > 0) {
+        fitAxis(*m_rect->axis(QCPAxis::atBottom), m_across);
+        fitAxis(*m_rect->axis(QCPAxis::atLeft), m_up);
+    }
+}
+
+// --- what is shown ------------------------------------------------------------------------------
+
+QCPGraph* ScatterPlot::graph(Key key) const {
+    return key == goodKey ? m_good : key == outsideKey ? m_outside : m_worst;
+}
+
+void ScatterPlot::show() {
+    for (const Key key : {goodKey, outsideKey, worstKey}) {
+        graph(key)->setVisible(m_choice.shows(key));
+    }
+    for (QCPItemStraightLine* line : m_limits) {
+        line->setVisible(m_choice.shows(limitsKey));
+    }
+}
+
+void ScatterPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void ScatterPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+LegendEntries ScatterPlot::legendEntries() const {
+    LegendEntries entries;
+    const auto add = [&](Key key, const QString& text) {
+        entries.push_back(
+            {graph(key)->scatterStyle().pen().color(), Qt::NoPen, text, key, m_choice.shows(key)});
+    };
+    add(goodKey, tr("parts"));
+    if (m_outside->dataCount() > 0) {
+        add(outsideKey, tr("parts beyond a limit shown"));
+    }
+    if (m_worst->dataCount() > 0) {
+        add(worstKey, tr("worst part"));
+    }
+    if (!m_limits.empty()) {
+        const QPen pen = m_limits.front()->pen();
+        entries.push_back({pen.color(), pen.style(), tr("limits of the drawing"), limitsKey,
+                           m_choice.shows(limitsKey)});
+    }
+    return entries;
+}
+
+CsvTable ScatterPlot::table() const {
+    CsvTable table;
+    if (!m_outcome) {
+        return table;
+    }
+    table.header << tr("Part") << quantityName(*m_outcome, m_across)
+                 << quantityName(*m_outcome, m_up);
+    const auto& rows = m_outcome->result.statistics.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double x = quantityOf(*m_outcome, i, m_across), y = quantityOf(*m_outcome, i, m_up);
+        if (m_choice.shows(outside(i) ? outsideKey : goodKey)
+            && m_rect->axis(QCPAxis::atBottom)->range().contains(x)
+            && m_rect->axis(QCPAxis::atLeft)->range().contains(y)) {
+            table.rows.push_back({static_cast<double>(rows[i].part), x, y});
+        }
+    }
+    return table;
+}
+
+void ScatterPlot::onMouse(QMouseEvent* event) {
+    const std::size_t rows = m_outcome ? m_outcome->result.statistics.rows.size() : 0;
+    double nearest = nearEnough;
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const QPointF point(
+            m_rect->axis(QCPAxis::atBottom)->coordToPixel(quantityOf(*m_outcome, i, m_across)),
+            m_rect->axis(QCPAxis::atLeft)->coordToPixel(quantityOf(*m_outcome, i, m_up)));
+        const double away = QLineF(point, event->position()).length();
+        if (away < nearest && m_choice.shows(outside(i) ? outsideKey : goodKey)) {
+            nearest = away;
+            found = i;
+        }
+    }
+    if (!found) {
+        emit pointed({});
+        return;
+    }
+    const auto value = [&](BatchQuantity quantity) {
+        return QStringLiteral("%1 %2").arg(
+            quantityName(*m_outcome, quantity),
+            Names::significant(quantityOf(*m_outcome, *found, quantity), 4));
+    };
+    emit pointed(tr("Part %1: %2; %3")
+                     .arg(m_outcome->result.statistics.rows[*found].part)
+                     .arg(value(m_across), value(m_up)));
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void ScatterPlot::restyle() {
+    style::applyPalette(*this, palette());
+    for (QCPAxis* axis : m_rect->axes()) {
+        axis->setTickLabelFont(font());
+        axis->setLabelFont(font());
+    }
+    const auto colour = [this](Hue hue) {
+        return style::dimmed(style::colour(hue, palette()), isDimmed());
+    };
+    const auto dots = [](QCPGraph& graph, const QColor& of) {
+        graph.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, partSize));
+    };
+    dots(*m_good, colour(Hue::blue));
+    dots(*m_outside, colour(Hue::vermilion));
+    m_worst->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle,
+                                             QPen(colour(Hue::orange), 2), Qt::NoBrush, worstSize));
+    for (QCPItemStraightLine* line : m_limits) {
+        line->setPen(QPen(colour(Hue::vermilion), 1.5, Qt::DashLine));
+    }
+}
+
+void ScatterPlot::setTexts() {
+    if (m_outcome && quantityCount(*m_outcome) > 0) {
+        m_rect->axis(QCPAxis::atBottom)->setLabel(quantityName(*m_outcome, m_across));
+        m_rect->axis(QCPAxis::atLeft)->setLabel(quantityName(*m_outcome, m_up));
+    }
+}
+
+} // namespace sparkout

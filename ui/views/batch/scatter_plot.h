@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/view_plot.h"
+#include "ui/session/batch_runner.h"
+#include "ui/tables/csv_table.h"
+
+#include <optional>
+
+namespace sparkout {
+
+/// A factor or a characteristic of a batch, by its number among the factors and then the
+/// characteristics.
+using BatchQuantity = std::size_t;
+[[nodiscard]] std::size_t quantityCount(const BatchOutcome& outcome);
+[[nodiscard]] QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity);
+/// Of the part in a kept row.
+[[nodiscard]] double quantityOf(const BatchOutcome& outcome, std::size_t row,
+                                BatchQuantity quantity);
+
+/// Any two quantities of a batch against each other: a point a part that is kept one by one, those
+/// beyond a limit of either and the worst part marked, with the limits.
+class ScatterPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    enum Key { goodKey, outsideKey, worstKey, limitsKey }; ///< of the legend
+
+    explicit ScatterPlot(QWidget* parent = nullptr);
+
+    void setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up); ///< no replot
+    void fit();
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void restyle() override;
+
+    [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the points
+    [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
+    [[nodiscard]] LegendEntries legendEntries() const;
+    [[nodiscard]] CsvTable table() const; ///< the points in sight
+
+private:
+    void setTexts() override;
+    void fill();
+    void addLimits(BatchQuantity quantity, QCPAxis::AxisType axis);
+    void show();
+    void onMouse(QMouseEvent* event);
+    [[nodiscard]] const Characteristic* characteristic(BatchQuantity quantity) const;
+    [[nodiscard]] bool outside(std::size_t row) const; ///< the limits of what is shown
+
+    BatchOutcomePtr m_outcome;
+    BatchQuantity m_across = 0, m_up = 0;
+    CurveChoice m_choice;
+    QCPAxisRect* m_rect = nullptr;
+    QCPGraph *m_good = nullptr, *m_outside = nullptr, *m_worst = nullptr;
+    std::vector<QCPItemStraightLine*> m_limits;
+};
+
+} // namespace sparkout

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/compliance/coupling_curves.h"
+
+#include "core/units.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+QString couplingWord(const char* text) {
+    return QCoreApplication::translate("CouplingCurves", text);
+}
+
+/// The two models often lie closer than the hundredths others are told in.
+QString fine(double value_um) {
+    return Names::fixed(value_um, 3);
+}
+
+constexpr style::Hue independentHue = style::Hue::blue;
+constexpr style::Hue coupledHue = style::Hue::orange;
+constexpr style::Hue differenceHue = style::Hue::purple;
+
+} // namespace
+
+CouplingCurves::CouplingCurves(QCPAxisRect& rect)
+    : LengthCurves(rect)
+    , m_independent(addGraph(independentKey))
+    , m_coupled(addGraph(coupledKey))
+    , m_difference(addGraph(differenceKey)) {}
+
+double CouplingCurves::middle_um() const {
+    const Part& part = m_comparison->independent.project.part;
+    return (part.upper_deviation_um + part.lower_deviation_um) / 2;
+}
+
+double CouplingCurves::fromMiddle_um(const SectionResult& section) const {
+    return meanDiameterDeviation(section, m_comparison->independent.project.part) * units::umPerMm
+           - middle_um();
+}
+
+void CouplingCurves::show(CouplingPtr comparison) {
+    m_comparison = std::move(comparison);
+    QVector<double> x, independent, coupled, difference;
+    for (std::size_t i = 0; m_comparison && i < m_comparison->differences_mm.size(); ++i) {
+        x << m_comparison->independent.sections[i].position_mm;
+        independent << fromMiddle_um(m_comparison->independent.sections[i]);
+        coupled << fromMiddle_um(m_comparison->coupled.sections[i]);
+        difference << m_comparison->differences_mm[i] * units::umPerMm;
+    }
+    m_independent->setData(x, independent, true);
+    m_coupled->setData(x, coupled, true);
+    m_difference->setData(x, difference, true);
+    if (m_comparison) {
+        drawLimits(m_comparison->independent.project.part);
+    } else {
+        clearLimits();
+    }
+    restyle(m_dim);
+}
+
+QString CouplingCurves::summary() const {
+    const auto largest = std::ranges::max_element(
+        m_comparison->differences_mm, {}, [](double difference) { return std::abs(difference); });
+    const auto at = static_cast<std::size_t>(largest - m_comparison->differences_mm.begin());
+    const auto spread = [this](const SimulationResult& result) {
+        const auto [low, high] = std::ranges::minmax_element(
+            result.sections, {}, [this](const SectionResult& s) { return fromMiddle_um(s); });
+        return fine(fromMiddle_um(*high) - fromMiddle_um(*low));
+    };
+    const auto minutes = [](const SimulationResult& result) {
+        return Names::significant(result.time_s / units::secondsPerMinute, 4);
+    };
+    QString text =
+        couplingWord(
+            QT_TRANSLATE_NOOP(
+                "CouplingCurves",
+                "Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over "
+                "the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min."))
+            .arg(fine(*largest * units::umPerMm),
+                 Names::significant(m_comparison->independent.sections[at].position_mm, 4),
+                 spread(m_comparison->independent), spread(m_comparison->coupled),
+                 minutes(m_comparison->independent), minutes(m_comparison->coupled));
+    for (const auto& [result, form] :
+         {std::pair(&m_comparison->independent,
+                    QT_TRANSLATE_NOOP("CouplingCurves", "Independent: %1")),
+          std::pair(&m_comparison->coupled, QT_TRANSLATE_NOOP("CouplingCurves", "Coupled: %1"))}) {
+        if (result->status != RunStatus::completed) {
+            text += u' ' + couplingWord(form).arg(Names::status(result->status));
+        }
+    }
+    return text;
+}
+
+LegendEntries CouplingCurves::legendEntries() const {
+    if (!m_comparison) {
+        return {};
+    }
+    const auto line = [this](int key, style::Hue hue, Qt::PenStyle pen, const char* text) {
+        return entry(key, style::dimmed(style::colour(hue, palette()), m_dim), pen,
+                     couplingWord(text));
+    };
+    return {line(independentKey, independentHue, Qt::SolidLine,
+                 QT_TRANSLATE_NOOP("CouplingCurves", "sections independent")),
+            line(coupledKey, coupledHue, Qt::SolidLine,
+                 QT_TRANSLATE_NOOP("CouplingCurves", "sections coupled")),
+            line(differenceKey, differenceHue, Qt::DotLine,
+                 QT_TRANSLATE_NOOP("CouplingCurves", "coupled less independent")),
+            limitsEntry()};
+}
+
+void CouplingCurves::restyle(bool dim) {
+    m_dim = dim;
+    const auto look = [this](QCPGraph* graph, style::Hue hue, Qt::PenStyle pen,
+                             QCPScatterStyle::ScatterShape shape) {
+        const QColor colour = style::dimmed(style::colour(hue, palette()), m_dim);
+        graph->setPen(QPen(colour, 2, pen));
+        graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 1.5), colour, 6));
+    };
+    look(m_independent, independentHue, Qt::SolidLine, QCPScatterStyle::ssDisc);
+    look(m_coupled, coupledHue, Qt::SolidLine, QCPScatterStyle::ssSquare);
+    look(m_difference, differenceHue, Qt::DotLine, QCPScatterStyle::ssDiamond);
+    restyleLimits(dim);
+}
+
+CsvTable CouplingCurves::table() const {
+    CsvTable table;
+    if (!m_comparison) {
+        return table;
+    }
+    table.header << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Section"))
+                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Position, mm"))
+                 << couplingWord(QT_TRANSLATE_NOOP(
+                        "CouplingCurves", "Independent, mean diameter from the middle, µm"))
+                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves",
+                                                   "Coupled, mean diameter from the middle, µm"))
+                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Difference, µm"));
+    for (std::size_t i = 0; i < m_comparison->differences_mm.size(); ++i) {
+        const SectionResult& section = m_comparison->independent.sections[i];
+        table.rows.push_back({static_cast<double>(i), section.position_mm, fromMiddle_um(section),
+                              fromMiddle_um(m_comparison->coupled.sections[i]),
+                              m_comparison->differences_mm[i] * units::umPerMm});
+    }
+    return table;
+}
+
+QString CouplingCurves::valuesAt(double x_mm) const {
+    if (!m_comparison || m_comparison->differences_mm.empty()) {
+        return {};
+    }
+    const auto& sections = m_comparison->independent.sections;
+    const auto nearest = std::ranges::min_element(
+        sections, {}, [x_mm](const SectionResult& s) { return std::abs(s.position_mm - x_mm); });
+    const auto i = static_cast<std::size_t>(nearest - sections.begin());
+    return couplingWord(
+               QT_TRANSLATE_NOOP("CouplingCurves",
+                                 "%1 at %2 mm: independent %3 µm, coupled %4 µm, difference %5 µm"))
+        .arg(Names::zone(Zone::section, static_cast<int>(i)),
+             Names::significant(nearest->position_mm, 4), fine(fromMiddle_um(*nearest)),
+             fine(fromMiddle_um(m_comparison->coupled.sections[i])),
+             fine(m_comparison->differences_mm[i] * units::umPerMm));
+}
+
+} // namespace sparkout

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/coupling_comparison.h"
+#include "ui/charts/length_curves.h"
+
+#include <memory>
+
+namespace sparkout {
+
+using CouplingPtr = std::shared_ptr<const CouplingComparison>;
+
+/// The mean diameters of the sections as the models with independent and with coupled sections
+/// have them, and the difference.
+class CouplingCurves : public LengthCurves {
+public:
+    static constexpr int independentKey = 400, coupledKey = 401, differenceKey = 402;
+
+    explicit CouplingCurves(QCPAxisRect& rect);
+
+    void show(CouplingPtr comparison); ///< null: nothing to show
+    [[nodiscard]] const CouplingComparison* comparison() const { return m_comparison.get(); }
+    [[nodiscard]] QCPGraph* differenceGraph() const { return m_difference; }
+    [[nodiscard]] QString summary() const;
+
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
+    [[nodiscard]] QString valuesAt(double x_mm) const override;
+    void restyle(bool dim) override;
+    [[nodiscard]] Digits digits() const override { return Digits::thousandths; }
+
+private:
+    [[nodiscard]] double middle_um() const;
+    [[nodiscard]] double fromMiddle_um(const SectionResult& section) const;
+
+    CouplingPtr m_comparison;
+    QCPGraph* m_independent;
+    QCPGraph* m_coupled;
+    QCPGraph* m_difference;
+    bool m_dim = false;
+};
+
+} // namespace sparkout

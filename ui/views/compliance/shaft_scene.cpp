@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/compliance/shaft_scene.h"
+
+#include "ui/charts/profiles_look.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/texts.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr double above = 2.1;    ///< room for the wheel, of the largest radius
+constexpr double below = 1.9;    ///< room for rests and names
+constexpr double holder = 0.08;  ///< length of a centre or chuck, of the shaft's
+constexpr int wheelShade = 70;   ///< opacity of 255
+constexpr double restHalf = 0.2; ///< half the width of a rest, of the largest radius
+constexpr double noteGap = 6;    ///< between a thing and its name, in pixels
+
+QString stiffnessText(double value_n_um) {
+    return QLocale().toString(value_n_um, 'g', 4);
+}
+} // namespace
+
+ShaftScene::ShaftScene(QCPAxisRect* rect)
+    : QCPLayerable(rect->parentPlot(), QStringLiteral("main")), m_rect(rect) {}
+
+void ShaftScene::setProject(const Project& project, const QRectF& body, double gauge_mm) {
+    m_project = project;
+    m_gauge_mm = gauge_mm;
+    m_from_mm = body.left();
+    m_to_mm = body.right();
+    m_high_mm = body.height() / 2;
+    const Part& part = project.part;
+    const bool bore = part.surface == Surface::internal;
+    const double length = body.width();
+    const double right = bore && part.shaft.quill ? part.shaft.quill->length_mm : holder * length;
+    m_bounds = QRectF(m_from_mm - holder * length, -below * m_high_mm,
+                      length * (1 + holder) + right, (above + below) * m_high_mm);
+}
+
+void ShaftScene::applyDefaultAntialiasingHint(QCPPainter* painter) const {
+    painter->setAntialiasing(true);
+}
+
+QRect ShaftScene::clipRect() const {
+    return m_rect->rect();
+}
+
+QPointF ShaftScene::at(double x_mm, double y_mm) const {
+    return {m_rect->axis(QCPAxis::atBottom)->coordToPixel(x_mm),
+            m_rect->axis(QCPAxis::atLeft)->coordToPixel(y_mm)};
+}
+
+QRectF ShaftScene::box(double from_mm, double to_mm, double low_mm, double high_mm) const {
+    return {at(from_mm, high_mm), at(to_mm, low_mm)};
+}
+
+QString ShaftScene::stiffness(double Stiffness::*unit, const QString& name) const {
+    if (!m_project.machine.stiffness_n_um) {
+        return name;
+    }
+    return QStringLiteral("%1 %2 %3")
+        .arg(name, stiffnessText((*m_project.machine.stiffness_n_um).*unit), unitText("N/µm"));
+}
+
+void ShaftScene::note(QCPPainter* painter, const QPointF& where, int flags, const QString& text) {
+    const QRectF all = m_rect->rect();
+    QRectF rect = painter->fontMetrics().boundingRect(QRect(), flags, text);
+    rect.moveCenter(where);
+    if (flags & Qt::AlignLeft) {
+        rect.moveLeft(where.x());
+    } else if (flags & Qt::AlignRight) {
+        rect.moveRight(where.x());
+    }
+    rect.moveLeft(std::clamp(rect.left(), all.left() + 2,
+                             std::max(all.right() - rect.width() - 2, all.left() + 2)));
+    rect.moveTop(std::clamp(rect.top(), all.top() + 2.0,
+                            std::max(all.bottom() - rect.height() - 2, all.top() + 2.0)));
+    for (const QRectF& other : m_notes) { // a line lower, or higher at the lower edge
+        if (rect.intersects(other)) {
+            const bool fits = other.bottom() + rect.height() < all.bottom();
+            rect.moveTop(fits ? other.bottom() : other.top() - rect.height());
+        }
+    }
+    m_notes.push_back(rect);
+    painter->setPen(mParentPlot->palette().color(QPalette::Text));
+    painter->drawText(rect, flags | Qt::TextDontClip, text);
+}
+
+/// A centre, or the jaws of a chuck.
+void ShaftScene::drawSupport(QCPPainter* painter, bool tailstock) {
+    const Part& part = m_project.part;
+    const bool bore = part.surface == Surface::internal;
+    const bool chuck = bore || part.shaft.mounting == Mounting::chuck;
+    if (tailstock && chuck) {
+        return;
+    }
+    const double end = tailstock ? m_to_mm : m_from_mm;
+    const double out = (tailstock ? 1 : -1) * holder * (m_to_mm - m_from_mm);
+    if (chuck) {
+        const double high = m_high_mm * 1.15;
+        painter->drawRect(box(end + out, end, -high, high));
+    } else {
+        const double half = part.diameter_mm / 2;
+        painter->drawPolygon(
+            QPolygonF{at(end, 0), at(end + out, half * 0.6), at(end + out, -half * 0.6)});
+    }
+    const double y = -m_high_mm * (1 + (below - 1) / 2);
+    const QString text = tailstock ? stiffness(&Stiffness::tailstock, tr("tailstock"))
+                                   : stiffness(&Stiffness::headstock, tr("headstock"));
+    const QPointF beside = at(end + out, 0) + QPointF(tailstock ? noteGap : -noteGap, 0);
+    const QRectF all = m_rect->rect();
+    const double room = tailstock ? all.right() - beside.x() : beside.x() - all.left();
+    if (bore || painter->fontMetrics().horizontalAdvance(text) < room - 2) {
+        note(painter, beside, tailstock ? Qt::AlignLeft : Qt::AlignRight, text);
+    } else {
+        note(painter, at(end + out, y), tailstock ? Qt::AlignRight : Qt::AlignLeft, text);
+    }
+}
+
+void ShaftScene::drawRests(QCPPainter* painter) {
+    const Shaft& shaft = m_project.part.shaft;
+    if (m_project.part.surface == Surface::internal) {
+        return;
+    }
+    for (const SteadyRest& rest : shaft.steady_rests) {
+        double reached = 0, radius = m_project.part.diameter_mm / 2;
+        for (const ShaftSegment& segment : shaft.segments) {
+            radius = segment.diameter_mm / 2;
+            reached += segment.length_mm;
+            if (reached >= rest.position_mm) {
+                break;
+            }
+        }
+        const double x = m_from_mm + rest.position_mm;
+        const double half = restHalf * m_high_mm;
+        const double foot = -m_high_mm * (1 + (below - 1) * 0.6);
+        painter->drawPolygon(QPolygonF{at(x, -radius), at(x - half, foot), at(x + half, foot)});
+        note(painter, at(x, -m_high_mm * below * 0.94), Qt::AlignHCenter,
+             QStringLiteral("%1 %2").arg(stiffnessText(rest.stiffness_n_um), unitText("N/µm")));
+    }
+}
+
+/// At the entry reversal in traverse grinding, over the middle in plunge grinding.
+void ShaftScene::drawWheel(QCPPainter* painter) {
+    const Part& part = m_project.part;
+    const double width = m_project.wheel.width_mm, radius = part.diameter_mm / 2;
+    double from = (part.length_mm - width) / 2;
+    if (m_project.operation == Operation::traverse) {
+        from = m_project.machine.entry_side == EntrySide::headstock
+                   ? -m_project.machine.overrun_entry_mm
+                   : part.length_mm + m_project.machine.overrun_entry_mm - width;
+    }
+    const bool bore = part.surface == Surface::internal;
+    const double D = m_project.wheel.diameter_mm;
+    painter->drawRect(bore ? box(from, from + width, radius - D, radius)
+                           : box(from, from + width, radius, radius + D));
+    QPointF where = at(from + width, m_high_mm * (1 + (above - 1) * 0.7)) + QPointF(noteGap, 0);
+    if (bore && part.shaft.quill) {
+        const Quill& quill = *part.shaft.quill;
+        const double middle = radius - D / 2;
+        painter->drawRect(box(from + width, from + width + quill.length_mm,
+                              middle - quill.diameter_mm / 2, middle + quill.diameter_mm / 2));
+        where = at(from + width, m_high_mm * (1 + (above - 1) * 0.3)) + QPointF(noteGap, 0);
+    }
+    note(painter, where, Qt::AlignLeft, stiffness(&Stiffness::wheel_head, tr("wheel head")));
+}
+
+void ShaftScene::drawGauge(QCPPainter* painter) const {
+    const QColor colour =
+        ProfileLook::pen(ProfileLine::gauge, mParentPlot->palette(), false).color();
+    painter->setPen(QPen(colour, 1.5, Qt::DashDotLine));
+    painter->drawLine(at(m_gauge_mm, m_high_mm * 1.25), at(m_gauge_mm, -m_high_mm * 1.25));
+    // Beside the line's end: below it are the names of the supports.
+    painter->drawText(at(m_gauge_mm, -m_high_mm * 1.25) + QPointF(4, -1),
+                      ProfileLook::name(ProfileLine::gauge));
+}
+
+void ShaftScene::draw(QCPPainter* painter) {
+    const QPalette palette = mParentPlot->palette();
+    painter->setFont(mParentPlot->font());
+    m_notes.clear();
+    QColor fill = palette.color(QPalette::Text);
+    fill.setAlpha(wheelShade);
+    const QPen edge(palette.color(QPalette::Text), 1);
+    const auto solid = [&] {
+        painter->setPen(edge);
+        painter->setBrush(fill);
+    };
+    for (const bool tailstock : {false, true}) {
+        solid();
+        drawSupport(painter, tailstock);
+    }
+    solid();
+    drawRests(painter);
+    QColor wheel = style::colour(style::Hue::orange, palette);
+    wheel.setAlpha(wheelShade);
+    painter->setPen(edge);
+    painter->setBrush(wheel);
+    drawWheel(painter);
+    painter->setBrush(Qt::NoBrush);
+    drawGauge(painter);
+}
+
+} // namespace sparkout

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/feeds/feeds_note.h"
+
+#include "ui/text/names.h"
+#include "ui/views/feeds/feeds_plot.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+constexpr Zone zones[] = {Zone::rz1, Zone::nz, Zone::rz2};
+constexpr Step steps[] = {Step::e1, Step::e2, Step::e3, Step::e4, Step::e5};
+constexpr int textWidth = 460;
+} // namespace
+
+FeedsNote::FeedsNote(QWidget* parent)
+    : QDialog(parent)
+    , m_steps(new QWidget(this))
+    , m_text(new QLabel(this))
+    , m_close(new QPushButton(this)) {
+    auto* layout = new QVBoxLayout(this);
+    auto* grid = new QGridLayout(m_steps);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(2);
+    for (int row = 0; row <= int(std::size(steps)); ++row) {
+        for (int column = 0; column <= int(std::size(zones)); ++column) {
+            auto* label = new QLabel(m_steps);
+            label->setTextFormat(Qt::PlainText);
+            label->setMargin(3);
+            label->setAutoFillBackground(true);
+            grid->addWidget(label, row, column);
+        }
+    }
+    grid->setColumnStretch(int(std::size(zones)) + 1, 1);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
+    m_text->setMinimumWidth(textWidth);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::close);
+    layout->addWidget(m_steps);
+    layout->addWidget(m_text);
+    layout->addWidget(m_close, 0, Qt::AlignRight);
+    layout->setSizeConstraint(QLayout::SetFixedSize);
+    retranslate();
+}
+
+void FeedsNote::setOperation(Operation operation) {
+    m_operation = operation;
+    retranslate();
+}
+
+QLabel* FeedsNote::cell(int row, int column) {
+    auto* grid = static_cast<QGridLayout*>(m_steps->layout());
+    return static_cast<QLabel*>(grid->itemAtPosition(row, column)->widget());
+}
+
+void FeedsNote::paintSteps() {
+    for (int row = 0; row < int(std::size(steps)); ++row) {
+        for (int column = 0; column < int(std::size(zones)); ++column) {
+            QLabel* label = cell(row + 1, column + 1);
+            QPalette colours;
+            const bool ground = strokeStep(zones[column], steps[row]) != StrokeStep::none;
+            colours.setColor(QPalette::Window,
+                             ground ? FeedsPlot::stepColour(zones[column], steps[row], palette())
+                                    : QColor(Qt::transparent));
+            label->setPalette(colours);
+        }
+    }
+}
+
+void FeedsNote::retranslate() {
+    const bool traverse = m_operation == Operation::traverse;
+    setWindowTitle(tr("How to read the feeds"));
+    m_steps->setVisible(traverse);
+    m_steps->setAccessibleName(tr("Steps of a double stroke in each zone"));
+    m_text->setAccessibleName(tr("Explanation"));
+    for (int column = 0; column < int(std::size(zones)); ++column) {
+        cell(0, column + 1)->setText(Names::zoneFull(zones[column]));
+        for (int row = 0; row < int(std::size(steps)); ++row) {
+            const QString meaning = Names::stepMeaning(zones[column], steps[row]);
+            cell(row + 1, column + 1)->setText(meaning.isEmpty() ? QStringLiteral("—") : meaning);
+            cell(row + 1, 0)->setText(Names::step(steps[row]));
+        }
+    }
+    QStringList text;
+    if (traverse) {
+        text
+            << tr("E1…E5 number the steps in which a zone is ground during one double stroke, so "
+                  "the same number is another step in another zone. They are shown when a few "
+                  "double strokes are in sight.")
+            << tr("A zone is shown as ground during the whole stroke, as the model has it: where "
+                  "the wheel stands within a stroke is not told apart.")
+            << tr("Over the whole cycle a point is a double stroke: feeds are summed over its "
+                  "passes, the force is that of its hardest pass. Closer, a point is one pass, and "
+                  "within one double stroke it is one radius under the wheel.");
+    } else {
+        text << tr("All sections are fed alike; they differ by their compliance.")
+             << tr("A point is one revolution, in long cycles several of them; closer, it is one "
+                   "radius under the wheel.");
+    }
+    text << tr("The spread reaches from the smallest to the largest value over the radii of a "
+               "cross-section, the line is their mean.")
+         << tr("The thick upright line is where the cycle stands: the bar below the views moves "
+               "it, and so does a click into a plot. Without it the cycle is at its end.");
+    m_text->setText(text.join(QStringLiteral("\n\n")));
+    m_close->setText(tr("C&lose"));
+    paintSteps();
+}
+
+void FeedsNote::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        paintSteps();
+    }
+}
+
+} // namespace sparkout

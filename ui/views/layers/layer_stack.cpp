@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/layers/layer_stack.h"
+
+#include "core/units.h"
+#include "ui/charts/part_cell.h"
+#include "ui/plot/plot_style.h"
+#include "ui/views/layers/layers_look.h"
+#include "ui/views/layers/layers_plot.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr int bodyAlpha = 30, edgeAlpha = 150;
+constexpr double outlined = 4; ///< layers lower than this have no outline [px]
+} // namespace
+
+LayerStack::LayerStack(const LayersPlot& plot, QCPAxisRect* rect)
+    : QCPLayerable(rect->parentPlot(), QStringLiteral("bands")), m_plot(plot), m_rect(rect) {}
+
+void LayerStack::applyDefaultAntialiasingHint(QCPPainter* painter) const {
+    painter->setAntialiasing(false);
+}
+
+QRect LayerStack::clipRect() const {
+    return m_rect->rect().adjusted(0, 0, 0, partAxisHeight);
+}
+
+void LayerStack::draw(QCPPainter* painter) {
+    if (m_plot.series().columns.empty()) {
+        return;
+    }
+    drawMetal(*painter);
+    drawLayers(*painter);
+    drawPartAxis(*painter, *m_rect);
+}
+
+/// The finished part, and the stock that is still to come off.
+void LayerStack::drawMetal(QCPPainter& painter) const {
+    const LayerSeries& series = m_plot.series();
+    const QPalette palette = mParentPlot->palette();
+    const QCPAxis* const x = m_rect->axis(QCPAxis::atBottom);
+    const QCPAxis* const y = m_rect->axis(QCPAxis::atLeft);
+    const bool bore = series.removalSign < 0;
+    const auto pixel = [&](double radius_mm) {
+        return y->coordToPixel((radius_mm - series.target_mm) * units::umPerMm);
+    };
+    for (std::size_t j = 0; j < series.columns.size(); ++j) {
+        const LayerColumn& column = series.columns[j];
+        const double left = x->coordToPixel(column.stretch.from_mm);
+        const double right = x->coordToPixel(column.stretch.to_mm);
+        const auto fill = [&](double from, double to, const QColor& colour) {
+            painter.fillRect(
+                QRectF(QPointF(left, std::min(from, to)), QPointF(right, std::max(from, to))),
+                colour);
+        };
+        const double last = pixel(series.radiusAfter_mm(column, series.spans.size()));
+        const double foot = bore ? m_rect->top() : m_rect->bottom() + 1.0;
+        if (bore ? last > foot : last < foot) {
+            fill(last, foot, LayersLook::thinned(palette.color(QPalette::Text), bodyAlpha));
+        }
+        fill(pixel(m_plot.radiusAfter_mm(j, m_plot.done().count)), last,
+             LayersLook::uncut(palette));
+    }
+}
+
+void LayerStack::drawLayers(QCPPainter& painter) const {
+    const LayerSeries& series = m_plot.series();
+    const QPalette palette = mParentPlot->palette();
+    const std::size_t done = m_plot.done().count;
+    for (std::size_t i = 0; i < done; ++i) {
+        const QColor colour =
+            style::dimmed(LayersLook::layer(series, i, palette), m_plot.isDimmed());
+        const bool newest = i + 1 == done && i + 1 < series.spans.size();
+        for (std::size_t j = 0; j < series.columns.size(); ++j) {
+            const QRectF rect = m_plot.layerRect(j, i);
+            if (rect.isEmpty()) {
+                continue;
+            }
+            painter.fillRect(rect, colour);
+            if (newest || rect.height() >= outlined) {
+                painter.setBrush(Qt::NoBrush);
+                painter.setPen(QPen(
+                    LayersLook::thinned(palette.color(QPalette::Text), newest ? 255 : edgeAlpha),
+                    newest ? 2 : 0));
+                painter.drawRect(rect);
+            }
+        }
+    }
+}
+
+} // namespace sparkout

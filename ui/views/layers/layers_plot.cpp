@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/layers/layers_plot.h"
+
+#include "core/units.h"
+#include "ui/charts/part_cell.h"
+#include "ui/plot/band_layer.h"
+#include "ui/plot/plot_click.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
+#include "ui/views/layers/layer_stack.h"
+
+#include <QMouseEvent>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+using style::Hue;
+using units::umPerMm;
+
+constexpr double roomAbove = 0.06, roomBelow = 0.08; ///< of the heights
+constexpr int fieldAlpha = 60;
+
+/// A height held over each stretch, with a step to the next.
+template <typename ValueOf>
+void setSteps(QCPGraph& graph, const LayerSeries& series, ValueOf valueOf) {
+    std::vector<const LayerColumn*> columns;
+    for (const LayerColumn& column : series.columns) {
+        columns.push_back(&column);
+    }
+    std::ranges::sort(columns, {}, [](const LayerColumn* c) { return c->stretch.from_mm; });
+    QVector<double> x, y;
+    for (const LayerColumn* column : columns) {
+        const double value = (valueOf(*column) - series.target_mm) * umPerMm;
+        x << column->stretch.from_mm << column->stretch.to_mm;
+        y << value << value;
+    }
+    graph.setData(x, y, true);
+}
+
+} // namespace
+
+LayersPlot::LayersPlot(QWidget* parent) : ViewPlot(parent) {
+    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
+    build();
+    restyle();
+    retranslate();
+    connect(this, &QCustomPlot::mouseMove, this, &LayersPlot::onMouse);
+    onPlotClick(*this, [this](const QPointF& at) {
+        if (const std::optional<Hit> hit = layerAt(at)) {
+            emit strokeClicked(m_series.spans[hit->span].last);
+        }
+    });
+    setBuilt();
+}
+
+void LayersPlot::build() {
+    m_rect = addPartCell(*this);
+    m_bands = new BandLayer(m_rect, true);
+    m_stack = new LayerStack(*this, m_rect);
+    for (QCPGraph** graph : {&m_lower, &m_upper, &m_target, &m_blank, &m_final}) {
+        *graph = addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+        (*graph)->removeFromLegend();
+        (*graph)->setSelectable(QCP::stNone);
+        (*graph)->setAdaptiveSampling(false);
+    }
+    m_upper->setChannelFillGraph(m_lower);
+}
+
+void LayersPlot::setSeries(LayerSeries series) {
+    const auto blank = [](const LayerSeries& s) {
+        return s.columns.empty() ? 0 : s.columns.front().blank_mm;
+    };
+    const bool same = series.length_mm == m_series.length_mm
+                      && series.target_mm == m_series.target_mm && blank(series) == blank(m_series);
+    m_series = std::move(series);
+    m_done = allLayers(m_series);
+    fill();
+    if (!same) {
+        fit();
+    }
+    emit contentChanged();
+}
+
+void LayersPlot::setDone(LayersDone done) {
+    m_done = std::move(done);
+}
+
+double LayersPlot::radiusAfter_mm(std::size_t column, std::size_t count) const {
+    return m_series.columns[column].blank_mm
+           - m_series.removalSign * sumDone_mm(m_series, m_done, column, count);
+}
+
+void LayersPlot::fill() {
+    setSteps(*m_lower, m_series, [this](const LayerColumn&) { return m_series.lowerLimit_mm; });
+    setSteps(*m_upper, m_series, [this](const LayerColumn&) { return m_series.upperLimit_mm; });
+    setSteps(*m_target, m_series, [this](const LayerColumn&) { return m_series.target_mm; });
+    setSteps(*m_blank, m_series, [](const LayerColumn& column) { return column.blank_mm; });
+    setSteps(*m_final, m_series, [](const LayerColumn& column) { return column.final_mm; });
+    fillBands();
+    show();
+}
+
+void LayersPlot::fillBands() {
+    m_bands->setBands(LayersLook::zoneBands(m_series, palette()));
+}
+
+void LayersPlot::fit() {
+    if (m_series.columns.empty()) {
+        return;
+    }
+    double low = (m_series.lowerLimit_mm - m_series.target_mm) * umPerMm;
+    double high = (m_series.upperLimit_mm - m_series.target_mm) * umPerMm;
+    for (const LayerColumn& column : m_series.columns) {
+        for (const double radius : {column.blank_mm, column.final_mm}) {
+            low = std::min(low, (radius - m_series.target_mm) * umPerMm);
+            high = std::max(high, (radius - m_series.target_mm) * umPerMm);
+        }
+    }
+    const double size = high - low;
+    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), 0, m_series.length_mm);
+    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), low - roomBelow * size,
+                        high + roomAbove * size);
+}
+
+// --- what is shown ------------------------------------------------------------------------------
+
+QCPGraph* LayersPlot::graph(Key key) const {
+    switch (key) {
+    case fieldKey: return m_upper;
+    case targetKey: return m_target;
+    case blankKey: return m_blank;
+    case finalKey: break;
+    }
+    return m_final;
+}
+
+void LayersPlot::show() {
+    m_lower->setVisible(m_choice.shows(fieldKey));
+    for (const Key key : {fieldKey, targetKey, blankKey, finalKey}) {
+        graph(key)->setVisible(m_choice.shows(key));
+    }
+}
+
+void LayersPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void LayersPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    show();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+LegendEntries LayersPlot::legendEntries() const {
+    LegendEntries entries = LayersLook::stages(m_series, m_choice, palette());
+    const auto add = [&](Key key, const QColor& colour, Qt::PenStyle pen, const QString& text) {
+        entries.push_back({colour, pen, text, key, m_choice.shows(key)});
+    };
+    add(blankKey, m_blank->pen().color(), m_blank->pen().style(), tr("initial radius"));
+    add(finalKey, m_final->pen().color(), m_final->pen().style(), tr("final radius"));
+    add(targetKey, m_target->pen().color(), m_target->pen().style(), tr("target"));
+    add(fieldKey, m_upper->brush().color(), Qt::NoPen, tr("tolerance field"));
+    return entries;
+}
+
+QRectF LayersPlot::layerRect(std::size_t column, std::size_t span) const {
+    if (span >= m_done.count || !m_choice.shows(m_series.spans[span].stage)) {
+        return {};
+    }
+    const LayerColumn& of = m_series.columns[column];
+    const QCPAxis* const x = m_rect->axis(QCPAxis::atBottom);
+    const auto pixel = [this](double radius_mm) {
+        return m_rect->axis(QCPAxis::atLeft)
+            ->coordToPixel((radius_mm - m_series.target_mm) * umPerMm);
+    };
+    const double from = pixel(radiusAfter_mm(column, span));
+    const double to = pixel(radiusAfter_mm(column, span + 1));
+    return {QPointF(x->coordToPixel(of.stretch.from_mm), std::min(from, to)),
+            QPointF(x->coordToPixel(of.stretch.to_mm), std::max(from, to))};
+}
+
+// --- mouse --------------------------------------------------------------------------------------
+
+std::optional<LayersPlot::Hit> LayersPlot::layerAt(const QPointF& at) const {
+    if (!m_rect->rect().contains(at.toPoint())) {
+        return {};
+    }
+    for (std::size_t j = 0; j < m_series.columns.size(); ++j) {
+        for (std::size_t i = 0; i < m_done.count; ++i) {
+            if (layerRect(j, i).contains(at)) {
+                return Hit{j, i};
+            }
+        }
+    }
+    return {};
+}
+
+void LayersPlot::onMouse(QMouseEvent* event) {
+    const std::optional<Hit> hit = layerAt(event->pos());
+    emit pointed(hit ? LayersLook::values(m_series, m_done, hit->column, hit->span) : QString());
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void LayersPlot::setTexts() {
+    namePartCell(*m_rect);
+    fillBands();
+}
+
+void LayersPlot::restyle() {
+    stylePartCell(*m_rect);
+    fillBands();
+    const auto line = [this](QCPGraph& graph, const QColor& colour, double width,
+                             Qt::PenStyle pen) {
+        graph.setPen(QPen(style::dimmed(colour, isDimmed()), width, pen));
+    };
+    const QColor text = palette().color(QPalette::Text);
+    QColor field = style::colour(Hue::green, palette());
+    line(*m_lower, field, 1, Qt::SolidLine);
+    line(*m_upper, field, 1, Qt::SolidLine);
+    line(*m_target, style::colour(Hue::green, palette()), 1.5, Qt::DashLine);
+    line(*m_blank, text, 1.5, Qt::DashLine);
+    line(*m_final, text, 2, Qt::SolidLine);
+    field.setAlpha(fieldAlpha);
+    m_upper->setBrush(style::dimmed(field, isDimmed()));
+}
+
+CsvTable LayersPlot::table() const {
+    CsvTable table;
+    table.header << tr("Stage") << tr("From double stroke or revolution")
+                 << tr("To double stroke or revolution");
+    for (const LayerColumn& column : m_series.columns) {
+        const QString name = Names::zone(column.zone, column.section);
+        table.header << tr("%1, taken off, µm").arg(name) << tr("%1, so far, µm").arg(name);
+    }
+    for (std::size_t i = 0; i < m_done.count; ++i) {
+        const LayerSpan& span = m_series.spans[i];
+        if (!m_choice.shows(span.stage)) {
+            continue;
+        }
+        std::vector<CsvCell> row{double(span.stage), double(span.first), double(span.last)};
+        for (std::size_t j = 0; j < m_series.columns.size(); ++j) {
+            const double before = sumDone_mm(m_series, m_done, j, i);
+            const double after = sumDone_mm(m_series, m_done, j, i + 1);
+            row.emplace_back((after - before) * umPerMm);
+            row.emplace_back(after * umPerMm);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+} // namespace sparkout

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/layers/side_plot.h"
+
+#include "core/units.h"
+#include "ui/charts/part_cell.h"
+#include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
+#include "ui/views/layers/layers_look.h"
+#include "ui/views/layers/side_scene.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sparkout {
+
+namespace {
+using style::Hue;
+using units::umPerMm;
+constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< of the heights; the wheel stands above
+constexpr double endRoom = 0.02;                    ///< of the length
+} // namespace
+
+SidePlot::SidePlot(QWidget* parent) : ViewPlot(parent) {
+    m_rect = addPartCell(*this);
+    m_bands = new BandLayer(m_rect, true);
+    m_painted = new SideScene(*this);
+    restyle();
+    retranslate();
+    setBuilt();
+}
+
+// --- contents -----------------------------------------------------------------------------------
+
+void SidePlot::setRun(OutcomePtr outcome) {
+    const auto frame = [](const LayerSeries& s) {
+        return std::tuple(s.operation, s.length_mm, s.target_mm,
+                          s.columns.empty() ? 0 : s.columns.front().blank_mm);
+    };
+    const bool same = m_outcome && frame(m_outcome->layers) == frame(outcome->layers);
+    m_outcome = std::move(outcome);
+    fillBands();
+    if (!same) {
+        m_scene = grindingScene(m_outcome->result, m_outcome->trajectory, {});
+        fit();
+    }
+}
+
+void SidePlot::setScene(GrindingScene scene) {
+    m_scene = std::move(scene);
+}
+
+const LayerSeries& SidePlot::limits() const {
+    static const LayerSeries none;
+    return m_outcome ? m_outcome->layers : none;
+}
+
+void SidePlot::fillBands() {
+    m_bands->setBands(LayersLook::zoneBands(limits(), palette()));
+}
+
+/// The way of the wheel from end to end, and all radii of the stock.
+void SidePlot::fit() {
+    if (limits().columns.empty()) {
+        return;
+    }
+    const Project& project = m_outcome->result.project;
+    const double L = project.part.length_mm, B = project.wheel.width_mm;
+    const bool plunge = project.operation == Operation::plunge;
+    double left = plunge ? (B - L) / 2 : project.machine.overrun_entry_mm;
+    double right = plunge ? left : project.machine.overrun_exit_mm;
+    if (project.machine.entry_side == EntrySide::tailstock) {
+        std::swap(left, right);
+    }
+    const double margin = endRoom * (L + left + right);
+    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), -left - margin, L + right + margin);
+    const GrindingScene blank = grindingScene(m_outcome->result, m_outcome->trajectory, Progress{});
+    double low = above_um(limits().lowerLimit_mm), high = above_um(limits().upperLimit_mm);
+    for (const double radius_mm : {blank.edge_mm, limits().columns.front().final_mm}) {
+        low = std::min(low, above_um(radius_mm));
+        high = std::max(high, above_um(radius_mm));
+    }
+    const bool bore = limits().removalSign < 0;
+    const double size = high - low;
+    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), low - size * (bore ? wheelRoom : metalRoom),
+                        high + size * (bore ? metalRoom : wheelRoom));
+}
+
+double SidePlot::above_um(double radius_mm) const {
+    return (radius_mm - limits().target_mm) * umPerMm;
+}
+
+double SidePlot::seen_mm(const SceneSurface& surface) const {
+    return surface.radius_mm - m_scene.removalSign * surface.yield_mm;
+}
+
+QRectF SidePlot::wheelRect() const {
+    const QCPAxis* const x = m_rect->axis(QCPAxis::atBottom);
+    const double edge = m_rect->axis(QCPAxis::atLeft)->coordToPixel(above_um(m_scene.edge_mm));
+    const double far = m_scene.removalSign > 0 ? std::min<double>(m_rect->top(), edge)
+                                               : std::max(m_rect->bottom() + 1.0, edge);
+    return {QPointF(x->coordToPixel(m_scene.wheel.from_mm), std::min(edge, far)),
+            QPointF(x->coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
+}
+
+// --- what is shown ------------------------------------------------------------------------------
+
+void SidePlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void SidePlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+QColor SidePlot::colourOf(Key key) const {
+    const QColor colour = key == wheelKey   ? style::colour(Hue::orange, palette())
+                          : key == fieldKey ? style::colour(Hue::green, palette())
+                                            : palette().color(QPalette::Text);
+    return style::dimmed(colour, isDimmed());
+}
+
+LegendEntries SidePlot::legendEntries() const {
+    const auto entry = [this](Key key, Qt::PenStyle pen, const QString& text) {
+        return LegendEntry{colourOf(key), pen, text, key, m_choice.shows(key)};
+    };
+    return {entry(wheelKey, Qt::NoPen, tr("wheel")),
+            entry(surfaceKey, Qt::SolidLine, tr("surface, given way")),
+            entry(unloadedKey, Qt::DashLine, tr("without load")),
+            entry(fieldKey, Qt::NoPen, tr("tolerance field"))};
+}
+
+QString SidePlot::values() const {
+    if (m_scene.surfaces.empty()) {
+        return {};
+    }
+    const SceneSurface& at = m_scene.surfaces[m_scene.leading];
+    const auto um = [](double value_mm) { return Names::significant(value_mm * umPerMm); };
+    const QString zone = Names::zone(at.zone, at.section);
+    if (!(m_scene.cut_mm > 0)) {
+        return tr("%1, radius %2: the wheel does not touch it; programmed %3 µm.")
+            .arg(zone)
+            .arg(m_scene.radius)
+            .arg(um(m_scene.programmed_mm));
+    }
+    return tr("%1, radius %2: programmed %3 µm; lag %4 µm = cut %5 µm + yield %6 µm; normal "
+              "force %7 N.")
+        .arg(zone)
+        .arg(m_scene.radius)
+        .arg(um(m_scene.programmed_mm), um(m_scene.cut_mm + at.yield_mm), um(m_scene.cut_mm),
+             um(at.yield_mm), Names::significant(m_scene.force_n));
+}
+
+CsvTable SidePlot::table() const {
+    CsvTable table;
+    table.header << tr("Zone or section") << tr("From, mm") << tr("To, mm")
+                 << tr("Radius from target, µm") << tr("Yield, µm");
+    for (const SceneSurface& surface : m_scene.surfaces) {
+        std::vector<CsvCell> row;
+        row.emplace_back(Names::zone(surface.zone, surface.section));
+        for (const double value : {surface.stretch.from_mm, surface.stretch.to_mm,
+                                   above_um(surface.radius_mm), surface.yield_mm * umPerMm}) {
+            row.emplace_back(value);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void SidePlot::setTexts() {
+    namePartCell(*m_rect);
+    fillBands();
+}
+
+void SidePlot::restyle() {
+    stylePartCell(*m_rect);
+    fillBands();
+}
+
+} // namespace sparkout

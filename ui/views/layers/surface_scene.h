@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/layers/surface_grid.h"
+
+#include <qcustomplot.h>
+
+#include <vector>
+
+namespace sparkout {
+
+class LayersSurface;
+
+/// Draws the surface of the layers in its box from the back to the front, and the numbers along the
+/// box.
+class SurfaceScene : public QCPLayerable {
+    Q_OBJECT
+public:
+    explicit SurfaceScene(LayersSurface& surface);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    /// A piece of the surface.
+    struct Facet {
+        QPolygonF corners;
+        double nearness = 0;
+        QColor colour, line;
+        bool newest = false; ///< where the cursor stands
+    };
+    [[nodiscard]] std::vector<Facet> facets(const SurfaceGrid& grid) const;
+    void drawFacets(QCPPainter& painter, const SurfaceGrid& grid) const;
+    void drawBox(QCPPainter& painter, const SurfaceGrid& grid) const;
+    /// @param along 0: length, 1: numbers, 2: feed
+    void drawScale(QCPPainter& painter, const SurfaceScale& scale, int along) const;
+
+    LayersSurface& m_surface;
+};
+
+} // namespace sparkout

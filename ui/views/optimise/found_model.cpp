@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/optimise/found_model.h"
+
+#include "core/optimisation/limit.h"
+#include "core/units.h"
+#include "ui/views/optimise/optimise_text.h"
+
+#include <QFont>
+#include <QLocale>
+
+#include <cmath>
+#include <utility>
+
+namespace sparkout {
+
+void FoundModel::show(SearchOutcomePtr outcome, std::optional<double> before_s) {
+    beginResetModel();
+    m_outcome = std::move(outcome);
+    m_before_s = before_s;
+    endResetModel();
+}
+
+void FoundModel::setBefore(std::optional<double> before_s) {
+    m_before_s = before_s;
+    tellAll();
+}
+
+void FoundModel::tellAll() {
+    if (rowCount() > 0) {
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
+    }
+}
+
+void FoundModel::retranslate() {
+    tellAll();
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
+}
+
+int FoundModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() || !m_outcome ? 0 : static_cast<int>(m_outcome->found.size());
+}
+
+int FoundModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : columnCount_;
+}
+
+QString FoundModel::text(const FoundCycle& found, int column) const {
+    switch (column) {
+    case stages: return QLocale().toString(qulonglong(found.cycle.stages.size()));
+    case time: return OptimiseText::minutes(found.time_s);
+    case change:
+        return m_before_s && *m_before_s > 0 ? OptimiseText::percent(found.time_s / *m_before_s - 1)
+                                             : QStringLiteral("–");
+    case gap:
+        return std::isfinite(m_outcome->limit_s)
+                   ? OptimiseText::percent(gapToLimit(found.time_s, m_outcome->limit_s))
+                   : QStringLiteral("–");
+    case margin: return OptimiseText::percent(found.leastRelativeMargin);
+    default: return OptimiseText::found(found, m_outcome->project);
+    }
+}
+
+QString FoundModel::kindOf(const FoundCycle& found) {
+    if (found.isBest) {
+        return tr("The quickest of the grid");
+    }
+    if (found.isBestOfItsNumber) {
+        return tr("The quickest of its number of stages");
+    }
+    switch (found.by) {
+    case FoundBy::search: break;
+    case FoundBy::margin: return tr("None is both quicker and farther from its limits");
+    case FoundBy::refinement: return tr("Between the levels of the grid, not proved");
+    }
+    return tr("The best so far when it was found");
+}
+
+QVariant FoundModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole: return text(found, index.column());
+    case Qt::TextAlignmentRole:
+        return int((index.column() == cycle ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    case Qt::FontRole: {
+        QFont font;
+        font.setBold(found.isBestOfItsNumber);
+        return font;
+    }
+    case Qt::ToolTipRole: {
+        const QString what = kindOf(found);
+        return what + u'\n' + text(found, cycle) + u'\n'
+               + OptimiseText::cycleHint(m_outcome->project.operation);
+    }
+    default: return {};
+    }
+}
+
+QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
+    }
+    if (role == Qt::TextAlignmentRole) {
+        return int((section == cycle ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    }
+    if (role == Qt::DisplayRole) {
+        switch (section) {
+        case stages: return tr("Stages");
+        case time: return tr("Time, min");
+        case change: return tr("To yours, %");
+        case gap: return tr("Gap, %");
+        case margin: return tr("Margin, %");
+        default: return tr("Cycle");
+        }
+    }
+    if (role != Qt::ToolTipRole) {
+        return {};
+    }
+    switch (section) {
+    case stages: return tr("Number of stages");
+    case time: return tr("Machining time");
+    case change:
+        return tr("Against the time of your cycle: the present one, or the one that a cycle found "
+                  "took the place of");
+    case gap: return tr("By how much a stepless cycle might at most be quicker");
+    case margin: return tr("The least margin of all requirements, of its limit");
+    default:
+        return m_outcome ? OptimiseText::cycleHint(m_outcome->project.operation)
+                         : tr("Feeds and stocks of the stages");
+    }
+}
+
+CsvTable FoundModel::table() const {
+    CsvTable table;
+    table.header << tr("Stages") << tr("Time, min") << tr("To yours, %") << tr("Gap, %")
+                 << tr("Margin, %") << tr("Cycle");
+    for (int row = 0; row < rowCount(); ++row) {
+        const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
+        CsvCell toBefore;
+        if (m_before_s && *m_before_s > 0) {
+            toBefore = 100 * (found.time_s / *m_before_s - 1);
+        }
+        table.rows.push_back(
+            {double(found.cycle.stages.size()), found.time_s / units::secondsPerMinute, toBefore,
+             100 * gapToLimit(found.time_s, m_outcome->limit_s), 100 * found.leastRelativeMargin,
+             OptimiseText::found(found, m_outcome->project)});
+    }
+    return table;
+}
+
+} // namespace sparkout

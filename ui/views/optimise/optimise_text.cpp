@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/optimise/optimise_text.h"
+
+#include "core/optimisation/limit.h"
+#include "core/optimisation/robust.h"
+#include "core/units.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+QString OptimiseText::minutes(double time_s) {
+    return Names::significant(time_s / units::secondsPerMinute, 4);
+}
+
+QString OptimiseText::percent(double share) {
+    return Names::fixed(100 * share, 1);
+}
+
+QString OptimiseText::gridSize(std::int64_t size) {
+    return size == std::numeric_limits<std::int64_t>::max()
+               ? tr("more than 9·10¹⁸ cycles")
+               : tr("%1 cycles").arg(QLocale().toString(qlonglong(size)));
+}
+
+QString OptimiseText::cycle(const Cycle& cycle) {
+    QStringList stages;
+    for (const Stage& stage : cycle.stages) {
+        QStringList numbers;
+        for (const std::optional<double>& feed :
+             {stage.radial_feed_mm, stage.axial_feed_mm_min, stage.radial_feed_mm_min}) {
+            if (feed) {
+                numbers << showNumber(*feed, QLocale());
+            }
+        }
+        if (stage.spark_out.mode == SparkOut::Mode::count) {
+            numbers << tr("spark-out %1").arg(QLocale().toString(stage.spark_out.count));
+        }
+        numbers << showNumber(stage.stock_mm, QLocale());
+        stages << numbers.join(QStringLiteral(" · "));
+    }
+    return stages.join(QStringLiteral(" → "));
+}
+
+QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
+    QStringList parts{cycle(found.cycle)};
+    const MachineSettings own = machineSettings(searched);
+    if (found.machine.work_speed_rpm != own.work_speed_rpm) {
+        parts << tr("%1 rev/min").arg(showNumber(found.machine.work_speed_rpm, QLocale()));
+    }
+    if (found.machine.dwell_entry_s != own.dwell_entry_s
+        || found.machine.dwell_exit_s != own.dwell_exit_s) {
+        parts << tr("dwells %1 and %2 s")
+                     .arg(showNumber(found.machine.dwell_entry_s, QLocale()),
+                          showNumber(found.machine.dwell_exit_s, QLocale()));
+    }
+    return parts.join(QStringLiteral("; "));
+}
+
+QString OptimiseText::cycleHint(Operation operation) {
+    return operation == Operation::traverse
+               ? tr("Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock "
+                    "per side, mm")
+               : tr("Of every stage: radial feed, mm/min; stock per side, mm");
+}
+
+QString OptimiseText::names(const std::vector<ConstraintKind>& kinds) {
+    QStringList names;
+    for (const ConstraintKind kind : kinds) {
+        names << Names::inSentence(Names::constraint(kind));
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+QString OptimiseText::state(const SearchState& state) {
+    if (state.stages == 0 && state.looksFor == FoundBy::search) {
+        return tr("Begins");
+    }
+    QStringList parts{state.looksFor == FoundBy::margin ? tr("Farther from the limits")
+                      : state.looksFor == FoundBy::refinement
+                          ? tr("Between the levels")
+                          : tr("%n stage(s)", nullptr, state.stages)};
+    if (state.best_s) {
+        parts << tr("best %1 min").arg(minutes(*state.best_s));
+    }
+    if (state.bound_s > 0) {
+        parts << tr("none below %1 min").arg(minutes(state.bound_s));
+    }
+    if (state.evaluations > 0) {
+        parts << tr("%1 judged").arg(QLocale().toString(qlonglong(state.evaluations)));
+    }
+    parts << tr("%1 s").arg(QLocale().toString(state.took_s, 'f', 0));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString OptimiseText::fault(const SearchOutcome& outcome) {
+    switch (outcome.fault) {
+    case GridFault::none: break;
+    case GridFault::notGiven: return tr("What is to be searched is not given.");
+    case GridFault::noLevels:
+        return outcome.project.operation == Operation::traverse
+                   ? tr("Both feeds need levels: page Search of the inputs.")
+                   : tr("The plunge feed needs levels: page Search of the inputs.");
+    case GridFault::tooManyLevels:
+        return tr("A stage would have more than %1 settings of its feeds: take fewer levels.")
+            .arg(QLocale().toString(mostSettings, 'f', 0));
+    case GridFault::tooManySteps:
+        return tr("The stock would have more than %1 steps: take a larger step.")
+            .arg(QLocale().toString(mostStockSteps, 'f', 0));
+    case GridFault::tooManyVariants:
+        return tr("Work speed, dwells and spark-outs make more than %1 combinations: take fewer "
+                  "levels.")
+            .arg(QLocale().toString(mostVariants, 'f', 0));
+    case GridFault::noDivision:
+        return tr("The stock cannot be divided into these numbers of stages: take a smaller step, "
+                  "or other limits of the stages' feeds and stocks.");
+    }
+    return tr("The batch that the cycle is to hold for cannot be run:") + u'\n'
+           + Names::refusal(outcome.batchIssues, 2);
+}
+
+QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
+    std::vector<std::pair<long long, ConstraintKind>> cuts;
+    const auto counts = outcome.cuts();
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] > 0) {
+            cuts.emplace_back(counts[kind], static_cast<ConstraintKind>(kind));
+        }
+    }
+    std::ranges::stable_sort(cuts, std::greater(), [](const auto& cut) { return cut.first; });
+    constexpr std::size_t most = 4;
+    cuts.resize(std::min(cuts.size(), most));
+    QStringList names;
+    for (const auto& [count, kind] : cuts) {
+        names << tr("%1 (%2 times)")
+                     .arg(Names::inSentence(Names::constraint(kind)),
+                          QLocale().toString(qlonglong(count)));
+    }
+    return names.isEmpty() ? QString()
+                           : tr("What cut most: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+QString OptimiseText::answer(const SearchOutcome& outcome, std::optional<double> before_s) {
+    QStringList lines;
+    const FoundCycle* best = outcome.best();
+    if (!best) {
+        lines << (outcome.stopped ? tr("Stopped before a cycle was found that holds every "
+                                       "requirement.")
+                  : outcome.unresolved()
+                      ? tr("No cycle was found that holds in every scenario, and none is quicker "
+                           "than %1 min; each one tried failed in a further scenario.")
+                            .arg(minutes(outcome.bound_s))
+                      : tr("No cycle of the grid holds every requirement."))
+              << cutsOf(outcome);
+        lines.removeAll(QString());
+        return lines.join(u' ');
+    }
+    lines << (outcome.proved()
+                  ? (outcome.robust ? tr(
+                         "%1 min: of %2 the quickest that holds for the part and the scenarios "
+                         "added; proved for these.")
+                                    : tr("%1 min: the quickest of %2, proved."))
+                        .arg(minutes(best->time_s), gridSize(sparkout::gridSize(outcome.project)))
+                  : tr("%1 min is the best so far; no cycle of the grid is quicker than %2 min.")
+                        .arg(minutes(best->time_s), minutes(outcome.bound_s)));
+    if (const FoundCycle* refined = outcome.refined()) {
+        lines
+            << tr("Between the levels a cycle of %1 min holds; that none is quicker is not proved.")
+                   .arg(minutes(refined->time_s));
+    } else if (outcome.refines) {
+        lines << tr("Between the levels nothing quicker was found.");
+    }
+    const double least_s = outcome.refined() ? outcome.refined()->time_s : best->time_s;
+    if (before_s && *before_s > 0) {
+        constexpr double noticed = 5e-4;
+        const double change = least_s / *before_s - 1;
+        lines << (change < -noticed
+                      ? tr("That is %1 % less than your cycle takes.").arg(percent(-change))
+                      : tr("Your cycle takes %1 min.").arg(minutes(*before_s)));
+    }
+    if (outcome.limit_s > 0 && std::isfinite(outcome.limit_s)) {
+        lines << tr("The stepless limit is %1 min, %2 % below it.")
+                     .arg(minutes(outcome.limit_s), percent(gapToLimit(least_s, outcome.limit_s)));
+    }
+    lines << bindingOf(outcome);
+    if (outcome.robust) {
+        int added = 0;
+        for (const SearchedNumber& number : outcome.numbers) {
+            added += number.scenariosAdded;
+        }
+        lines << tr("It holds in the last sample of scenarios; %n of them had to be added.",
+                    nullptr, added);
+        const FoundCycle& answer = outcome.refined() ? *outcome.refined() : *best;
+        const int candidate = std::max(answer.candidate, 1);
+        const double most = mostFailing(freshPhaseCount, candidate);
+        lines << tr("It held in all of %1 phases of the stock drawn afresh, as cycle no. %2 that "
+                    "was tried so: with 95 % confidence at most %3 % of the phases fail.")
+                     .arg(QLocale().toString(freshPhaseCount), QLocale().toString(candidate),
+                          Names::fixed(std::ceil(most * 1e4) / 1e2, 2));
+        if (const double nominal_s = outcome.nominal_s(); nominal_s > 0) {
+            lines << tr("The nominal part alone would take %1 min: robustness costs %2 % of time.")
+                         .arg(minutes(nominal_s), percent(best->time_s / nominal_s - 1));
+        }
+    }
+    lines.removeAll(QString());
+    return lines.join(u' ');
+}
+
+QString OptimiseText::bindingOf(const SearchOutcome& outcome) {
+    if (!outcome.binding) {
+        return tr("What keeps it from being quicker is not known: the search was stopped before.");
+    }
+    if (!outcome.binding->empty()) {
+        return tr("What keeps it from being quicker: %1.").arg(names(*outcome.binding));
+    }
+    return outcome.proved() && !outcome.refined()
+               ? tr("No cycle of the grid that differs in one setting is quicker.")
+               : QString();
+}
+
+} // namespace sparkout

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/longitudinal_series.h"
+#include "ui/charts/profiles_look.h"
+#include "ui/plot/read_curves.h"
+#include "ui/plot/view_plot.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+class BandLayer;
+struct CursorSubject;
+class ShaftLayer;
+
+/// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
+/// against the tolerance field; exaggerated, or the shaft drawn to scale.
+class LongitudinalPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    explicit LongitudinalPlot(QWidget* parent = nullptr);
+
+    /// `shown` are the profiles drawn across the axis; in plunge they are marked here.
+    void setSeries(ProfileSeries series, std::vector<ShaftStep> shaft, std::vector<int> shown);
+    void setDiameters(bool diameters); ///< D − d in place of R − R_t
+    void setToScale(bool toScale);
+    void setHidden(ProfileLines hidden);
+    void fit();
+    /// What the user has moved to: left, bottom, width and height; empty: all.
+    [[nodiscard]] std::vector<double> sight() const;
+    void setSight(const std::vector<double>& sight);
+    void restyle() override;
+
+    [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
+    [[nodiscard]] bool toScale() const { return m_toScale; }
+    [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
+    [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
+    [[nodiscard]] BandLayer* bands() const { return m_bands; }
+    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones
+    [[nodiscard]] CursorSubject cursorSubject();
+    [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
+
+signals:
+    void profileClicked(int profile); ///< index of the zone or section
+
+protected:
+    void setTexts() override;
+    void pointAway() override { pointAt(-1); }
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Curve {
+        LengthLine line = LengthLine::mean;
+        bool mirrored = false; ///< the other side of the axis, to scale
+        QCPGraph* graph = nullptr;
+    };
+
+    void build();
+    void fill();
+    void fillBands();
+    void placeGauge();
+    void label();
+    void fitAxes();
+    void afterLayouting();
+    void keepScale();
+    void showScale();
+    [[nodiscard]] bool visible(LengthLine line) const;
+    [[nodiscard]] QString nameOf(const Curve& curve) const;
+    [[nodiscard]] static QString placeLabel();
+    [[nodiscard]] QCPRange valuesInSight() const;
+    [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
+    void onMouse(QMouseEvent* event);
+    void pointAt(int profile);
+
+    ProfileSeries m_series;
+    std::vector<ShaftStep> m_shaft;
+    std::vector<int> m_shown;
+    std::vector<Curve> m_curves;
+    QCPAxisRect* m_rect = nullptr;
+    BandLayer* m_bands = nullptr;
+    ShaftLayer* m_body = nullptr;
+    QCPItemLine* m_gaugeLine = nullptr;
+    QCPItemText* m_gaugeName = nullptr;
+    ProfileLines m_hidden;
+    bool m_diameters = false;
+    bool m_toScale = false;
+    bool m_linking = false;
+    std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
+    int m_pointed = -1;
+};
+
+} // namespace sparkout

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/profiles_series.h"
+
+#include <qcustomplot.h>
+
+namespace sparkout {
+
+/// Something drawn about the origin of an axis rect whose two axes have the same scale.
+class PolarLayer : public QCPLayerable {
+    Q_OBJECT
+public:
+    PolarLayer(QCPAxisRect* rect, const QString& layer);
+
+protected:
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    [[nodiscard]] QRect clipRect() const override;
+    [[nodiscard]] QPointF centre() const; ///< [px]
+    [[nodiscard]] double scale() const;   ///< pixels per unit of the axes
+    void drawCircle(QCPPainter* painter, double radius) const;
+
+    /// The part of the plane that the axis rect shows, as seen from the origin [px, rad].
+    struct Sight {
+        double near = 0, far = 0, from = 0, span = 0;
+    };
+    [[nodiscard]] Sight sight() const;
+    [[nodiscard]] QPolygonF arc(const Sight& sight, double radius_px) const;
+
+    QCPAxisRect* m_rect;
+};
+
+/// The ring between two radii, its edges drawn.
+class PolarRing : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    /// An inner radius below 0 leaves no hole; beyond `reach` nothing is drawn.
+    void setRing(double inner, double outer, double reach);
+    void setLook(const QPen& edge, const QColor& fill);
+    [[nodiscard]] double inner() const { return m_inner; }
+    [[nodiscard]] double outer() const { return m_outer; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double m_inner = 0, m_outer = 0, m_reach = 0;
+    QPen m_edge;
+    QColor m_fill;
+};
+
+/// One circle about the origin, as a line.
+class PolarCircle : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    void setRadius(double radius) { m_radius = radius; }
+    void setPen(const QPen& pen) { m_pen = pen; }
+    [[nodiscard]] double radius() const { return m_radius; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    double m_radius = 0;
+    QPen m_pen;
+};
+
+/// Spokes every 30° with the four main angles named, and circles at round deviations with their
+/// values in µm.
+class PolarGrid : public PolarLayer {
+    Q_OBJECT
+public:
+    using PolarLayer::PolarLayer;
+    void setScale(const PolarScale& scale, double reach);
+    [[nodiscard]] const QStringList& drawnLabels() const {
+        return m_labels;
+    } ///< by the last replot
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    struct Mark {
+        double radius = 0;
+        QString text;
+    };
+    struct Label {
+        QRectF box;
+        QString text;
+    };
+    [[nodiscard]] std::vector<Mark> marks() const;
+    [[nodiscard]] std::vector<Label> labelsAlong(const std::vector<Mark>& marks,
+                                                 double angle) const;
+    void drawSpokes(QCPPainter* painter);
+    void drawLabels(QCPPainter* painter, const std::vector<Mark>& marks);
+    [[nodiscard]] QRectF labelBox(const Mark& mark, double angle) const;
+    [[nodiscard]] bool hasRoom(const QRectF& box) const;
+    void drawText(QCPPainter* painter, const QRectF& box, const QString& text) const;
+
+    PolarScale m_scale;
+    double m_reach = 1;
+    QStringList m_labels;
+    std::vector<QRectF> m_names; ///< where the angles are named
+};
+
+/// Points at one sample and the one across it.
+class PolarPointer : public PolarLayer {
+    Q_OBJECT
+public:
+    explicit PolarPointer(QCPAxisRect* rect);
+    void point(double angle, double here, double across); ///< drawn radii
+    void clear() { m_shown = false; }
+    [[nodiscard]] bool shown() const { return m_shown; }
+
+protected:
+    void draw(QCPPainter* painter) override;
+
+private:
+    bool m_shown = false;
+    double m_angle = 0, m_here = 0, m_across = 0;
+};
+
+} // namespace sparkout

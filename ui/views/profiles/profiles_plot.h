@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/profiles_look.h"
+#include "ui/charts/profiles_series.h"
+#include "ui/plot/view_plot.h"
+
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+class PolarCircle;
+class PolarGrid;
+class PolarPointer;
+class PolarRing;
+
+/// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
+/// scale and magnification and moved together. Samples are joined by straight lines.
+class ProfilesPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    explicit ProfilesPlot(QWidget* parent = nullptr);
+
+    /// Shows the profiles with these indices; nothing is drawn before replot().
+    void setSeries(ProfileSeries series, std::vector<int> shown);
+    void setReference(RadiusReference reference);
+    void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
+    void setHidden(ProfileLines hidden);
+    void setCircles(ReferenceCircles circles);
+    void fit(); ///< all of the cells in sight
+    /// What the user has moved to: left, bottom, width and height; empty: all.
+    [[nodiscard]] std::vector<double> sight() const;
+    void setSight(const std::vector<double>& sight);
+    void restyle() override;
+
+    [[nodiscard]] const ProfileSeries& series() const { return m_series; }
+    [[nodiscard]] const std::vector<int>& shown() const { return m_shown; }
+    [[nodiscard]] double magnification() const { return m_magnification; }
+    [[nodiscard]] std::vector<double> magnifications() const; ///< that can be chosen now
+    [[nodiscard]] QString caption() const;
+
+    [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
+    /// Of the minimum zone the outer circle.
+    [[nodiscard]] QCPCurve* curve(int index, ProfileLine line) const;
+    [[nodiscard]] QCPCurve* innerCircle(int index) const { return at(index).inner; }
+    [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centre; }
+    [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts; }
+    [[nodiscard]] ReferenceCircles circles() const { return m_circles; }
+    [[nodiscard]] PolarRing* field(int index) const { return at(index).field; }
+    [[nodiscard]] PolarCircle* target(int index) const { return at(index).target; }
+    [[nodiscard]] PolarGrid* grid(int index) const { return at(index).polar; }
+    [[nodiscard]] PolarPointer* pointer(int index) const { return at(index).pointer; }
+    [[nodiscard]] QString numbers(int index) const;
+
+protected:
+    void takeLook(bool font) override;
+    void pointAway() override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Cell {
+        QCPTextElement* header = nullptr;
+        QCPTextElement* numbers = nullptr;
+        QCPAxisRect* rect = nullptr;
+        PolarRing* field = nullptr;
+        PolarCircle* target = nullptr;
+        PolarGrid* polar = nullptr;
+        PolarPointer* pointer = nullptr;
+        QCPCurve* blank = nullptr;
+        QCPCurve* leastSquares = nullptr;
+        QCPCurve* inner = nullptr; ///< circles of the minimum zone
+        QCPCurve* outer = nullptr;
+        QCPCurve* centre = nullptr; ///< of the circles shown
+        QCPCurve* profile = nullptr;
+        QCPCurve* contacts = nullptr; ///< where the minimum zone touches
+    };
+    /// How many cells stand in a row, and whether their numbers stand beside them.
+    struct Arrangement {
+        int columns = 1;
+        bool beside = false;
+        bool operator==(const Arrangement&) const = default;
+    };
+
+    [[nodiscard]] const Cell& at(int index) const {
+        return m_cells.at(static_cast<std::size_t>(index));
+    }
+    [[nodiscard]] const Profile& profile(std::size_t cell) const {
+        return m_series.profiles[static_cast<std::size_t>(m_shown[cell])];
+    }
+    [[nodiscard]] bool visible(ProfileLine line) const { return !m_hidden.contains(line); }
+    [[nodiscard]] Arrangement arrangement() const;
+    void rebuild();
+    void clearCells();
+    void buildCell(Cell& cell, QCPLayoutGrid* into);
+    void addCurves(Cell& cell);
+    void addZones(); ///< where they are shown
+    void chooseMagnification();
+    void fill();
+    void fillCell(std::size_t index);
+    void fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale);
+    void setTexts() override;
+    [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
+    [[nodiscard]] QString headerOf(const Profile& p, int room) const;
+    void keepScales();
+    void onRangeChanged(QCPAxisRect* rect);
+    void onMouse(QMouseEvent* event);
+    void pointAt(int cell, int k);
+
+    ProfileSeries m_series;
+    std::vector<int> m_shown;
+    std::vector<Cell> m_cells;
+    QCPTextElement* m_caption = nullptr;
+    Arrangement m_arrangement;
+    RadiusReference m_reference = RadiusReference::target;
+    std::optional<double> m_wanted; ///< magnification asked for
+    double m_magnification = 1;
+    double m_reach = 1; ///< radius of the drawing
+    ProfileLines m_hidden;
+    ReferenceCircles m_circles = ReferenceCircles::leastSquares;
+    bool m_linking = false;
+    std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
+    int m_pointedCell = 0;
+    int m_pointedRadius = -1;
+};
+
+} // namespace sparkout

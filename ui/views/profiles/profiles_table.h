@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/longitudinal_series.h"
+#include "ui/charts/profiles_look.h"
+#include "ui/tables/csv_table.h"
+
+#include <QCoreApplication>
+
+#include <vector>
+
+namespace sparkout {
+
+/// The drawn profiles as tables for a spreadsheet.
+class ProfilesTable {
+    Q_DECLARE_TR_FUNCTIONS(ProfilesTable)
+public:
+    /// A row per angle, columns per shown profile: deviations from the target radius, unmagnified.
+    static CsvTable across(const ProfileSeries& series, const std::vector<int>& shown,
+                           const ProfileLines& hidden);
+    /// A row per zone or section, from the headstock end on or as the zones are numbered.
+    static CsvTable along(const ProfileSeries& series, LengthQuantity quantity,
+                          const ProfileLines& hidden);
+};
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/profiles_series.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <vector>
+
+namespace sparkout {
+
+/// The sentences and numbers of the view "Zone profiles".
+class ProfilesText {
+    Q_DECLARE_TR_FUNCTIONS(ProfilesText)
+public:
+    static QString magnification(double value); ///< "×2000"
+    /// Deviations of the diameter, runout, and whether the drawing holds, one a line.
+    static QString numbers(const ProfileSeries& series, const Profile& profile, bool brief);
+    /// Roundness deviation and eccentricity about reference circles, one line.
+    static QString roundness(const RoundnessZone& zone, bool brief);
+    /// The sample at angle φ_k, and the diameter across it.
+    static QString sample(const ProfileSeries& series, const Profile& profile, int k,
+                          bool withBlank);
+    /// The zone or section at a place along the axis.
+    static QString stretch(const ProfileSeries& series, const Profile& profile, bool withBlank);
+    static QString moment(const ProfileSeries& series); ///< "After double stroke 27 of 54"
+    /// What the plots show, in words: the moment and the numbers of each profile.
+    static QString summary(const ProfileSeries& series, const std::vector<int>& shown);
+
+private:
+    static QString blankText(const ProfileSeries& series, int k);
+};
+
+} // namespace sparkout

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/sweep/sweep_curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sparkout {
+
+using style::Hue;
+
+namespace {
+
+constexpr double curveWidth = 2, dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
+constexpr double foot = 0.03; ///< of the height, where points without numbers stand
+constexpr double sweepRoom = 0.05;
+constexpr std::array curveHues{Hue::blue,   Hue::orange, Hue::green,
+                               Hue::purple, Hue::sky,    Hue::yellow};
+
+} // namespace
+
+SweepCurves::SweepCurves(QWidget* parent)
+    : SweepPlot(parent), m_present(new QCPItemStraightLine(this)) {
+    QCPAxis* const beside = cell()->axis(QCPAxis::atRight);
+    beside->setRange(0, 1);
+    m_refused = addMarks(beside);
+    m_notReached = addMarks(beside);
+    m_chosenFoot = addMarks(beside);
+    m_chosenMarks = addMarks(up());
+    for (QCPItemPosition* point : {m_present->point1, m_present->point2}) {
+        point->setAxisRect(cell());
+        point->setTypeX(QCPItemPosition::ptPlotCoords);
+        point->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        point->setAxes(across(), up());
+    }
+    m_present->setClipAxisRect(cell());
+    m_present->setSelectable(false);
+    m_present->setVisible(false);
+}
+
+/// Of too many sections those that come nearest to a limit anywhere.
+void SweepCurves::chooseQuantities() {
+    m_quantities = entry().quantities;
+    if (m_quantities.size() <= mostCurves) {
+        return;
+    }
+    const auto least = [this](std::size_t q) {
+        double margin = std::numeric_limits<double>::max();
+        for (const SweepPoint& point : sweep().points) {
+            if (!point.values.empty() && point.values[q].margin < margin) {
+                margin = point.values[q].margin;
+            }
+        }
+        return margin;
+    };
+    std::ranges::stable_sort(m_quantities, {}, least);
+    m_quantities.resize(mostCurves);
+    std::ranges::sort(m_quantities);
+}
+
+void SweepCurves::fill() {
+    for (QCPGraph* graph : m_curves) {
+        removeGraph(graph);
+    }
+    for (QCPGraph* graph : m_limits) {
+        removeGraph(graph);
+    }
+    for (QCPItemRect* band : m_bands) {
+        removeItem(band);
+    }
+    m_curves.clear();
+    m_limits.clear();
+    m_bands.clear();
+    m_refused->data()->clear();
+    m_notReached->data()->clear();
+    m_quantities.clear();
+    if (empty()) {
+        return;
+    }
+    chooseQuantities();
+    const std::vector<double>& values = sweep().inputs[0].values;
+    for (const std::size_t q : m_quantities) {
+        QCPGraph* const curve = addGraph(across(), up());
+        curve->removeFromLegend();
+        curve->setSelectable(QCP::stNone);
+        curve->setAdaptiveSampling(false);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            curve->addData(scaleOf(0).at(values[i]), shownAt(i, q));
+        }
+        m_curves.push_back(curve);
+    }
+    addLimits();
+    addBands();
+    addStatusMarks();
+}
+
+/// They may move with the input; those of several zones that are the same are one line.
+void SweepCurves::addLimits() {
+    const std::vector<double>& values = sweep().inputs[0].values;
+    std::vector<std::vector<double>> drawn;
+    const auto addLine = [&](const std::vector<double>& line) {
+        const bool none = std::ranges::all_of(line, [](double y) { return std::isnan(y); });
+        const auto same = [&line](const std::vector<double>& other) {
+            return std::ranges::equal(line, other, [](double a, double b) {
+                return a == b || (std::isnan(a) && std::isnan(b));
+            });
+        };
+        if (none || std::ranges::any_of(drawn, same)) {
+            return;
+        }
+        QCPGraph* const graph = addGraph(across(), up());
+        graph->removeFromLegend();
+        graph->setSelectable(QCP::stNone);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            graph->addData(scaleOf(0).at(values[i]), line[i]);
+        }
+        m_limits.push_back(graph);
+        drawn.push_back(line);
+    };
+    for (const std::size_t q : m_quantities) {
+        for (const bool high : {false, true}) {
+            std::vector<double> line;
+            for (const SweepPoint& point : sweep().points) {
+                const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
+                const double limit = high ? value.high : value.low;
+                line.push_back(margins() && !std::isnan(value.margin) ? 0 : limit);
+            }
+            addLine(line);
+        }
+    }
+}
+
+std::vector<QCPRange> SweepCurves::holding() const {
+    std::vector<QCPRange> ranges;
+    if (empty()) {
+        return ranges;
+    }
+    const std::vector<double>& values = sweep().inputs[0].values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!sweep().points[i].good) {
+            continue;
+        }
+        if (i > 0 && sweep().points[i - 1].good) {
+            ranges.back().upper = values[i];
+        } else {
+            ranges.emplace_back(values[i], values[i]);
+        }
+    }
+    return ranges;
+}
+
+void SweepCurves::addBands() {
+    for (const QCPRange& range : holding()) {
+        auto* const band = new QCPItemRect(this);
+        band->setLayer(QStringLiteral("background"));
+        band->setClipAxisRect(cell());
+        band->setSelectable(false);
+        for (QCPItemPosition* corner : {band->topLeft, band->bottomRight}) {
+            corner->setAxisRect(cell());
+            corner->setTypeX(QCPItemPosition::ptPlotCoords);
+            corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+            corner->setAxes(across(), up());
+        }
+        band->topLeft->setCoords(scaleOf(0).at(range.lower), 0);
+        band->bottomRight->setCoords(scaleOf(0).at(range.upper), 1);
+        m_bands.push_back(band);
+    }
+}
+
+void SweepCurves::addStatusMarks() {
+    const std::vector<double>& values = sweep().inputs[0].values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const SweepStatus status = sweep().points[i].status;
+        if (status == SweepStatus::refused || status == SweepStatus::notReached) {
+            (status == SweepStatus::refused ? m_refused : m_notReached)
+                ->addData(scaleOf(0).at(values[i]), foot);
+        }
+    }
+}
+
+void SweepCurves::fillMarks() {
+    m_chosenMarks->data()->clear();
+    m_chosenFoot->data()->clear();
+    m_hasPresent = false;
+    if (empty()) {
+        return;
+    }
+    if (const auto place = presentPlace(0)) {
+        m_hasPresent = true;
+        m_present->point1->setCoords(*place, 0);
+        m_present->point2->setCoords(*place, 1);
+    }
+    if (chosen()) {
+        const double x = scaleOf(0).at(sweep().valuesAt(*chosen())[0]);
+        m_chosenFoot->addData(x, foot);
+        for (const std::size_t q : m_quantities) {
+            m_chosenMarks->addData(x, shownAt(*chosen(), q));
+        }
+    }
+}
+
+/// All points; limits where they are near, or they would squeeze the curves.
+void SweepCurves::fit() {
+    if (empty()) {
+        return;
+    }
+    const auto range = [](double& low, double& high, double value) {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    };
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double low = none, high = -none;
+    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
+        for (const std::size_t q : m_quantities) {
+            range(low, high, shownAt(i, q));
+        }
+    }
+    const double size = high - low;
+    for (const QCPGraph* limit : m_limits) {
+        for (const QCPGraphData& at : *limit->data()) {
+            if (at.value > low - size && at.value < high + size) {
+                range(low, high, at.value);
+            }
+        }
+    }
+    if (low <= high) {
+        const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * 1e-2;
+        const double beside = std::max(sweepRoom * (high - low), least);
+        style::setSafeRange(*up(), low - beside, high + beside);
+    }
+    const std::vector<double>& values = sweep().inputs[0].values;
+    const double from = scaleOf(0).at(values.front()), to = scaleOf(0).at(values.back());
+    const double beside = sweepRoom / 2 * (to - from);
+    style::setSafeRange(*across(), from - beside, to + beside);
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void SweepCurves::colour() {
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        const QColor of = toned(curveHues[i % curveHues.size()]);
+        m_curves[i]->setPen(QPen(of, curveWidth));
+        m_curves[i]->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, dotSize));
+    }
+    for (QCPGraph* limit : m_limits) {
+        limit->setPen(QPen(toned(Hue::vermilion), 1.5, Qt::DashLine));
+    }
+    for (QCPItemRect* band : m_bands) {
+        QColor of = toned(Hue::green);
+        of.setAlphaF(of.alphaF() * 0.18F);
+        band->setPen(Qt::NoPen);
+        band->setBrush(of);
+    }
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
+    m_present->setPen(QPen(text, 1.5, Qt::DotLine));
+    m_refused->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, footSize));
+    const QColor stuck = toned(Hue::orange);
+    m_notReached->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, footSize));
+    for (QCPGraph* marks : {m_chosenMarks, m_chosenFoot}) {
+        marks->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, chosenSize));
+    }
+}
+
+void SweepCurves::label() {
+    up()->setLabel(SweepText::axis(sweep(), entry(), margins()));
+}
+
+void SweepCurves::showChoice() {
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        m_curves[i]->setVisible(choice().shows(static_cast<int>(i)));
+    }
+    for (QCPGraph* limit : m_limits) {
+        limit->setVisible(choice().shows(limitKey));
+    }
+    for (QCPItemRect* band : m_bands) {
+        band->setVisible(choice().shows(holdsKey));
+    }
+    m_refused->setVisible(choice().shows(refusedKey));
+    m_notReached->setVisible(choice().shows(notReachedKey));
+    m_present->setVisible(m_hasPresent && choice().shows(presentKey));
+}
+
+LegendEntries SweepCurves::legendEntries() const {
+    LegendEntries entries;
+    if (empty()) {
+        return entries;
+    }
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        const SweepQuantity& quantity = sweep().quantities[m_quantities[i]];
+        const int key = static_cast<int>(i);
+        entries.push_back(
+            {m_curves[i]->pen().color(), Qt::SolidLine,
+             quantity.section < 0 ? SweepText::name(quantity) : SweepText::where(quantity), key,
+             choice().shows(key)});
+    }
+    if (!m_limits.empty()) {
+        entries.push_back({m_limits.front()->pen().color(), Qt::DashLine, tr("limit"), limitKey,
+                           choice().shows(limitKey)});
+    }
+    if (!m_bands.empty()) {
+        entries.push_back({m_bands.front()->brush().color(), Qt::NoPen,
+                           tr("every requirement holds"), holdsKey, choice().shows(holdsKey)});
+    }
+    if (m_hasPresent) {
+        entries.push_back({m_present->pen().color(), Qt::DotLine, tr("present value"), presentKey,
+                           choice().shows(presentKey)});
+    }
+    addStatusEntries(entries);
+    return entries;
+}
+
+} // namespace sparkout

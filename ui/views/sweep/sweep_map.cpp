@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/sweep/sweep_map.h"
+
+#include "ui/kit/theme.h"
+#include "ui/plot/contour_lines.h"
+#include "ui/plot/number_ticker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sparkout {
+
+using style::Hue;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double mapSignSize = 8, mapChosenSize = 13, mapPresentSize = 12; ///< [px]
+constexpr int cellsPerPoint = 4; ///< where whole numbers make uneven steps
+constexpr int scaleWidth = 14;   ///< [px]
+constexpr double uneven = 1e-6;  ///< of a step: more is no rounding
+
+/// Viridis: even in lightness, so it is read without its hues, too.
+QCPColorGradient sweepColours(bool dim) {
+    constexpr std::array<QRgb, 9> stops{0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                        0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        gradient.setColorStopAt(static_cast<double>(i) / (stops.size() - 1),
+                                style::dimmed(QColor(stops[i]), dim));
+    }
+    gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+    gradient.setNanHandling(QCPColorGradient::nhTransparent);
+    return gradient;
+}
+
+/// Cells of one width along an axis, and the point of the sweep each belongs to.
+struct Cells {
+    double low = 0, high = 0; ///< middles of the first and the last
+    std::vector<std::size_t> points;
+};
+
+Cells cellsOf(const std::vector<double>& places) {
+    Cells cells{places.front(), places.back(), {}};
+    const double step = (cells.high - cells.low) / static_cast<double>(places.size() - 1);
+    bool even = true;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        even =
+            even && std::abs(places[i] - cells.low - static_cast<double>(i) * step) < uneven * step;
+    }
+    const std::size_t count = even ? places.size() : places.size() * cellsPerPoint;
+    for (std::size_t c = 0; c < count; ++c) {
+        const double at =
+            cells.low
+            + (cells.high - cells.low) * static_cast<double>(c) / static_cast<double>(count - 1);
+        const auto nearest =
+            std::ranges::min_element(places, {}, [at](double p) { return std::abs(p - at); });
+        cells.points.push_back(static_cast<std::size_t>(nearest - places.begin()));
+    }
+    return cells;
+}
+
+} // namespace
+
+SweepMap::SweepMap(QWidget* parent)
+    : SweepPlot(parent), m_map(new QCPColorMap(across(), up())), m_scale(new QCPColorScale(this)) {
+    m_map->setInterpolate(false);
+    m_map->setTightBoundary(false);
+    m_map->setSelectable(QCP::stNone);
+    m_map->removeFromLegend();
+    plotLayout()->addElement(0, 1, m_scale);
+    m_scale->setType(QCPAxis::atRight);
+    m_scale->setBarWidth(scaleWidth);
+    m_scale->axis()->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker));
+    m_scale->setRangeDrag(false);
+    m_scale->setRangeZoom(false);
+    m_map->setColorScale(m_scale);
+    auto* const together = new QCPMarginGroup(this);
+    cell()->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
+    m_limitHalo = addContour();
+    m_limit = addContour();
+    m_holdsHalo = addContour();
+    m_holds = addContour();
+    m_refused = addMarks(up());
+    m_notReached = addMarks(up());
+    m_present = addMarks(up());
+    m_chosenMark = addMarks(up());
+}
+
+QCPCurve* SweepMap::addContour() {
+    auto* const curve = new QCPCurve(across(), up());
+    curve->removeFromLegend();
+    curve->setSelectable(QCP::stNone);
+    return curve;
+}
+
+double SweepMap::worstShown(std::size_t point) const {
+    const auto worst = worstAt(sweep().points[point], entry());
+    return worst ? shownAt(point, *worst) : nan;
+}
+
+void SweepMap::fill() {
+    for (QCPCurve* curve : {m_limitHalo, m_limit, m_holdsHalo, m_holds}) {
+        curve->data()->clear();
+    }
+    m_refused->data()->clear();
+    m_notReached->data()->clear();
+    if (empty() || sweep().inputs.size() < 2) {
+        m_map->data()->clear();
+        return;
+    }
+    fillCells();
+    fillContours();
+    for (std::size_t i = 0; i < sweep().points.size(); ++i) {
+        const SweepStatus status = sweep().points[i].status;
+        if (status == SweepStatus::refused || status == SweepStatus::notReached) {
+            const std::vector<double> values = sweep().valuesAt(i);
+            (status == SweepStatus::refused ? m_refused : m_notReached)
+                ->addData(scaleOf(0).at(values[0]), scaleOf(1).at(values[1]));
+        }
+    }
+}
+
+void SweepMap::fillCells() {
+    std::vector<double> places[2];
+    for (std::size_t input = 0; input < 2; ++input) {
+        for (const double value : sweep().inputs[input].values) {
+            places[input].push_back(scaleOf(input).at(value));
+        }
+    }
+    const Cells columns = cellsOf(places[0]), rows = cellsOf(places[1]);
+    m_map->data()->setSize(static_cast<int>(columns.points.size()),
+                           static_cast<int>(rows.points.size()));
+    m_map->data()->setRange({columns.low, columns.high}, {rows.low, rows.high});
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t x = 0; x < columns.points.size(); ++x) {
+        for (std::size_t y = 0; y < rows.points.size(); ++y) {
+            const double value = worstShown(sweep().index(columns.points[x], rows.points[y]));
+            m_map->data()->setCell(static_cast<int>(x), static_cast<int>(y), value);
+            if (std::isfinite(value)) {
+                low = std::min(low, value);
+                high = std::max(high, value);
+            }
+        }
+    }
+    const double least = std::max({std::abs(low), std::abs(high), 1e-6}) * 1e-6;
+    m_map->setDataRange(low > high           ? QCPRange(0, 1)
+                        : high - low < least ? QCPRange(low - least, high + least)
+                                             : QCPRange(low, high));
+}
+
+void SweepMap::fillContours() {
+    std::vector<double> places[2];
+    for (std::size_t input = 0; input < 2; ++input) {
+        for (const double value : sweep().inputs[input].values) {
+            places[input].push_back(scaleOf(input).at(value));
+        }
+    }
+    const auto draw = [&](QCPCurve& halo, QCPCurve& curve, const auto& at) {
+        int t = 0;
+        for (const QLineF& piece : zeroLines(places[0], places[1], at)) {
+            for (QCPCurve* of : {&halo, &curve}) {
+                of->addData(t, piece.x1(), piece.y1());
+                of->addData(t + 1, piece.x2(), piece.y2());
+                of->addData(t + 2, nan, nan); // a gap
+            }
+            t += 3;
+        }
+    };
+    draw(*m_limitHalo, *m_limit, [this](std::size_t i, std::size_t j) {
+        const SweepPoint& point = sweep().points[sweep().index(i, j)];
+        const auto worst = worstAt(point, entry());
+        return worst ? point.values[*worst].margin : nan;
+    });
+    draw(*m_holdsHalo, *m_holds, [this](std::size_t i, std::size_t j) {
+        const SweepPoint& point = sweep().points[sweep().index(i, j)];
+        for (std::size_t q = 0; q < point.values.size(); ++q) {
+            if (sweep().quantities[q].name == "least_margin") {
+                return point.values[q].value;
+            }
+        }
+        return nan;
+    });
+}
+
+void SweepMap::fillMarks() {
+    m_present->data()->clear();
+    m_chosenMark->data()->clear();
+    if (empty() || sweep().inputs.size() < 2) {
+        return;
+    }
+    const auto x = presentPlace(0), y = presentPlace(1);
+    if (x && y) {
+        m_present->addData(*x, *y);
+    }
+    if (chosen()) {
+        const std::vector<double> values = sweep().valuesAt(*chosen());
+        m_chosenMark->addData(scaleOf(0).at(values[0]), scaleOf(1).at(values[1]));
+    }
+}
+
+/// All cells.
+void SweepMap::fit() {
+    if (empty() || sweep().inputs.size() < 2) {
+        return;
+    }
+    for (const std::size_t input : {std::size_t{0}, std::size_t{1}}) {
+        const std::vector<double>& values = sweep().inputs[input].values;
+        const double from = scaleOf(input).at(values.front());
+        const double to = scaleOf(input).at(values.back());
+        const double half = (to - from) / static_cast<double>(2 * (values.size() - 1));
+        style::setSafeRange(input == 0 ? *across() : *up(), from - half, to + half);
+    }
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void SweepMap::colour() {
+    QCPAxis& axis = *m_scale->axis();
+    style::applyPalette(axis, palette());
+    axis.setTickLabelFont(font());
+    axis.setLabelFont(font());
+    axis.setNumberFormat(QStringLiteral("g"));
+    m_map->setGradient(sweepColours(isDimmed()));
+    for (QCPCurve* halo : {m_limitHalo, m_holdsHalo}) {
+        halo->setPen(QPen(style::dimmed(onMap::dark, isDimmed()), 4));
+    }
+    m_limit->setPen(QPen(style::dimmed(onMap::light, isDimmed()), 2));
+    m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
+    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
+    m_refused->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, mapSignSize));
+    const QColor stuck = toned(Hue::orange);
+    m_notReached->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, mapSignSize));
+    m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(onMap::dark, 1.5),
+                                               onMap::light, mapPresentSize));
+    m_chosenMark->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(text, 3), Qt::NoBrush, mapChosenSize));
+}
+
+void SweepMap::label() {
+    if (sweep().inputs.size() > 1) {
+        up()->setLabel(SweepText::inputAxis(sweep().inputs[1]));
+    }
+    m_scale->axis()->setLabel(SweepText::axis(sweep(), entry(), margins()));
+}
+
+void SweepMap::showChoice() {
+    m_limitHalo->setVisible(choice().shows(limitKey));
+    m_limit->setVisible(choice().shows(limitKey));
+    m_holdsHalo->setVisible(choice().shows(holdsKey));
+    m_holds->setVisible(choice().shows(holdsKey));
+    m_refused->setVisible(choice().shows(refusedKey));
+    m_notReached->setVisible(choice().shows(notReachedKey));
+    m_present->setVisible(choice().shows(presentKey));
+    m_chosenMark->setVisible(choice().shows(chosenKey));
+}
+
+LegendEntries SweepMap::legendEntries() const {
+    LegendEntries entries;
+    if (empty()) {
+        return entries;
+    }
+    const auto add = [&](const QColor& of, Qt::PenStyle pen, const QString& text, int key) {
+        entries.push_back({of, pen, text, key, choice().shows(key)});
+    };
+    if (!m_limit->data()->isEmpty()) {
+        add(m_limit->pen().color(), Qt::SolidLine, tr("limit of this result"), limitKey);
+        entries.back().halo = m_limitHalo->pen().color();
+    }
+    if (!m_holds->data()->isEmpty()) {
+        add(m_holds->pen().color(), Qt::SolidLine, tr("every requirement holds: its edge"),
+            holdsKey);
+        entries.back().halo = m_holdsHalo->pen().color();
+    }
+    if (!m_present->data()->isEmpty()) {
+        add(palette().color(QPalette::Text), Qt::NoPen, tr("present values (◇)"), presentKey);
+        entries.back().fill = Qt::NoBrush;
+    }
+    if (!m_chosenMark->data()->isEmpty()) {
+        add(m_chosenMark->scatterStyle().pen().color(), Qt::NoPen, tr("chosen point (□)"),
+            chosenKey);
+        entries.back().fill = Qt::NoBrush;
+    }
+    addStatusEntries(entries);
+    return entries;
+}
+
+} // namespace sparkout

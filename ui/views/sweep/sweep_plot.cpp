@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/sweep/sweep_plot.h"
+
+#include "ui/plot/number_ticker.h"
+#include "ui/plot/plot_click.h"
+
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace sparkout {
+
+using style::Hue;
+
+SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
+    plotLayout()->clear();
+    m_rect = new QCPAxisRect(this, true);
+    plotLayout()->addElement(0, 0, m_rect);
+    for (QCPAxis* axis : m_rect->axes()) {
+        style::setUpAxis(*axis);
+    }
+    connect(this, &QCustomPlot::afterLayout, this,
+            [this] { style::fitValueAxes(*m_rect, font()); });
+    connect(this, &QCustomPlot::mouseMove, this,
+            [this](QMouseEvent* event) { onMouse(event->position()); });
+    const auto choose = [this](const QPointF& at) {
+        if (const auto point = pointAt(at)) {
+            emit pointChosen(*point);
+        }
+    };
+    onPlotClick(*this, choose);
+    connect(this, &QCustomPlot::mousePress, this, [choose](QMouseEvent* event) {
+        if (event->button() == Qt::RightButton) { // its menu is about this point
+            choose(event->position());
+        }
+    });
+}
+
+void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) {
+    setBuilt();
+    m_sweep = std::move(sweep);
+    m_entry = std::move(entry);
+    m_margins = margins;
+    for (std::size_t i = 0; m_sweep && i < m_sweep->result.inputs.size() && i < 2; ++i) {
+        (i == 0 ? across() : up())
+            ->setTicker(QSharedPointer<QCPAxisTicker>(i == 0 || m_sweep->result.inputs.size() == 2
+                                                          ? new SweepTicker(scaleOf(i))
+                                                          : new NumberTicker));
+    }
+    fill();
+    fillMarks();
+    restyle();
+    retranslate();
+    showChoice();
+    fit();
+    emit contentChanged();
+}
+
+void SweepPlot::setPresent(std::vector<std::optional<double>> values) {
+    if (m_present != values) {
+        m_present = std::move(values);
+        if (isBuilt()) {
+            fillMarks();
+            showChoice();
+            emit contentChanged();
+        }
+    }
+}
+
+void SweepPlot::setChosen(std::optional<std::size_t> point) {
+    m_chosen = point;
+    if (isBuilt()) {
+        fillMarks();
+        showChoice();
+        emit contentChanged(); // the legend names it
+    }
+}
+
+void SweepPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    showChoice();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void SweepPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    showChoice();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+// --- what it is about ---------------------------------------------------------------------------
+
+SweepScale SweepPlot::scaleOf(std::size_t input) const {
+    return {sweep().inputs[input].axis.spacing == SweepSpacing::logarithmic};
+}
+
+std::optional<double> SweepPlot::presentPlace(std::size_t input) const {
+    if (input >= m_present.size() || !m_present[input]) {
+        return std::nullopt;
+    }
+    const double place = scaleOf(input).at(*m_present[input]);
+    return std::isfinite(place) ? std::optional(place) : std::nullopt;
+}
+
+double SweepPlot::shownAt(std::size_t point, std::size_t quantity) const {
+    const SweepPoint& at = sweep().points[point];
+    if (at.values.empty()) {
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+    return m_margins ? at.values[quantity].margin : at.values[quantity].value;
+}
+
+bool SweepPlot::any(SweepStatus status) const {
+    return std::ranges::find(sweep().points, status, &SweepPoint::status) != sweep().points.end();
+}
+
+QColor SweepPlot::toned(Hue hue) const {
+    return style::dimmed(style::colour(hue, palette()), isDimmed());
+}
+
+QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
+    QCPGraph* const graph = addGraph(across(), value);
+    graph->setLineStyle(QCPGraph::lsNone);
+    graph->removeFromLegend();
+    graph->setSelectable(QCP::stNone);
+    graph->setAdaptiveSampling(false);
+    return graph;
+}
+
+void SweepPlot::addStatusEntries(LegendEntries& entries) const {
+    const auto add = [&](SweepStatus status, Hue hue, const QString& text, int key) {
+        if (any(status)) {
+            entries.push_back({toned(hue), Qt::NoPen, text, key, m_choice.shows(key)});
+        }
+    };
+    add(SweepStatus::refused, Hue::vermilion, tr("refused (×)"), refusedKey);
+    add(SweepStatus::notReached, Hue::orange, tr("does not reach size (▲)"), notReachedKey);
+}
+
+// --- the mouse ----------------------------------------------------------------------------------
+
+std::optional<std::size_t> SweepPlot::pointAt(const QPointF& pixel) const {
+    if (empty() || !m_rect->rect().contains(pixel.toPoint())) {
+        return std::nullopt;
+    }
+    const auto nearest = [this](std::size_t input, const QCPAxis& axis, double at) {
+        const std::vector<double>& values = sweep().inputs[input].values;
+        const SweepScale scale = scaleOf(input);
+        const auto away = [&](double value) {
+            return std::abs(axis.coordToPixel(scale.at(value)) - at);
+        };
+        return static_cast<std::size_t>(std::ranges::min_element(values, {}, away)
+                                        - values.begin());
+    };
+    const std::size_t first = nearest(0, *across(), pixel.x());
+    return sweep().index(first, sweep().inputs.size() > 1 ? nearest(1, *up(), pixel.y()) : 0);
+}
+
+QPointF SweepPlot::pixelOf(std::size_t point) const {
+    const std::vector<double> values = sweep().valuesAt(point);
+    const double x = across()->coordToPixel(scaleOf(0).at(values[0]));
+    return {x, values.size() > 1 ? up()->coordToPixel(scaleOf(1).at(values[1]))
+                                 : m_rect->center().y()};
+}
+
+void SweepPlot::onMouse(const QPointF& at) {
+    const auto point = pointAt(at);
+    emit pointed(point ? SweepText::point(sweep(), *point, m_entry) : QString());
+}
+
+// --- table, look and words ----------------------------------------------------------------------
+
+CsvTable SweepPlot::table() const {
+    if (empty()) {
+        return {};
+    }
+    return tableOf(sweep(), m_entry.quantities, [this](std::size_t point) {
+        const std::vector<double> values = sweep().valuesAt(point);
+        return across()->range().contains(scaleOf(0).at(values[0]))
+               && (values.size() < 2 || up()->range().contains(scaleOf(1).at(values[1])));
+    });
+}
+
+CsvTable SweepPlot::tableOf(const SweepResult& sweep, const std::vector<std::size_t>& quantities,
+                            const std::function<bool(std::size_t)>& wanted) {
+    CsvTable table;
+    for (const SweptInput& input : sweep.inputs) {
+        table.header << SweepText::inputAxis(input);
+    }
+    table.header << tr("State");
+    for (const std::size_t q : quantities) {
+        const QString name = SweepText::column(sweep.quantities[q]);
+        table.header << name << tr("%1: lower limit").arg(name) << tr("%1: upper limit").arg(name)
+                     << tr("%1: margin").arg(name);
+    }
+    for (std::size_t i = 0; i < sweep.points.size(); ++i) {
+        const SweepPoint& point = sweep.points[i];
+        if (point.status == SweepStatus::pending || !wanted(i)) {
+            continue;
+        }
+        const std::vector<double> values = sweep.valuesAt(i);
+        std::vector<CsvCell> row(values.begin(), values.end());
+        row.emplace_back(SweepText::status(point));
+        for (const std::size_t q : quantities) {
+            const SweepValue value = point.values.empty() ? SweepValue{} : point.values[q];
+            row.insert(row.end(), {value.value, value.low, value.high, value.margin});
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+void SweepPlot::restyle() {
+    if (!isBuilt()) {
+        return;
+    }
+    style::applyPalette(*this, palette());
+    for (QCPAxis* axis : m_rect->axes()) {
+        axis->setTickLabelFont(font());
+        axis->setLabelFont(font());
+    }
+    colour();
+}
+
+void SweepPlot::setTexts() {
+    if (!empty()) {
+        across()->setLabel(SweepText::inputAxis(sweep().inputs[0]));
+        label();
+    }
+}
+
+} // namespace sparkout

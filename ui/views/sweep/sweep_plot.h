@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/plot_style.h"
+#include "ui/plot/view_plot.h"
+#include "ui/tables/csv_table.h"
+#include "ui/views/sweep/sweep_scale.h"
+#include "ui/views/sweep/sweep_text.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// What the two plots of a sweep share: one axis rect over the varied inputs, the point under the
+/// mouse, the point chosen, the marks of points without numbers.
+class SweepPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    enum Key { presentKey = 1000, chosenKey, limitKey, holdsKey, refusedKey, notReachedKey };
+
+    explicit SweepPlot(QWidget* parent);
+
+    void setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins); ///< no replot
+    /// The present values of the inputs, as far as they are given.
+    void setPresent(std::vector<std::optional<double>> values);
+    void setChosen(std::optional<std::size_t> point);
+    virtual void fit() = 0;
+    void toggleCurve(int key);
+    void showOnly(int key);
+    void restyle() override;
+
+    [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
+    [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its marks
+    [[nodiscard]] virtual LegendEntries legendEntries() const = 0;
+    [[nodiscard]] CsvTable table() const; ///< the points in sight
+    /// A row a point that was run and is wanted: its inputs, its state, the quantities.
+    [[nodiscard]] static CsvTable tableOf(const SweepResult& sweep,
+                                          const std::vector<std::size_t>& quantities,
+                                          const std::function<bool(std::size_t)>& wanted);
+
+signals:
+    void pointChosen(std::size_t point); ///< by a click, of the right button too
+
+protected:
+    void setTexts() override;
+
+    virtual void fill() = 0;       ///< from what was set
+    virtual void fillMarks() = 0;  ///< present and chosen point
+    virtual void colour() = 0;     ///< by the palette
+    virtual void label() = 0;      ///< in the language
+    virtual void showChoice() = 0; ///< what the legend hides
+
+    [[nodiscard]] bool empty() const { return !m_sweep || m_entry.quantities.empty(); }
+    [[nodiscard]] const SweepResult& sweep() const { return m_sweep->result; }
+    [[nodiscard]] const SweepEntry& entry() const { return m_entry; }
+    [[nodiscard]] bool margins() const { return m_margins; }
+    [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
+    [[nodiscard]] SweepScale scaleOf(std::size_t input) const;
+    /// Of the present values; nothing where one is not given, or not positive over ratios.
+    [[nodiscard]] std::optional<double> presentPlace(std::size_t input) const;
+    [[nodiscard]] const std::optional<std::size_t>& chosen() const { return m_chosen; }
+    /// Value or margin of a quantity at a point; NaN where there is none.
+    [[nodiscard]] double shownAt(std::size_t point, std::size_t quantity) const;
+    [[nodiscard]] bool any(SweepStatus status) const;
+    [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
+    [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
+    [[nodiscard]] QColor toned(style::Hue hue) const;
+    [[nodiscard]] QCPGraph* addMarks(QCPAxis* value); ///< a graph of signs without a line
+    /// Entries of points without numbers, as far as there are any.
+    void addStatusEntries(LegendEntries& entries) const;
+    /// The point nearest to a pixel within the axis rect.
+    [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& pixel) const;
+
+private:
+    void onMouse(const QPointF& at);
+
+    SweepOutcomePtr m_sweep;
+    SweepEntry m_entry;
+    bool m_margins = false;
+    std::vector<std::optional<double>> m_present;
+    std::optional<std::size_t> m_chosen;
+    CurveChoice m_choice;
+    QCPAxisRect* m_rect;
+};
+
+} // namespace sparkout

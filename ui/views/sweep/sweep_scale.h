@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/plot/number_ticker.h"
+
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace sparkout {
+
+/// Where a value stands on an axis that is spaced by steps or by ratios: axes stay linear for
+/// QCustomPlot, whose colour maps know no other.
+struct SweepScale {
+    bool ratios = false;
+
+    [[nodiscard]] double at(double value) const { return ratios ? std::log10(value) : value; }
+    [[nodiscard]] double valueAt(double place) const {
+        return ratios ? std::pow(10.0, place) : place;
+    }
+};
+
+/// Ticks at round values of such an axis.
+class SweepTicker : public NumberTicker {
+public:
+    explicit SweepTicker(SweepScale scale) : m_scale(scale) {}
+
+protected:
+    QVector<double> createTickVector(double step, const QCPRange& range) override;
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
+
+private:
+    SweepScale m_scale;
+};
+
+} // namespace sparkout

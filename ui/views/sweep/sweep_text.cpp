@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/sweep/sweep_text.h"
+
+#include "core/quality/constraints.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+
+constexpr double minuteOfSweep_s = 60;
+constexpr int mostNamed = 3; ///< requirements named at a point
+constexpr int sweepDigits = 4;
+
+std::optional<ConstraintKind> kindOf(const std::string& name) {
+    for (int i = 0; i < constraintKinds; ++i) {
+        const auto kind = static_cast<ConstraintKind>(i);
+        if (name == constraintName(kind)) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+QString withUnit(const QString& text, const std::string& unit, const QString& between) {
+    return unit.empty() ? text : text + between + unitText(unit.c_str());
+}
+
+QString amount(double value, const std::string& unit) {
+    return withUnit(Names::significant(value, sweepDigits), unit, QStringLiteral(" "));
+}
+
+} // namespace
+
+std::vector<SweepEntry> sweepEntries(const SweepResult& sweep, bool each) {
+    std::vector<SweepEntry> entries;
+    const auto& all = sweep.quantities;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::string& name = all[i].name;
+        if (std::ranges::find(entries, name, &SweepEntry::key) != entries.end()) {
+            continue;
+        }
+        SweepEntry entry{name, {}};
+        for (std::size_t q = i; q < all.size(); ++q) {
+            if (all[q].name == name) {
+                entry.quantities.push_back(q);
+            }
+        }
+        entries.push_back(entry);
+        for (const std::size_t q : entry.quantities) {
+            if (each && entry.quantities.size() > 1) {
+                entries.push_back({name + ' ' + std::to_string(all[q].section), {q}});
+            }
+        }
+    }
+    return entries;
+}
+
+std::optional<std::size_t> worstAt(const SweepPoint& point, const SweepEntry& entry) {
+    std::optional<std::size_t> worst;
+    for (const std::size_t q : entry.quantities) {
+        if (point.values.empty() || std::isnan(point.values[q].value)) {
+            continue;
+        }
+        const SweepValue& value = point.values[q];
+        const bool limited =
+            worst && !std::isnan(value.margin) && !std::isnan(point.values[*worst].margin);
+        if (!worst
+            || (limited ? value.margin < point.values[*worst].margin
+                        : value.value > point.values[*worst].value)) {
+            worst = q;
+        }
+    }
+    return worst;
+}
+
+/// Page, item of a list and input: what is between tells nothing more.
+QString SweepText::input(const std::string& path) {
+    const QStringList words = locationText(path).split(QStringLiteral(" › "));
+    QStringList kept;
+    for (const QString& word : words) {
+        if (&word == &words.front() || &word == &words.back() || word.back().isDigit()) {
+            kept << word;
+        }
+    }
+    if (path.starts_with("/cycle/stages/")) {
+        kept.removeFirst();
+    }
+    return kept.join(QStringLiteral(" › "));
+}
+
+QString SweepText::inputBrief(const std::string& path) {
+    const QStringList words = locationText(path).split(QStringLiteral(" › "));
+    const bool stage = path.starts_with("/cycle/stages/") && words.size() > 1;
+    const bool part = path.starts_with("/machine/") && words.size() > 2;
+    return stage || part ? words.mid(words.size() - 2).join(QStringLiteral(" › ")) : words.last();
+}
+
+QString SweepText::inputAxis(const SweptInput& input) {
+    return withUnit(inputBrief(input.axis.input), input.unit, QStringLiteral(", "));
+}
+
+QString SweepText::inputValue(double value, const std::string& unit) {
+    return withUnit(showNumber(value, QLocale()).replace(u'-', u'−'), unit, QStringLiteral(" "));
+}
+
+QString SweepText::name(const SweepQuantity& quantity) {
+    if (const auto kind = kindOf(quantity.name)) {
+        return Names::constraint(*kind);
+    }
+    return quantity.name == "time"                ? tr("Machining time")
+           : quantity.name == "least_margin"      ? tr("Least margin of all requirements")
+           : quantity.name == "diameter"          ? tr("Mean diameter")
+           : quantity.name == "peak_normal_force" ? tr("Largest normal force")
+                                                  : tr("Largest power");
+}
+
+QString SweepText::where(const SweepQuantity& quantity) {
+    return quantity.section < 0 ? tr("whole part") : Names::zone(quantity.zone, quantity.section);
+}
+
+QString SweepText::entry(const SweepResult& sweep, const SweepEntry& entry) {
+    const SweepQuantity& first = sweep.quantities[entry.quantities.front()];
+    return entry.key == first.name || first.section < 0
+               ? name(first)
+               : QStringLiteral("%1, %2").arg(name(first), where(first));
+}
+
+QString SweepText::axis(const SweepResult& sweep, const SweepEntry& entry, bool margins) {
+    const QString of = SweepText::entry(sweep, entry);
+    return withUnit(margins ? tr("Margin: %1").arg(of) : of,
+                    sweep.quantities[entry.quantities.front()].unit, QStringLiteral(", "));
+}
+
+QString SweepText::column(const SweepQuantity& quantity) {
+    const QString of = quantity.section < 0
+                           ? name(quantity)
+                           : QStringLiteral("%1, %2").arg(name(quantity), where(quantity));
+    return withUnit(of, quantity.unit, QStringLiteral(", "));
+}
+
+QString SweepText::status(const SweepPoint& point) {
+    switch (point.status) {
+    case SweepStatus::pending: return tr("not run");
+    case SweepStatus::refused: return tr("refused");
+    case SweepStatus::notReached: return tr("does not reach size");
+    case SweepStatus::done: break;
+    }
+    return point.good ? tr("holds") : tr("does not hold");
+}
+
+QString SweepText::progress(qint64 done, qint64 points, double left_s) {
+    const QString count = tr("%1 of %2 points").arg(done).arg(points);
+    if (left_s < 0) {
+        return count;
+    }
+    return left_s < 2 * minuteOfSweep_s
+               ? tr("%1, %2 s left").arg(count).arg(std::ceil(left_s), 0, 'f', 0)
+               : tr("%1, %2 min left")
+                     .arg(count)
+                     .arg(std::ceil(left_s / minuteOfSweep_s), 0, 'f', 0);
+}
+
+QString SweepText::run(const SweepResult& sweep) {
+    const auto count = [&sweep](SweepStatus status) {
+        return static_cast<int>(std::ranges::count(sweep.points, status, &SweepPoint::status));
+    };
+    const int good = static_cast<int>(std::ranges::count(sweep.points, true, &SweepPoint::good));
+    const int all = static_cast<int>(sweep.points.size());
+    QStringList texts;
+    if (sweep.stopped) {
+        texts
+            << tr("Stopped after %1 of %2 points.").arg(all - count(SweepStatus::pending)).arg(all);
+    }
+    texts << tr("The drawing holds at %1 of %2 points.").arg(good).arg(all);
+    if (const int refused = count(SweepStatus::refused)) {
+        texts << tr("Refused: %1.").arg(refused);
+    }
+    if (const int stuck = count(SweepStatus::notReached)) {
+        texts << tr("Size not reached: %1.").arg(stuck);
+    }
+    return texts.join(u' ');
+}
+
+QString SweepText::inputs(const SweepResult& sweep, std::size_t point) {
+    QStringList texts;
+    const std::vector<double> values = sweep.valuesAt(point);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const SweptInput& input = sweep.inputs[i];
+        texts << inputBrief(input.axis.input) + u' ' + inputValue(values[i], input.unit);
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+/// Whether the drawing holds there, and what breaks it.
+QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
+    if (point.good) {
+        return tr("every requirement holds");
+    }
+    QStringList failing;
+    for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+        const SweepQuantity& quantity = sweep.quantities[q];
+        const auto kind = kindOf(quantity.name);
+        if (kind && point.values[q].margin < 0) {
+            failing << (quantity.section < 0 ? name(quantity)
+                                             : name(quantity) + u' ' + where(quantity));
+        }
+    }
+    const bool more = failing.size() > mostNamed;
+    return tr("does not hold: %1")
+        .arg(failing.mid(0, mostNamed).join(QStringLiteral(", "))
+             + (more ? QStringLiteral(" …") : QString()));
+}
+
+QString SweepText::point(const SweepResult& sweep, std::size_t point, const SweepEntry& entry) {
+    const SweepPoint& at = sweep.points[point];
+    const QString inputs = SweepText::inputs(sweep, point);
+    switch (at.status) {
+    case SweepStatus::pending: return tr("%1: not run").arg(inputs);
+    case SweepStatus::refused:
+        return tr("%1: refused. %2").arg(inputs, Names::refusal(at.issues, 1));
+    case SweepStatus::notReached: return tr("%1: %2").arg(inputs, Names::status(at.run));
+    case SweepStatus::done: break;
+    }
+    QStringList texts;
+    for (const std::size_t q : entry.quantities) {
+        const SweepValue& value = at.values[q];
+        const SweepQuantity& quantity = sweep.quantities[q];
+        if (std::isnan(value.value) || quantity.name == "time") {
+            continue;
+        }
+        QString text = (entry.quantities.size() > 1 ? where(quantity) + u' ' : QString())
+                       + amount(value.value, quantity.unit);
+        if (!std::isnan(value.margin) && quantity.name != "least_margin") {
+            text += tr(" (margin %1)").arg(Names::significant(value.margin, 3));
+        }
+        texts << text;
+    }
+    QString shown = texts.join(QStringLiteral(", "));
+    shown = shown.isEmpty() ? QString() : SweepText::entry(sweep, entry) + u' ' + shown + u';';
+    for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+        if (sweep.quantities[q].name == "time") {
+            shown += tr(" time %1;").arg(amount(at.values[q].value, "s"));
+        }
+    }
+    return QStringLiteral("%1: %2 %3").arg(inputs, shown.trimmed(), verdict(sweep, at));
+}
+
+} // namespace sparkout

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/verdict/verdict_panel.h"
+
+#include "ui/charts/light_icon.h"
+#include "ui/charts/result_tables.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_why.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/kit/font_size.h"
+#include "ui/kit/help_topic.h"
+#include "ui/kit/metrics.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/views/verdict/verdict_shop.h"
+#include "ui/views/verdict/verdict_text.h"
+
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace sparkout {
+
+namespace {
+using metrics::iconSmall;
+} // namespace
+
+VerdictPanel::VerdictPanel(QWidget* parent, Settings* settings) : QWidget(parent) {
+    setHelpTopic(*this, QStringLiteral("verdict"));
+    build();
+    buildTable();
+    buildSaving(settings);
+    drawIcons();
+    retranslate();
+}
+
+QLabel* VerdictPanel::addText(QVBoxLayout* layout, const char* name) {
+    auto* label = new QLabel(layout->parentWidget());
+    label->setObjectName(QString::fromLatin1(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setWordWrap(true);
+    label->setMinimumWidth(1);
+    layout->addWidget(label);
+    return label;
+}
+
+/// Notices, time and light stay in sight; the rest scrolls as one page.
+void VerdictPanel::build() {
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->setSpacing(0);
+    auto* head = new QWidget(this);
+    auto* area = new QScrollArea(this);
+    outer->addWidget(head);
+    outer->addWidget(area, 1);
+    buildHead(head);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto* page = new QWidget(area);
+    area->setWidget(page);
+    m_layout = new QVBoxLayout(page);
+    m_layout->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::gap);
+    m_layout->setSpacing(metrics::gap);
+    m_status = addText(m_layout, "status");
+    m_off = addText(m_layout, "notChecked");
+    m_off->setTextFormat(Qt::RichText);
+    m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_off, &QLabel::linkActivated, this,
+            [this](const QString& path) { emit pathAsked(path.toStdString()); });
+    m_model = new VerdictModel(this);
+    m_table = new CopyTable([this] { return m_model->asTsv(); }, page);
+    m_layout->addWidget(m_table);
+    m_shop = new ShopSection(page);
+    m_layout->addWidget(m_shop);
+    m_layout->addStretch(1);
+}
+
+void VerdictPanel::buildHead(QWidget* head) {
+    auto* layout = new QVBoxLayout(head);
+    layout->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::hair);
+    layout->setSpacing(metrics::tight);
+    m_notice = addText(layout, "notice");
+    m_refused = addText(layout, "refusedFields");
+    m_time = addText(layout, "time");
+    m_overall = addText(layout, "overall");
+    m_light = new QLabel(head);
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_light, 0, Qt::AlignTop);
+    line->addWidget(m_overall, 1);
+    layout->addLayout(line);
+    m_why = addText(layout, "why");
+    setRelativeFont(*m_time, metrics::headline);
+    QFont bold = font();
+    bold.setBold(true);
+    m_overall->setFont(bold);
+}
+
+void VerdictPanel::buildTable() {
+    m_table->setObjectName(QStringLiteral("requirements"));
+    m_table->setModel(m_model);
+    m_table->setIconSize(QSize(iconSmall, iconSmall));
+    m_table->setWordWrap(true);
+    m_table->verticalHeader()->hide();
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
+    connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);
+    connect(m_table, &CopyTable::rowChosen, this, [this](int row) {
+        if (const ConstraintResult* constraint = m_model->constraintAt(row)) {
+            m_chosen = *constraint;
+            showTexts();
+            emit requirementActivated(*constraint);
+        }
+    });
+}
+
+void VerdictPanel::buildSaving(Settings* settings) {
+    const auto project = [this] {
+        return m_good ? QString::fromStdString(m_good->result.project.title).simplified()
+                      : QString();
+    };
+    m_table->setSaving([this] { return m_model->table(); }, project, settings);
+    const auto stages = [this] {
+        return m_good ? stageTable(m_good->shop, m_good->result.project.operation) : CsvTable();
+    };
+    m_shop->table()->setSaving(stages, project, settings);
+}
+
+void VerdictPanel::setOutcome(OutcomePtr outcome) {
+    m_latest = std::move(outcome);
+    if (m_queued) {
+        return;
+    }
+    m_queued = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_queued = false;
+            showOutcome();
+        },
+        Qt::QueuedConnection);
+}
+
+void VerdictPanel::showOutcome() {
+    const bool ran = m_latest && m_latest->ran();
+    if (ran) {
+        m_good = m_latest;
+        m_model->setOutcome(m_good);
+        m_shop->setOutcome(m_good);
+    }
+    grey(m_good && !ran);
+    showTexts();
+    fitTable();
+}
+
+void VerdictPanel::showTexts() {
+    const bool refused = m_latest && !m_latest->ran();
+    QString notice;
+    if (refused) {
+        notice = (m_good ? tr("The inputs are refused; the numbers are those of the last "
+                              "accepted ones.")
+                         : tr("The inputs are refused:"))
+                 + QLatin1Char('\n') + Names::refusal(m_latest->issues);
+    } else if (!m_good) {
+        notice = tr("No result yet.");
+    }
+    m_notice->setText(notice);
+    m_notice->setVisible(!notice.isEmpty());
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_time, m_status, m_light, m_overall, m_table}) {
+        w->setVisible(m_good != nullptr);
+    }
+    m_off->clear(); // links take the palette's colour when the text is another
+    m_off->setText(m_good ? LimitNames::notCheckedLinks(m_good->result.project) : QString());
+    m_off->setVisible(!m_off->text().isEmpty());
+    m_shop->setVisible(m_good && !m_good->shop.stages.empty());
+    const ConstraintResult* about = m_good ? explained() : nullptr;
+    m_why->setText(about ? verdict::why(*m_good, *about) : QString());
+    m_why->setVisible(!m_why->text().isEmpty());
+    if (!m_good) {
+        return;
+    }
+    m_time->setText(verdict::time(m_good->result));
+    m_status->setText(verdict::status(m_good->result));
+    m_overall->setText(verdict::overall(*m_good));
+    m_light->setPixmap(
+        lightPixmap(verdict::overallLight(*m_good), iconSmall + 3, devicePixelRatioF(), refused));
+    m_table->setVisible(m_model->rowCount() > 0);
+}
+
+const ConstraintResult* VerdictPanel::explained() const {
+    for (const ConstraintResult& c : m_good->constraints) {
+        if (m_chosen && c.kind == m_chosen->kind && c.section == m_chosen->section
+            && c.stage == m_chosen->stage) {
+            return &c;
+        }
+    }
+    const ConstraintResult* worst = verdict::worst(*m_good);
+    return worst && !worst->holds ? worst : nullptr;
+}
+
+void VerdictPanel::setRefusedFields(int n) {
+    m_refusedFields = n;
+    showRefusedFields();
+}
+
+void VerdictPanel::showRefusedFields() {
+    m_refused->setText(m_refusedFields > 0
+                           ? tr("%n fields hold a refused text; the verdict is of the values "
+                                "before it.",
+                                nullptr, m_refusedFields)
+                           : QString());
+    m_refused->setVisible(m_refusedFields > 0);
+}
+
+void VerdictPanel::grey(bool on) {
+    const QPalette::ColorGroup group = on ? QPalette::Disabled : QPalette::Active;
+    const QColor colour = QGuiApplication::palette().color(group, QPalette::WindowText);
+    QPalette own;
+    if (on) {
+        own.setColor(QPalette::WindowText, colour);
+    }
+    for (QLabel* label : {m_time, m_status, m_overall, m_why, m_off}) {
+        label->setPalette(own);
+    }
+    m_model->setGreyed(on);
+    m_shop->setGreyed(on, own);
+    drawIcons();
+}
+
+void VerdictPanel::drawIcons() {
+    const bool grey = m_good && m_latest && !m_latest->ran();
+    const auto icon = [&](Light light) {
+        return QIcon(lightPixmap(light, iconSmall, devicePixelRatioF(), grey));
+    };
+    m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
+}
+
+/// The table is as high as its rows; the panel scrolls as one.
+void VerdictPanel::fitTable() {
+    if (m_fitting) {
+        return;
+    }
+    m_fitting = true;
+    m_table->clearSpans();
+    const int height = m_table->horizontalHeader()->sizeHint().height() + 2 * m_table->frameWidth();
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        if (m_model->isZoneRow(row)) {
+            m_table->setSpan(row, 0, 1, m_model->columnCount());
+        }
+    }
+    m_table->resizeRowsToContents();
+    m_table->setFixedHeight(height + m_table->verticalHeader()->length());
+    m_layout->invalidate();
+    m_table->parentWidget()->updateGeometry();
+    m_fitting = false;
+}
+
+void VerdictPanel::copy() const {
+    m_table->copy();
+}
+
+void VerdictPanel::retranslate() {
+    setAccessibleName(tr("Verdict"));
+    m_notice->setAccessibleName(tr("State of the verdict"));
+    m_time->setAccessibleName(tr("Machining time"));
+    m_time->setToolTip(tr("Machining time"));
+    m_status->setAccessibleName(tr("End of the cycle"));
+    m_overall->setAccessibleName(tr("Verdict on the drawing"));
+    m_why->setAccessibleName(tr("Where the value comes from"));
+    m_off->setAccessibleName(tr("Requirements that are not checked"));
+    m_table->setAccessibleName(tr("Requirements of the drawing"));
+    m_table->retranslate();
+    m_refused->setAccessibleName(tr("Fields that hold a refused text"));
+    m_shop->retranslate();
+    m_model->retranslate();
+    showRefusedFields();
+    showTexts();
+    fitTable();
+}
+
+void VerdictPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (!m_model) {
+        return;
+    }
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        grey(m_good && m_latest && !m_latest->ran());
+        showTexts();
+    }
+}
+
+} // namespace sparkout

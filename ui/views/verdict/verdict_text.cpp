@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/verdict/verdict_text.h"
+
+#include "core/units.h"
+#include "ui/charts/verdict_why.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout::verdict {
+
+namespace {
+
+struct VerdictText {
+    Q_DECLARE_TR_FUNCTIONS(VerdictText)
+public:
+    static QString broken(const ConstraintResult& c);
+};
+
+QString VerdictText::broken(const ConstraintResult& c) {
+    const QString zone = Names::where(c);
+    const QString by = Names::amount(c.kind, std::abs(c.margin), false);
+    switch (c.kind) {
+    case ConstraintKind::diameterMin:
+        return tr("diameter in %1 is %2 µm below the lower limit").arg(zone, by);
+    case ConstraintKind::diameterMax:
+        return tr("diameter in %1 is %2 µm above the upper limit").arg(zone, by);
+    case ConstraintKind::radialRunout:
+        return tr("radial runout in %1 is %2 µm above its limit").arg(zone, by);
+    default: break;
+    }
+    if (c.kind == ConstraintKind::overlap) {
+        return tr("overlap B/s in %1 is %2, below 1: strips stay uncut, so size, form and "
+                  "roughness "
+                  "are not known of the whole surface")
+            .arg(zone, Names::value(c));
+    }
+    if (c.kind == ConstraintKind::gaugeCommands) {
+        return tr("the stages need %1 more gauge commands than there are").arg(by);
+    }
+    if (scopeOf(c.kind) == ConstraintScope::setting) {
+        return tr("%1 (%2): %3 %4 outside")
+            .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
+    }
+    return tr("%1 (%2): %3 %4 above its limit")
+        .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
+}
+
+QString minutes(double time_s) {
+    return VerdictText::tr("%1 min").arg(Names::significant(time_s / units::secondsPerMinute));
+}
+
+} // namespace
+
+QString time(const SimulationResult& result) {
+    return VerdictText::tr("%1 (%2 s)")
+        .arg(minutes(result.time_s), Names::significant(result.time_s, 4));
+}
+
+QString status(const SimulationResult& result) {
+    if (result.status != RunStatus::cannotReachSize && result.status != RunStatus::tooLong) {
+        return Names::status(result.status);
+    }
+    return VerdictText::tr("%1: the gauge reads %2 mm, %3 µm a side remain")
+        .arg(Names::status(result.status), Names::millimetres(result.gaugeReading_mm),
+             Names::micrometres(result.remainingStock_mm * units::umPerMm));
+}
+
+Light overallLight(const Outcome& outcome) {
+    const ConstraintResult* c = worst(outcome);
+    if (outcome.result.status != RunStatus::completed || (c && !c->holds)) {
+        return Light::fails;
+    }
+    const bool close = std::ranges::any_of(
+        outcome.constraints, [](const ConstraintResult& r) { return lightOf(r) == Light::close; });
+    return close ? Light::close : Light::holds;
+}
+
+QString overall(const Outcome& outcome) {
+    const ConstraintResult* c = worst(outcome);
+    if (c && !c->holds) {
+        const auto failing = std::ranges::count_if(
+            outcome.constraints, [](const ConstraintResult& r) { return !r.holds && r.isWhole; });
+        QString text = VerdictText::tr("Does not hold: %1").arg(VerdictText::broken(*c));
+        if (failing > 1) {
+            text += VerdictText::tr("; requirements that fail: %1").arg(failing);
+        }
+        return text;
+    }
+    if (outcome.result.status != RunStatus::completed) {
+        return VerdictText::tr("Does not hold: the cycle does not end by itself");
+    }
+    if (!c) {
+        return VerdictText::tr("The drawing requires nothing");
+    }
+    if (overallLight(outcome) == Light::close) {
+        return VerdictText::tr("Holds the drawing, but close to the limit: %1 in %2")
+            .arg(Names::constraint(c->kind), Names::where(*c));
+    }
+    return VerdictText::tr("Holds the drawing");
+}
+
+} // namespace sparkout::verdict

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/actions.h"
+
+#include "ui/kit/keyboard.h"
+#include "ui/kit/metrics.h"
+#include "ui/plot/view.h"
+#include "ui/session/document.h"
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace sparkout {
+
+Actions::Actions(QMainWindow& window)
+    : QObject(&window)
+    , newTraverse(make("newTraverse", u"traverse", QKeySequence::New))
+    , newPlunge(make("newPlunge", u"plunge", Qt::CTRL | Qt::SHIFT | Qt::Key_N))
+    , open(make("open", u"open", QKeySequence::Open))
+    , examples(make("examples", u"examples", Qt::CTRL | Qt::Key_E))
+    , save(make("save", u"save", QKeySequence::Save))
+    , saveAs(make("saveAs", u"save", Qt::CTRL | Qt::SHIFT | Qt::Key_S))
+    , earlierVersions(make("earlierVersions", u""))
+    , recoverWork(make("recoverWork", u""))
+    , exportResults(make("exportResults", u"export"))
+    , quit(make("quit", u"", Qt::CTRL | Qt::Key_Q))
+    , undo(make("undo", u"undo", QKeySequence::Undo))
+    , redo(make("redo", u"redo", QKeySequence::Redo))
+    , keepRun(make("keepRun", u"keep", Qt::CTRL | Qt::Key_K))
+    , english(make("english", u""))
+    , russian(make("russian", u""))
+    , detach(make("detach", u"detach", Qt::CTRL | Qt::SHIFT | Qt::Key_D))
+    , nextPanel(make("nextPanel", u"", Qt::Key_F6))
+    , previousPanel(make("previousPanel", u"", Qt::SHIFT | Qt::Key_F6))
+    , resetLayout(make("resetLayout", u""))
+    , help(make("help", u"info", QKeySequence::HelpContents))
+    , helpContents(make("helpContents", u""))
+    , helpShortcuts(make("helpShortcuts", u""))
+    , tour(make("tour", u""))
+    , log(make("log", u""))
+    , about(make("about", u"")) {
+    quit->setMenuRole(QAction::QuitRole);
+    about->setMenuRole(QAction::AboutRole);
+    auto* languages = new QActionGroup(this);
+    for (QAction* action : {english, russian}) {
+        action->setCheckable(true);
+        languages->addAction(action);
+    }
+    about->setIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
+    auto* looks = new QActionGroup(this);
+    for (std::size_t i = 0; i < allThemes.size(); ++i) {
+        const QByteArray name = "theme-" + themeCode(allThemes[i]).toLatin1();
+        themes[i] = make(name.constData(), u"");
+        themes[i]->setCheckable(true);
+        looks->addAction(themes[i]);
+    }
+    auto* types = new QActionGroup(this);
+    for (std::size_t i = 0; i < fontSizes.size(); ++i) {
+        sizes[i] = make(("fontSize-" + QByteArray::number(fontSizes[i])).constData(), u"");
+        sizes[i]->setCheckable(true);
+        types->addAction(sizes[i]);
+    }
+    for (const report::KindRow& row : report::kinds()) {
+        reports.push_back(makeReport(row.kind));
+    }
+    buildMenus(window);
+    buildToolBar(window);
+    retranslate();
+}
+
+QAction* Actions::make(const char* name, const char16_t* icon, const QKeySequence& keys) {
+    auto* action = new QAction(this);
+    action->setObjectName(QString::fromLatin1(name));
+    const QStringView drawing(icon);
+    if (!drawing.isEmpty()) {
+        action->setIcon(themeIcon(drawing));
+    }
+    action->setShortcut(keys);
+    return action;
+}
+
+ReportActions Actions::makeReport(report::Kind kind) {
+    const auto of = [this, kind](const char* command, const char16_t* icon) {
+        const QByteArray name = QByteArray(command) + '-' + report::rowOf(kind).key;
+        return make(name.constData(), icon);
+    };
+    ReportActions made{kind,
+                       nullptr,
+                       of("preview", u""),
+                       of("print", u"print"),
+                       of("pdf", u"export"),
+                       of("html", u""),
+                       of("markdown", u"")};
+    if (reports.empty()) { // the first kind is what is printed day by day
+        made.print->setShortcut(QKeySequence::Print);
+    }
+    return made;
+}
+
+void Actions::buildMenus(QMainWindow& window) {
+    QMenuBar& bar = *window.menuBar();
+    m_file = bar.addMenu(QString());
+    m_new = m_file->addMenu(themeIcon(u"new"), QString());
+    m_new->addActions({newTraverse, newPlunge});
+    m_file->addActions({open, examples});
+    m_file->addSeparator();
+    m_file->addActions({save, saveAs, earlierVersions, recoverWork});
+    m_file->addSeparator();
+    for (ReportActions& report : reports) {
+        report.menu = m_file->addMenu(QString());
+        report.menu->addActions({report.preview, report.print});
+        report.menu->addSeparator();
+        report.menu->addActions({report.pdf, report.html, report.markdown});
+    }
+    m_file->addAction(exportResults);
+    m_file->addSeparator();
+    m_file->addAction(quit);
+    m_edit = bar.addMenu(QString());
+    QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (const QKeySequence usual(Qt::CTRL | Qt::Key_Y); !again.contains(usual)) {
+        again += usual;
+    }
+    redo->setShortcuts(again);
+    m_edit->addActions({undo, redo});
+    m_edit->addSeparator();
+    m_edit->addAction(keepRun);
+    buildViewMenu(bar);
+    m_help = bar.addMenu(QString());
+    m_help->addActions({help, helpContents, helpShortcuts, tour, log});
+    m_help->addSeparator();
+    m_help->addAction(about);
+}
+
+void Actions::buildViewMenu(QMenuBar& bar) {
+    m_view = bar.addMenu(QString());
+    m_views = m_view->addMenu(QString());
+    m_view->addActions({detach, nextPanel, previousPanel});
+    m_view->addSeparator();
+    m_language = m_view->addMenu(QString());
+    m_language->addActions({english, russian});
+    m_theme = m_view->addMenu(QString());
+    m_theme->addActions({themes.begin(), themes.end()});
+    m_fontSize = m_view->addMenu(QString());
+    m_fontSize->addActions({sizes.begin(), sizes.end()});
+    m_view->addSeparator();
+    m_view->addAction(resetLayout);
+}
+
+void Actions::buildToolBar(QMainWindow& window) {
+    m_bar = window.addToolBar(QString());
+    m_bar->setObjectName(QStringLiteral("toolBar"));
+    m_bar->setMovable(false);
+    m_bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_bar->setIconSize({metrics::icon, metrics::icon});
+    m_bar->addAction(m_new->menuAction());
+    m_bar->addActions({open, save});
+    m_bar->addSeparator();
+    m_bar->addActions({undo, redo});
+    m_bar->addSeparator();
+    m_bar->addAction(keepRun);
+    m_bar->addSeparator();
+    m_bar->addAction(examples);
+    if (auto* button = qobject_cast<QToolButton*>(m_bar->widgetForAction(m_new->menuAction()))) {
+        button->setPopupMode(QToolButton::InstantPopup);
+    }
+}
+
+void Actions::addDocks(const QList<QAction*>& toggles) {
+    m_view->addActions(toggles);
+}
+
+void Actions::addRecentFiles(QMenu* menu) {
+    m_file->insertMenu(examples, menu);
+}
+
+QList<QAction*> Actions::addViews(int count) {
+    for (int i = 0; i < count; ++i) {
+        const QKeySequence keys = i < 9 ? Qt::CTRL | Qt::Key(Qt::Key_1 + i) : QKeySequence();
+        QAction* action = make("", u"", keys);
+        m_views->addAction(action);
+        m_showViews += action;
+    }
+    return m_showViews;
+}
+
+void Actions::nameViews(const std::vector<View*>& views) {
+    for (int i = 0; i < m_showViews.size(); ++i) {
+        const View& view = *views[std::size_t(i)];
+        m_showViews[i]->setObjectName(QStringLiteral("show-") + view.objectName());
+        m_showViews[i]->setText(QStringLiteral("&%1 %2").arg(i + 1).arg(view.title()));
+    }
+}
+
+void Actions::follow(const Document& document, bool refusedText) {
+    undo->setEnabled(document.canUndo() || refusedText);
+    redo->setEnabled(document.canRedo());
+    const QString undone = refusedText ? tr("refused text") : document.undoText();
+    const QString redone = document.redoText();
+    undo->setText(undone.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(undone));
+    redo->setText(redone.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(redone));
+    undo->setIconText(tr("Undo"));
+    redo->setIconText(tr("Redo"));
+    nameShortcut(*undo);
+    nameShortcut(*redo);
+}
+
+void Actions::retranslate() {
+    m_file->setTitle(tr("&File"));
+    m_edit->setTitle(tr("&Edit"));
+    m_view->setTitle(tr("&View"));
+    m_help->setTitle(tr("&Help"));
+    m_new->setTitle(tr("&New"));
+    m_new->menuAction()->setToolTip(tr("New project"));
+    m_language->setTitle(tr("&Language"));
+    m_theme->setTitle(tr("&Theme"));
+    m_fontSize->setTitle(tr("&Font size"));
+    m_views->setTitle(tr("&Show a view"));
+    m_bar->setWindowTitle(tr("Tool bar"));
+    newTraverse->setText(tr("&Traverse grinding"));
+    newPlunge->setText(tr("&Plunge grinding"));
+    open->setText(tr("&Open…"));
+    examples->setText(tr("&Example gallery…"));
+    save->setText(tr("&Save"));
+    saveAs->setText(tr("Save &as…"));
+    earlierVersions->setText(tr("Earlier &versions…"));
+    recoverWork->setText(tr("Re&cover work…"));
+    for (const ReportActions& report : reports) {
+        report.menu->setTitle(report::menuText(report.kind));
+        report.preview->setText(tr("Print previe&w…"));
+        report.print->setText(tr("&Print…"));
+        report.pdf->setText(tr("Export P&DF…"));
+        report.html->setText(tr("Export &HTML…"));
+        report.markdown->setText(tr("Export &Markdown…"));
+    }
+    exportResults->setText(tr("Export resu&lts…"));
+    quit->setText(tr("&Quit"));
+    keepRun->setText(tr("&Keep the present run"));
+    english->setText(QStringLiteral("English"));
+    russian->setText(QStringLiteral("Русский"));
+    detach->setText(tr("&Detach or attach the view"));
+    nextPanel->setText(tr("&Next panel"));
+    previousPanel->setText(tr("&Previous panel"));
+    resetLayout->setText(tr("&Reset the layout"));
+    const QStringList names{tr("As the &system"), tr("&Light"), tr("&Dark"), tr("High &contrast")};
+    for (std::size_t i = 0; i < themes.size(); ++i) {
+        themes[i]->setText(names[qsizetype(i)]);
+    }
+    const QStringList types{tr("&Smaller"), tr("&Usual"), tr("&Larger"), tr("La&rgest")};
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        sizes[i]->setText(tr("%1: %2 %").arg(types[qsizetype(i)]).arg(fontSizes[i]));
+    }
+    help->setText(tr("&Help on what is in focus"));
+    helpContents->setText(tr("&Contents"));
+    helpShortcuts->setText(tr("&Keyboard shortcuts"));
+    tour->setText(tr("&Tour of the window"));
+    log->setText(tr("&Log"));
+    about->setText(tr("&About Sparkout"));
+}
+
+void Actions::showTheme(Theme theme) {
+    themes[std::size_t(std::ranges::find(allThemes, theme) - allThemes.begin())]->setChecked(true);
+}
+
+void Actions::showFontSize(int percent) {
+    const auto found = std::ranges::find(fontSizes, fontSizeFrom(percent));
+    sizes[std::size_t(found - fontSizes.begin())]->setChecked(true);
+}
+
+void Actions::showLanguage(const QString& code) {
+    (code == u"ru" ? russian : english)->setChecked(true);
+}
+
+} // namespace sparkout

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/font_size.h"
+#include "ui/kit/theme.h"
+#include "ui/report/documents/report_kinds.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include <array>
+#include <vector>
+
+class QMainWindow;
+class QMenuBar;
+class QToolBar;
+
+namespace sparkout {
+
+class Document;
+class View;
+
+/// The commands of one kind of report.
+struct ReportActions {
+    report::Kind kind;
+    QMenu* menu = nullptr;
+    QAction *preview, *print, *pdf, *html, *markdown;
+
+    [[nodiscard]] QList<QAction*> all() const { return {preview, print, pdf, html, markdown}; }
+};
+
+/// The commands of the window, their menus and the tool bar.
+class Actions : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Actions(QMainWindow& window);
+
+    void addDocks(const QList<QAction*>& toggles); ///< to the View menu
+    void addRecentFiles(QMenu* menu);              ///< to the File menu
+    /// An entry a view, with Ctrl and its number.
+    [[nodiscard]] QList<QAction*> addViews(int count);
+    /// What can be undone, and what it is called; a refused text is undone first.
+    void follow(const Document& document, bool refusedText);
+    void retranslate();
+    void showLanguage(const QString& code);
+    void showTheme(Theme theme);
+    void showFontSize(int percent);
+    void nameViews(const std::vector<View*>& views);
+
+    QAction* newTraverse;
+    QAction* newPlunge;
+    QAction* open;
+    QAction* examples;
+    QAction* save;
+    QAction* saveAs;
+    QAction* earlierVersions;
+    QAction* recoverWork;
+    std::vector<ReportActions> reports; ///< in the order of the table of kinds
+    QAction* exportResults;             ///< and trace, as tables
+    QAction* quit;
+    QAction* undo;
+    QAction* redo;
+    QAction* keepRun;
+    QAction* english;
+    QAction* russian;
+    std::array<QAction*, allThemes.size()> themes; ///< in the order of allThemes
+    std::array<QAction*, fontSizes.size()> sizes;  ///< in the order of fontSizes
+    QAction* detach;                               ///< or attach: the view in use
+    QAction* nextPanel;
+    QAction* previousPanel;
+    QAction* resetLayout;
+    QAction* help; ///< on what has the focus
+    QAction* helpContents;
+    QAction* helpShortcuts;
+    QAction* tour;
+    QAction* log;
+    QAction* about;
+
+private:
+    QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
+    [[nodiscard]] ReportActions makeReport(report::Kind kind);
+    void buildMenus(QMainWindow& window);
+    void buildViewMenu(QMenuBar& bar);
+    void buildToolBar(QMainWindow& window);
+
+    QMenu* m_file;
+    QMenu* m_edit;
+    QMenu* m_view;
+    QMenu* m_language;
+    QMenu* m_theme;
+    QMenu* m_fontSize;
+    QMenu* m_views;
+    QMenu* m_help;
+    QMenu* m_new;
+    QToolBar* m_bar;
+    QList<QAction*> m_showViews;
+};
+
+} // namespace sparkout

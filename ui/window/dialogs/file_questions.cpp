@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/dialogs/file_questions.h"
+
+#include "ui/session/document.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace sparkout {
+
+namespace {
+
+constexpr qsizetype linesShown = 6;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(FileQuestion)
+};
+
+/// A message box of plain text, so that no file name is taken for markup.
+class Question {
+public:
+    Question(QWidget* window, QMessageBox::Icon icon, const QString& title, const QString& text)
+        : m_box(icon, title, {}, QMessageBox::NoButton, window) {
+        m_box.setTextFormat(Qt::PlainText);
+        m_box.setText(text);
+    }
+
+    /// A long path may be broken after each slash.
+    void breakPath(const QString& path) {
+        const QString shown = printableText(path);
+        QString broken = shown;
+        broken.replace(u'/', QStringLiteral("/\u200b"));
+        m_box.setText(m_box.text().replace(shown, broken));
+    }
+
+    QAbstractButton* add(const QString& text, QMessageBox::ButtonRole role, const char* name) {
+        QAbstractButton* button = m_box.addButton(text, role);
+        button->setObjectName(QString::fromLatin1(name));
+        return button;
+    }
+    void addDefault(const QString& text, QMessageBox::ButtonRole role, const char* name) {
+        m_box.setDefaultButton(qobject_cast<QPushButton*>(add(text, role, name)));
+    }
+    void addCancel(const QString& text = Words::tr("&Cancel")) {
+        QAbstractButton* button = add(text, QMessageBox::RejectRole, "cancel");
+        m_box.setEscapeButton(button);
+        if (m_box.defaultButton() == nullptr) {
+            m_box.setDefaultButton(qobject_cast<QPushButton*>(button));
+        }
+    }
+
+    /// The name of the button that was chosen.
+    [[nodiscard]] QString ask() {
+        m_box.exec();
+        return m_box.clickedButton() ? m_box.clickedButton()->objectName() : QString();
+    }
+
+private:
+    QMessageBox m_box;
+};
+
+/// The first lines of a list under a heading.
+QString listed(const QString& heading, const QStringList& lines) {
+    QString text = QStringLiteral("\n\n") + heading;
+    for (const QString& line : lines.mid(0, linesShown)) {
+        text += QStringLiteral("\n• ") + line;
+    }
+    if (const qsizetype more = lines.size() - linesShown; more > 0) {
+        text += QStringLiteral("\n• ") + Words::tr("%n more", nullptr, int(more));
+    }
+    return text;
+}
+
+QString unsavedText(const Document& document, const QStringList& refused) {
+    const QString title = QString::fromStdString(document.project().title).simplified();
+    const QString path = document.filePath();
+    QString text = path.isEmpty() ? Words::tr("“%1” has never been saved. Save it?")
+                                        .arg(title.isEmpty() ? Words::tr("Untitled") : title)
+                                  : Words::tr("Save the changes to “%1”?").arg(printableText(path));
+    if (const QStringList edits = document.unsavedEdits(); !edits.isEmpty()) {
+        text += listed(Words::tr("Not saved:"), edits);
+    }
+    if (!refused.isEmpty()) {
+        text += listed(Words::tr("Refused texts, which no file will hold:"), refused);
+    }
+    return text;
+}
+
+} // namespace
+
+void showFailure(QWidget* window, const QString& title, const QString& text) {
+    Question question(window, QMessageBox::Critical, title, text);
+    question.addCancel(Words::tr("C&lose"));
+    (void)question.ask();
+}
+
+bool mayReplace(QWidget* window, const QString& path) {
+    Question question(window, QMessageBox::Question, Words::tr("Replace the file?"),
+                      Words::tr("“%1” exists already. Replace it?").arg(printableText(path)));
+    question.breakPath(path);
+    question.add(Words::tr("&Replace"), QMessageBox::AcceptRole, "replace");
+    question.addCancel();
+    return question.ask() == u"replace";
+}
+
+UnsavedAnswer askUnsaved(QWidget* window, const Document& document, const QStringList& refused) {
+    Question question(window, QMessageBox::Question, Words::tr("Unsaved changes"),
+                      unsavedText(document, refused));
+    if (!document.filePath().isEmpty()) {
+        question.breakPath(document.filePath());
+    }
+    question.addDefault(document.readOnly() ? Words::tr("&Save as…") : Words::tr("&Save"),
+                        QMessageBox::AcceptRole, "save");
+    question.add(Words::tr("&Do not save"), QMessageBox::DestructiveRole, "discard");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"save"      ? UnsavedAnswer::save
+           : answer == u"discard" ? UnsavedAnswer::discard
+                                  : UnsavedAnswer::cancel;
+}
+
+bool mayLoseRefused(QWidget* window, const QStringList& refused) {
+    Question question(window, QMessageBox::Question, Words::tr("Refused texts"),
+                      Words::tr("Everything else is saved, but what was refused is in no file. "
+                                "Go on without it?")
+                          + listed(Words::tr("Refused:"), refused));
+    question.add(Words::tr("&Go on"), QMessageBox::DestructiveRole, "discard");
+    question.addCancel(Words::tr("&Back to the fields"));
+    return question.ask() == u"discard";
+}
+
+QString holderText(const LockHolder& holder) {
+    const QString since = momentText(holder.since);
+    if (!holder.readable) {
+        return Words::tr("The lock file beside it cannot be understood; it belongs to the user %1 "
+                         "and is of %2.")
+            .arg(holder.user, since);
+    }
+    return Words::tr("User: %1\nComputer: %2\nProgram: %3, process %4\nSince: %5")
+        .arg(holder.user, printableText(holder.host), printableText(holder.program),
+             QString::number(holder.process), since);
+}
+
+LockedAnswer askLocked(QWidget* window, const QString& path, const LockHolder& holder) {
+    QString text = holder.readable
+                       ? Words::tr("“%1” is open already.").arg(printableText(path))
+                       : Words::tr("“%1” seems to be open already.").arg(printableText(path));
+    text += QStringLiteral("\n\n") + holderText(holder) + QStringLiteral("\n\n")
+            + Words::tr("Take it over only if nobody works in it any more.");
+    Question question(window, QMessageBox::Warning, Words::tr("The file is in use"), text);
+    question.breakPath(path);
+    question.addDefault(Words::tr("Open &read-only"), QMessageBox::AcceptRole, "readOnly");
+    question.add(Words::tr("Open a co&py"), QMessageBox::AcceptRole, "copy");
+    question.add(Words::tr("&Take over"), QMessageBox::DestructiveRole, "takeOver");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"readOnly"   ? LockedAnswer::readOnly
+           : answer == u"copy"     ? LockedAnswer::copy
+           : answer == u"takeOver" ? LockedAnswer::takeOver
+                                   : LockedAnswer::cancel;
+}
+
+namespace {
+
+SaveAnswer saveAnswer(const QString& answer) {
+    return answer == u"proceed"     ? SaveAnswer::proceed
+           : answer == u"elsewhere" ? SaveAnswer::elsewhere
+           : answer == u"reload"    ? SaveAnswer::reload
+                                    : SaveAnswer::cancel;
+}
+
+} // namespace
+
+SaveAnswer askChangedOutside(QWidget* window, const QString& path, bool missing) {
+    Question question(
+        window, QMessageBox::Warning, Words::tr("Changed outside"),
+        missing ? Words::tr("“%1” has been removed or renamed since it was opened.")
+                      .arg(printableText(path))
+                : Words::tr("“%1” was changed by another program since it was opened.\n\nSaving "
+                            "replaces that version; it is kept as the previous one.\nReloading "
+                            "takes that version; your changes stay in Undo.")
+                      .arg(printableText(path)));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"),
+                 missing ? QMessageBox::AcceptRole : QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    if (!missing) {
+        question.add(Words::tr("&Reload"), QMessageBox::AcceptRole, "reload");
+    }
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+SaveAnswer askSaveLocked(QWidget* window, const QString& path, const LockHolder& holder) {
+    Question question(window, QMessageBox::Warning, Words::tr("The file is in use"),
+                      Words::tr("“%1” is open in another window.").arg(printableText(path))
+                          + QStringLiteral("\n\n") + holderText(holder));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+SaveAnswer askHardLinks(QWidget* window, const QString& path, std::uint64_t links) {
+    Question question(window, QMessageBox::Warning, Words::tr("The file has several names"),
+                      Words::tr("“%1” has %n other names (hard links). They will keep the old text "
+                                "and no longer be the same file.",
+                                nullptr, int(links) - 1)
+                          .arg(printableText(path)));
+    question.breakPath(path);
+    question.add(Words::tr("Save an&yway"), QMessageBox::DestructiveRole, "proceed");
+    question.addDefault(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    return saveAnswer(question.ask());
+}
+
+FailureAnswer askSaveFailed(QWidget* window, const FileError& error) {
+    Question question(window, QMessageBox::Critical, Words::tr("The project was not saved"),
+                      saveErrorText(error) + QStringLiteral("\n\n")
+                          + Words::tr("The project in the window is unchanged and still counts as "
+                                      "not saved."));
+    question.breakPath(QString::fromStdString(error.path));
+    question.addDefault(Words::tr("&Try again"), QMessageBox::AcceptRole, "again");
+    question.add(Words::tr("Save &as…"), QMessageBox::AcceptRole, "elsewhere");
+    question.addCancel();
+    const QString answer = question.ask();
+    return answer == u"again"       ? FailureAnswer::again
+           : answer == u"elsewhere" ? FailureAnswer::elsewhere
+                                    : FailureAnswer::cancel;
+}
+
+} // namespace sparkout

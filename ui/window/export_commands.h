@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/window/dialogs/export_dialog.h"
+
+#include <QObject>
+
+class QWidget;
+
+namespace sparkout {
+
+class Settings;
+
+/// The command that writes a result and its trace into a file.
+class ExportCommands : public QObject {
+    Q_OBJECT
+
+public:
+    /// `outcome` gives that of the inputs of now, `studies` what the views show beside it.
+    ExportCommands(std::function<OutcomePtr()> outcome,
+                   std::function<std::vector<StudyOffer>()> studies, Settings& settings,
+                   QWidget* window);
+
+    void exportResults();
+
+private:
+    std::function<OutcomePtr()> m_outcome;
+    std::function<std::vector<StudyOffer>()> m_studies;
+    Settings& m_settings;
+    QWidget* m_window;
+    ExportFormat m_format = ExportFormat::xlsx; ///< the last one chosen
+};
+
+} // namespace sparkout

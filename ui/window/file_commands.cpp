@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/file_commands.h"
+
+#include "core/study/operation.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/dialogs/watched_work.h"
+#include "ui/session/document.h"
+#include "ui/session/program_log.h"
+#include "ui/session/settings.h"
+#include "ui/text/texts.h"
+#include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/dialogs/versions_dialog.h"
+#include "ui/window/notice_bar.h"
+#include "ui/window/recent_files_menu.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <stop_token>
+#include <utility>
+
+namespace sparkout {
+
+namespace {
+
+/// Nobody works in a shipped example: it is locked only once it is saved to.
+bool isExample(const QByteArray& hash) {
+    const QStringList paths = ExamplesDialog::paths();
+    return std::any_of(paths.begin(), paths.end(), [&](const QString& path) {
+        const QByteArray text = ExamplesDialog::textOf(path);
+        return contentHash({text.constData(), std::size_t(text.size())}) == hash;
+    });
+}
+
+} // namespace
+
+FileCommands::FileCommands(Document& document, Settings& settings, QWidget* window)
+    : QObject(window)
+    , m_document(document)
+    , m_settings(settings)
+    , m_window(window)
+    , m_notices(new NoticeBar(window))
+    , m_recent(new RecentFilesMenu(settings, window))
+    , m_guard(document) {
+    connect(m_recent, &RecentFilesMenu::chosen, this, &FileCommands::openInstead);
+    connectNotices();
+    m_window->installEventFilter(this);
+}
+
+FileCommands::~FileCommands() = default;
+
+void FileCommands::protect(const QString& stateFolder, Autosave::Times times) {
+    m_guard.protect(stateFolder, times);
+}
+
+void FileCommands::start(const QString& file) {
+    tellDamagedSettings();
+    if (m_guard.recovery() != nullptr) {
+        m_guard.recovery()->removeOldDiscarded(QDateTime::currentDateTimeUtc());
+    }
+    const bool recovered = offerRecovery(false);
+    const bool isOpen = recovered && realPath(file) == realPath(m_document.filePath());
+    if (!file.isEmpty() && !isOpen) {
+        openInstead(file);
+    }
+}
+
+/// Runs work on a disk without freezing the window.
+void FileCommands::aside(const std::function<void()>& work) {
+    m_busy = true;
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    runAside(work);
+    QGuiApplication::restoreOverrideCursor();
+    m_busy = false;
+}
+
+void FileCommands::startNew(Operation operation) {
+    if (mayDiscard()) {
+        m_document.startUntitled(newProject(operation));
+    }
+}
+
+void FileCommands::open() {
+    const QString path =
+        QFileDialog::getOpenFileName(m_window, tr("Open a project"), m_settings.lastFolder(),
+                                     tr("Sparkout projects (*.sparkout);;All files (*)"));
+    if (!path.isEmpty()) {
+        openInstead(path);
+    }
+}
+
+void FileCommands::openInstead(const QString& path) {
+    if (!m_busy && mayDiscard()) {
+        openFile(path);
+    }
+}
+
+std::optional<FileCommands::Opening> FileCommands::wayToOpen(const QString& path) {
+    switch (m_guard.claim(path)) {
+    case FileGuard::Access::write: return Opening::write;
+    case FileGuard::Access::readOnly: return Opening::readOnly;
+    case FileGuard::Access::conflict: break;
+    }
+    switch (askLocked(m_window, path, m_guard.holder())) {
+    case LockedAnswer::readOnly: return Opening::readOnly;
+    case LockedAnswer::copy: return Opening::copy;
+    case LockedAnswer::takeOver:
+        return m_guard.takeOver() == FileGuard::Access::write ? Opening::write : Opening::readOnly;
+    case LockedAnswer::cancel: break;
+    }
+    m_guard.dropClaim();
+    return {};
+}
+
+bool FileCommands::openFile(const QString& given) {
+    const QString path = QFileInfo(given).absoluteFilePath();
+    const auto opening = wayToOpen(path); // first, or somebody could save while this one reads
+    if (!opening) {
+        return false;
+    }
+    LoadedProject loaded;
+    std::stop_source stop;
+    m_busy = true;
+    const bool read = runWatched(
+        m_window, tr("Opening %1").arg(printableText(QFileInfo(path).fileName())),
+        [&](const KeepGoing&) { loaded = loadProject(path, stop.get_token()); }, stop);
+    m_busy = false;
+    if (!read) {
+        m_guard.dropClaim();
+        return false;
+    }
+    if (loaded.project) {
+        take(std::move(loaded), path, *opening);
+        return true;
+    }
+    m_guard.dropClaim();
+    if (loaded.error) {
+        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
+    } else {
+        FaultsDialog(path, loaded.issues, m_window).exec();
+    }
+    return false;
+}
+
+void FileCommands::take(LoadedProject loaded, const QString& path, Opening opening) {
+    if (opening == Opening::copy) {
+        m_guard.dropClaim();
+        m_document.startUntitled(std::move(*loaded.project));
+    } else {
+        m_document.take(std::move(*loaded.project), path, loaded.hash,
+                        opening == Opening::readOnly);
+    }
+    if (isExample(loaded.hash)) {
+        m_guard.unlock();
+    }
+    remember(path);
+    ProgramLog::note(tr("Opened: %1").arg(printableText(path)));
+    tellOpened(loaded.issues);
+}
+
+void FileCommands::remember(const QString& path) {
+    m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    m_settings.addRecentFile(path);
+    m_recent->fill();
+}
+
+void FileCommands::openExample() {
+    ExamplesDialog dialog(m_window);
+    if (dialog.exec() != QDialog::Accepted || !mayDiscard()) {
+        return;
+    }
+    const Issues issues = m_document.openCopy(dialog.chosenText());
+    if (hasErrors(issues)) {
+        FaultsDialog(dialog.chosenTitle(), issues, m_window).exec();
+    }
+}
+
+void FileCommands::openEarlierVersion() {
+    const QString project = m_document.filePath();
+    std::vector<EarlierVersion> versions;
+    if (m_guard.history() != nullptr && !project.isEmpty()) {
+        versions = earlierVersions(*m_guard.history(), project);
+    }
+    VersionsDialog dialog(project.isEmpty() ? tr("Untitled") : project, std::move(versions),
+                          m_window);
+    if (dialog.exec() == QDialog::Accepted && mayDiscard()) {
+        openAsCopy(dialog.chosenFile());
+    }
+}
+
+bool FileCommands::openAsCopy(const QString& path) {
+    LoadedProject loaded;
+    aside([&] { loaded = loadProject(path); });
+    if (loaded.project) {
+        m_document.startUntitled(std::move(*loaded.project));
+        return true;
+    }
+    if (loaded.error) {
+        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
+    } else {
+        FaultsDialog(path, loaded.issues, m_window).exec();
+    }
+    return false;
+}
+
+bool FileCommands::mayDiscard() {
+    const QStringList refused = m_refused();
+    if (!m_document.modified()) {
+        return refused.isEmpty() || mayLoseRefused(m_window, refused);
+    }
+    switch (askUnsaved(m_window, m_document, refused)) {
+    case UnsavedAnswer::save: return save();
+    case UnsavedAnswer::discard:
+        if (m_guard.autosave() != nullptr) {
+            m_guard.autosave()->flush(); // it goes to the discarded ones with the last keystroke
+        }
+        return true;
+    case UnsavedAnswer::cancel: break;
+    }
+    return false;
+}
+
+bool FileCommands::mayClose() {
+    if (m_busy || !mayDiscard()) {
+        return false;
+    }
+    if (m_guard.autosave() != nullptr) {
+        m_guard.autosave()->discard();
+    }
+    return true;
+}
+
+/// Coming back to the window is the moment to look where the system tells nothing of changes.
+bool FileCommands::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_window && event->type() == QEvent::WindowActivate) {
+        m_guard.watch().check();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace sparkout

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/kit/theme.h"
+#include "ui/session/cycle_cursor.h"
+#include "ui/session/document.h"
+#include "ui/session/run_controller.h"
+#include "ui/session/settings.h"
+#include "ui/text/language.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <vector>
+
+class QDockWidget;
+class QLabel;
+
+namespace sparkout {
+
+class Actions;
+class BatchView;
+class ConstraintsView;
+class FeedsView;
+class FileCommands;
+class HelpDesk;
+class InputsPanel;
+class KeptRuns;
+class MessagesPanel;
+class PanelWidths;
+class PlaybackBar;
+class ProfilesView;
+class RunKeeper;
+class StepSheet;
+class VerdictPanel;
+class View;
+class ViewTabs;
+
+/// The workbench: inputs, views, verdict and messages around one document.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(Settings& settings, Language& language, RunController::Runner runner = evaluate);
+    ~MainWindow() override;
+
+    [[nodiscard]] Document& document() { return m_document; }
+    [[nodiscard]] const RunController& runs() const { return m_runs; }
+    [[nodiscard]] InputsPanel& inputs() { return *m_inputs; }
+    [[nodiscard]] MessagesPanel& messages() { return *m_messages; }
+    [[nodiscard]] FileCommands& files() { return *m_files; }
+    [[nodiscard]] const std::vector<View*>& views() const; ///< in the order of their tabs
+    [[nodiscard]] ViewTabs& viewTabs() { return *m_tabs; }
+    bool showView(const QString& name); ///< by object name or number from 1; false when none
+    [[nodiscard]] OutcomePtr outcome() const { return m_outcome; }
+    [[nodiscard]] HelpDesk& help() { return *m_help; }
+    [[nodiscard]] CycleCursor& cursor() { return m_cursor; }
+
+signals:
+    void outcomeShown(); ///< the views have been given a new outcome
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildViews();
+    void putGauge(double position_mm); ///< from the headstock end of the ground length
+    void buildDocks();
+    QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
+    void connectActions();
+    void connectReports();
+    void connectDocument();
+    void restoreWindow();
+    void resetLayout();
+    void fitPanels(); ///< beside the views, to the width that they need
+    void setLanguage(const QString& code);
+    void setTheme(Theme theme);
+    void setFontSize(int percent);
+    void recolour();
+    void movePanel(int by);
+    void toggleDetached();
+    void saveWindow();
+    void showOutcome(const OutcomePtr& outcome);
+    void showRequirement(const ConstraintResult& requirement);
+    void showTitle();
+    void tell(const QString& text); ///< for some seconds, in the status bar
+    void showStatus();
+    void retranslate();
+
+    Settings& m_settings;
+    Language& m_language;
+    Document m_document;
+    OutcomePtr m_outcome;
+    CycleCursor m_cursor;
+    KeptRuns* m_kept;
+    InputsPanel* m_inputs;
+    ViewTabs* m_tabs;
+    FeedsView* m_feeds;
+    ProfilesView* m_profiles;
+    ConstraintsView* m_constraints;
+    BatchView* m_batch = nullptr;
+    VerdictPanel* m_verdict;
+    MessagesPanel* m_messages;
+    PlaybackBar* m_playback;
+    StepSheet* m_sheet;
+    QDockWidget* m_inputsDock = nullptr;
+    QDockWidget* m_verdictDock = nullptr;
+    QDockWidget* m_messagesDock = nullptr;
+    QDockWidget* m_sheetDock = nullptr;
+    PanelWidths* m_widths = nullptr;
+    QLabel* m_status;
+    QLabel* m_time;
+    Actions* m_actions;
+    FileCommands* m_files;
+    RunKeeper* m_keeper = nullptr;
+    HelpDesk* m_help;
+    QTimer m_recolour;
+    QTimer m_refusalsTimer; ///< gathers many remarks of one edit
+    RunController m_runs;   ///< last: stopped before anything it reports to is gone
+};
+
+} // namespace sparkout

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/operation_notice.h"
+
+#include "core/study/operation.h"
+#include "ui/text/operation_changes.h"
+#include "ui/window/notice_bar.h"
+
+#include <QCoreApplication>
+
+namespace sparkout {
+
+namespace {
+
+const QString operationKey = QStringLiteral("operation");
+
+QString sentence(const Project& before, const Project& after) {
+    const bool shortened = after.part.length_mm < before.part.length_mm;
+    return after.operation == Operation::plunge && shortened
+               ? QCoreApplication::translate("OperationNotice",
+                                             "A plunge grinds no more than the wheel covers. With "
+                                             "the operation these inputs changed: %1.")
+               : QCoreApplication::translate("OperationNotice",
+                                             "With the operation these inputs changed: %1.");
+}
+
+} // namespace
+
+void tellOperation(NoticeBar& notices, const Project& before, const Project& after) {
+    if (before.operation == after.operation) {
+        return;
+    }
+    dropOperationNotice(notices);
+    if (changesOfOperation(before, after).isEmpty()) {
+        return;
+    }
+    const auto text = [before, after] {
+        return sentence(before, after)
+            .arg(changesOfOperation(before, after).join(QStringLiteral("; ")));
+    };
+    notices.add({operationKey, Mark::warning, text, {}});
+}
+
+void dropOperationNotice(NoticeBar& notices) {
+    notices.remove(operationKey);
+}
+
+} // namespace sparkout

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/panel_widths.h"
+
+#include <QDataStream>
+#include <QDockWidget>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QIODevice>
+#include <QMainWindow>
+
+#include <algorithm>
+#include <utility>
+
+namespace sparkout {
+
+PanelWidths::PanelWidths(QMainWindow& window, QList<QDockWidget*> panels)
+    : QObject(&window), m_window(window), m_panels(std::move(panels)) {
+    m_later.setSingleShot(true);
+    m_later.setInterval(0);
+    connect(&m_later, &QTimer::timeout, this, &PanelWidths::restore);
+    m_window.installEventFilter(this);
+    m_window.centralWidget()->installEventFilter(this);
+    for (QDockWidget* panel : m_panels) {
+        connect(panel, &QDockWidget::dockLocationChanged, this, [this, panel] {
+            if (stands(*panel)) { // as wide as it has been made there
+                m_wanted[panel] = std::max(m_wanted.value(panel), panel->width());
+            }
+        });
+    }
+}
+
+bool PanelWidths::stands(const QDockWidget& panel) const {
+    const Qt::DockWidgetArea area = m_window.dockWidgetArea(const_cast<QDockWidget*>(&panel));
+    return panel.isVisible() && !panel.isFloating()
+           && (area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea);
+}
+
+std::vector<int> PanelWidths::widths() const {
+    std::vector<int> found{m_window.width(), m_window.centralWidget()->minimumSizeHint().width()};
+    for (const QDockWidget* panel : m_panels) {
+        found.push_back(stands(*panel) ? panel->width() : -1);
+        found.push_back(m_wanted.value(panel));
+        found.push_back(panel->minimumSizeHint().width());
+    }
+    return found;
+}
+
+void PanelWidths::want(QDockWidget* panel, int width) {
+    m_wanted[panel] = width;
+    m_window.resizeDocks({panel}, {std::max(width, panel->minimumSizeHint().width())},
+                         Qt::Horizontal);
+    m_later.start();
+}
+
+void PanelWidths::takeOver(QDockWidget* panel) {
+    if (stands(*panel)) {
+        m_wanted[panel] = panel->width();
+    }
+}
+
+/// What was pressed before, and is as narrow as it was, is wanted as it was.
+void PanelWidths::takeOverDragged() {
+    for (QDockWidget* panel : m_panels) {
+        if (m_pressed.value(panel) != panel->width()) {
+            takeOver(panel);
+        }
+    }
+}
+
+void PanelWidths::takeOverWhenShown() {
+    m_restored = true;
+}
+
+QByteArray PanelWidths::saveState() const {
+    QByteArray state;
+    QDataStream stream(&state, QIODevice::WriteOnly);
+    stream.setVersion(QDataStream::Qt_6_0);
+    for (const QDockWidget* panel : m_panels) {
+        stream << qint32(m_wanted.value(panel));
+    }
+    return state;
+}
+
+bool PanelWidths::restoreState(const QByteArray& state) {
+    QDataStream stream(state);
+    stream.setVersion(QDataStream::Qt_6_0);
+    QHash<const QDockWidget*, int> wanted;
+    for (const QDockWidget* panel : m_panels) {
+        qint32 width = 0;
+        stream >> width;
+        if (stream.status() != QDataStream::Ok || width < 0 || width > QWIDGETSIZE_MAX) {
+            return false;
+        }
+        wanted[panel] = width;
+    }
+    m_wanted = wanted;
+    m_later.start();
+    return true;
+}
+
+void PanelWidths::restore() {
+    m_dragging = m_dragging && QGuiApplication::mouseButtons() != Qt::NoButton;
+    if (std::exchange(m_released, false)) { // by now the last move of the mouse has had its effect
+        takeOverDragged();
+    }
+    if (m_dragging || !m_window.isVisible() || m_tried == widths()) {
+        return;
+    }
+    if (std::exchange(m_restored, false)) {
+        std::ranges::for_each(m_panels, [this](QDockWidget* panel) { takeOver(panel); });
+    }
+    m_tried = widths(); // what cannot be had now is not tried again and again
+    const QWidget& middle = *m_window.centralWidget();
+    int room = middle.width() - middle.minimumSizeHint().width(); // none is taken from each other
+    QList<QDockWidget*> changed;
+    QList<int> wanted;
+    const auto change = [&](QDockWidget* panel, int width) {
+        changed << panel;
+        wanted << width;
+        room -= width - panel->width();
+    };
+    for (QDockWidget* panel : m_panels) {
+        const int most = std::max(m_wanted.value(panel), panel->minimumSizeHint().width());
+        if (stands(*panel) && panel->width() > most) {
+            change(panel, most);
+        }
+    }
+    for (QDockWidget* panel : m_panels) {
+        const int missing = stands(*panel) ? m_wanted.value(panel) - panel->width() : 0;
+        if (missing > 0 && room > 0) {
+            change(panel, panel->width() + std::min(missing, room));
+        }
+    }
+    if (!changed.isEmpty()) {
+        m_window.resizeDocks(changed, wanted, Qt::Horizontal);
+    }
+}
+
+bool PanelWidths::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::MouseButtonPress: // the window's own are those of its separators
+        if (watched == &m_window) {
+            m_dragging = true;
+            for (const QDockWidget* panel : m_panels) {
+                m_pressed[panel] = panel->width();
+            }
+        }
+        break;
+    case QEvent::MouseButtonRelease:
+        if (watched == &m_window && std::exchange(m_dragging, false)) {
+            m_released = true;
+            m_later.start();
+        }
+        break;
+    case QEvent::Resize:
+    case QEvent::LayoutRequest:
+    case QEvent::Show: m_later.start(); break;
+    default: break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace sparkout

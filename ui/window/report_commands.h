@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/report/documents/report_kinds.h"
+#include "ui/report/format/report_text.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+class QPrinter;
+class QWidget;
+
+namespace sparkout {
+
+class CycleCursor;
+class Settings;
+
+/// The commands that print a report, show it before, or write it into a file.
+class ReportCommands : public QObject {
+    Q_OBJECT
+
+public:
+    /// What is to be reported: an outcome, the path of its project, and the batch that the window
+    /// shows, if any: it may be of other inputs.
+    struct Subject {
+        OutcomePtr outcome;
+        QString file;
+        BatchOutcomePtr batch;
+        const CycleCursor* cycle = nullptr; ///< where the window's cycle stands
+    };
+
+    ReportCommands(std::function<Subject()> subject, Settings& settings, QWidget* window);
+
+    void preview(report::Kind kind);
+    void print(report::Kind kind);
+    void exportReport(report::Kind kind, report::Format format);
+
+private:
+    /// The report of now; nothing when there is no result, which is said, or its batch was stopped.
+    [[nodiscard]] std::optional<report::Report> reportOfNow(report::Kind kind);
+    /// Takes the batch that is shown, or runs one; false: none, and the user knows.
+    [[nodiscard]] bool addBatch(report::Subject& subject, const BatchOutcomePtr& shown);
+
+    /// Asks what the hand-out is to have; false: not to make one.
+    [[nodiscard]] bool chooseHandout(report::Subject& subject, const CycleCursor& cycle);
+
+    std::function<Subject()> m_subject;
+    Settings& m_settings;
+    QWidget* m_window;
+};
+
+} // namespace sparkout
