@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/project_object.h"
+
+#include "core/files/safe_file.h"
+#include "core/project/project_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <map>
+#include <variant>
+
+namespace sparkout::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// Owned by the module.
+PyObject* projectError = nullptr;
+
+std::string sentenceOf(const Issue& issue) {
+    return fillTemplate(issueTemplate(issue.code), issue);
+}
+
+std::string lineOf(const Issue& issue) {
+    return (issue.path.empty() ? std::string() : issue.path + ": ") + sentenceOf(issue);
+}
+
+/// Raises OSError with errno and the path, as Python's own open() does.
+[[noreturn]] void raiseFileError(const FileError& error) {
+    if (error.systemError != 0) {
+        errno = error.systemError;
+        PyErr_SetFromErrnoWithFilename(PyExc_OSError, error.path.c_str());
+    } else {
+        PyErr_SetString(PyExc_OSError, (error.path + ": " + fileStepText(error.step)).c_str());
+    }
+    throw py::error_already_set();
+}
+
+ValidProject readPath(const std::filesystem::path& path) {
+    const auto read = readFile(path, limits::fileBytes);
+    if (const auto* error = std::get_if<FileError>(&read)) {
+        raiseFileError(*error);
+    }
+    return readText(std::get<std::string>(read));
+}
+
+void writePath(const ValidProject& self, const std::filesystem::path& path) {
+    if (const auto error = writeFileSafely(path, writeProject(self.project))) {
+        raiseFileError(*error);
+    }
+}
+
+py::object toPython(const nlohmann::ordered_json& json) {
+    return py::module_::import("json").attr("loads")(json.dump());
+}
+
+nlohmann::ordered_json fromPython(const py::object& value) {
+    const auto text = py::module_::import("json").attr("dumps")(value).cast<std::string>();
+    return nlohmann::ordered_json::parse(text);
+}
+
+nlohmann::ordered_json::json_pointer pointerTo(const std::string& path) {
+    try {
+        return nlohmann::ordered_json::json_pointer(path);
+    } catch (const nlohmann::json::exception&) {
+        throw py::key_error(path);
+    }
+}
+
+py::object valueAt(const ValidProject& self, const std::string& path) {
+    const auto json = nlohmann::ordered_json::parse(writeProject(self.project));
+    const auto pointer = pointerTo(path);
+    if (!json.contains(pointer)) {
+        throw py::key_error(path);
+    }
+    return toPython(json.at(pointer));
+}
+
+ValidProject withValues(const ValidProject& self, const std::map<std::string, py::object>& values) {
+    auto json = nlohmann::ordered_json::parse(writeProject(self.project));
+    for (const auto& [path, value] : values) {
+        try {
+            json[pointerTo(path)] = fromPython(value);
+        } catch (const nlohmann::json::exception&) { // beyond a value or the end of a list
+            throw py::key_error(path);
+        }
+    }
+    return readText(json.dump());
+}
+
+} // namespace
+
+void raiseFaults(const Issues& issues) {
+    std::string text;
+    for (const Issue& issue : issues) {
+        text += (text.empty() ? "" : "\n") + lineOf(issue);
+    }
+    const auto type = py::reinterpret_borrow<py::object>(projectError);
+    py::object error = type(text);
+    error.attr("issues") = py::cast(issues);
+    PyErr_SetObject(projectError, error.ptr());
+    throw py::error_already_set();
+}
+
+ValidProject readText(const std::string& text) {
+    ReadResult read = readProject(text);
+    if (!read.project) {
+        raiseFaults(read.issues);
+    }
+    return {std::move(*read.project), std::move(read.issues)};
+}
+
+void bindProject(py::module_& module) {
+    projectError = PyErr_NewExceptionWithDoc(
+        "sparkout.ProjectError",
+        "A project is refused. `issues` has the faults: path, value, limit, text.",
+        PyExc_ValueError, nullptr);
+    module.add_object("ProjectError", py::reinterpret_borrow<py::object>(projectError));
+
+    py::class_<Issue>(module, "Issue", "A fault of an input, or a warning.")
+        .def_readonly("path", &Issue::path, "JSON pointer of the input, \"/wheel/width_mm\"")
+        .def_readonly("value", &Issue::value, "what stands there")
+        .def_readonly("limit", &Issue::limit, "what is allowed there")
+        .def_property_readonly("is_error",
+                               [](const Issue& self) { return self.severity == Severity::error; })
+        .def_property_readonly("text", &sentenceOf, "value and limit in a sentence")
+        .def("__repr__", [](const Issue& self) { return "<sparkout.Issue " + lineOf(self) + '>'; });
+
+    py::class_<ValidProject>(module, "Project",
+                             "The inputs of a cycle, checked: one that is refused cannot be made.")
+        .def(py::init(&readText), py::arg("text"), "From the text of a project file.")
+        .def_static("read", &readPath, py::arg("path"), "From a project file.")
+        .def("write", &writePath, py::arg("path"),
+             "Writes a project file: whatever fails, the path holds the old or the new bytes.")
+        .def("to_text", [](const ValidProject& self) { return writeProject(self.project); })
+        .def(
+            "to_dict",
+            [](const ValidProject& self) {
+                return toPython(nlohmann::ordered_json::parse(writeProject(self.project)));
+            },
+            "As the project file has it.")
+        .def("__getitem__", &valueAt, py::arg("path"),
+             "The value at a JSON pointer: project[\"/wheel/dullness\"].")
+        .def("with_values", &withValues, py::arg("values"),
+             "Another project with these values, by JSON pointer.")
+        .def_readonly("warnings", &ValidProject::warnings)
+        .def("__eq__", [](const ValidProject& self, const ValidProject& other) {
+            return sameProject(self.project, other.project);
+        });
+}
+
+} // namespace sparkout::python

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+#include "core/project/project.h"
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+namespace sparkout::python {
+
+/// A project that has no error: it can be run.
+struct ValidProject {
+    Project project;
+    Issues warnings;
+};
+
+/// Reads the text of a project file. Raises ProjectError.
+[[nodiscard]] ValidProject readText(const std::string& text);
+
+/// Project, Issue and ProjectError.
+void bindProject(pybind11::module_& module);
+
+/// Raises ProjectError with these faults.
+[[noreturn]] void raiseFaults(const Issues& issues);
+
+} // namespace sparkout::python

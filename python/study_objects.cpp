@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "python/study_objects.h"
+
+#include "core/quality/result_names.h"
+#include "core/sparkout.h"
+#include "python/arrays.h"
+#include "python/interruptible.h"
+#include "python/project_object.h"
+
+#include <pybind11/stl.h>
+
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace sparkout::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string placeOf(Zone zone, int section) {
+    return section < 0 ? "part" : sectionName(zone, section);
+}
+
+// --- one cycle ----------------------------------------------------------------------------------
+
+struct Evaluation {
+    OutcomePtr outcome;
+    std::string json; ///< as `sparkout-cli simulate --json` has it
+
+    [[nodiscard]] const SimulationResult& result() const { return outcome->result; }
+};
+
+Evaluation evaluateProject(const ValidProject& project) {
+    return interruptible([&](const std::stop_token& stop) {
+        Evaluation evaluation{evaluate(project.project, stop), {}};
+        if (evaluation.outcome) {
+            evaluation.json = resultJson(evaluation.result(), evaluation.outcome->constraints);
+        }
+        return evaluation;
+    });
+}
+
+py::dict sectionDict(const SectionResult& section, int number, double nominal_mm) {
+    using namespace py::literals;
+    return py::dict("where"_a = sectionName(section.zone, number),
+                    "position_mm"_a = section.position_mm,
+                    "compliance_mm_per_n"_a = section.compliance_mm_per_n,
+                    "radii_mm"_a = arrayOf(section.radii_mm),
+                    "diameter_min_mm"_a = nominal_mm + section.diameterDeviationMin_mm,
+                    "diameter_max_mm"_a = nominal_mm + section.diameterDeviationMax_mm,
+                    "radial_runout_mm"_a = section.radialRunout_mm,
+                    "peak_normal_force_n"_a = section.peakNormalForce_n);
+}
+
+py::list sectionsOf(const Evaluation& self) {
+    py::list list;
+    int number = 0;
+    for (const SectionResult& section : self.result().sections) {
+        list.append(sectionDict(section, number++, self.result().project.part.diameter_mm));
+    }
+    return list;
+}
+
+py::list requirementsOf(const Evaluation& self) {
+    using namespace py::literals;
+    py::list list;
+    for (const ConstraintResult& each : self.outcome->constraints) {
+        list.append(py::dict("name"_a = constraintName(each.kind),
+                             "where"_a = placeOf(each.zone, each.section),
+                             "unit"_a = constraintUnit(each.kind), "holds"_a = each.holds,
+                             "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
+                             "margin"_a = each.isWhole ? each.margin : none));
+    }
+    return list;
+}
+
+/// Of a zone or section, double stroke by double stroke or revolution by revolution.
+py::dict feedsDict(const FeedPoints& points) {
+    py::dict dict;
+    const auto add = [&](const char* name, auto of) { dict[name] = arrayOfEach(points, of); };
+    add("count", [](const FeedPoint& p) { return p.place.cycleCount; });
+    add("stage", [](const FeedPoint& p) { return p.place.stage; });
+    add("start_s", [](const FeedPoint& p) { return p.start_s; });
+    add("end_s", [](const FeedPoint& p) { return p.end_s; });
+    add("programmed_um", [](const FeedPoint& p) { return p.programmed_um.mean; });
+    add("actual_um", [](const FeedPoint& p) { return p.actual_um.mean; });
+    add("actual_min_um", [](const FeedPoint& p) { return p.actual_um.min; });
+    add("actual_max_um", [](const FeedPoint& p) { return p.actual_um.max; });
+    add("programmed_sum_um", [](const FeedPoint& p) { return p.programmedSum_um.mean; });
+    add("actual_sum_um", [](const FeedPoint& p) { return p.actualSum_um.mean; });
+    add("left_um", [](const FeedPoint& p) { return p.left_um.mean; });
+    add("force_n", [](const FeedPoint& p) { return p.force_n.mean; });
+    return dict;
+}
+
+py::dict feedsOf(const Evaluation& self) {
+    py::dict dict;
+    for (const FeedColumn& column : self.outcome->feeds.columns) {
+        dict[py::str(sectionName(column.zone, column.section))] = feedsDict(column.strokes);
+    }
+    return dict;
+}
+
+/// Every visit of a radius, column by column.
+py::dict traceOf(const Evaluation& self) {
+    const Trajectory& trajectory = self.outcome->trajectory;
+    if (self.result().visits > maxRecordedVisits) {
+        throw py::value_error("the trace would have " + std::to_string(self.result().visits)
+                              + " rows; allowed: at most " + std::to_string(maxRecordedVisits));
+    }
+    const auto radii = static_cast<std::size_t>(trajectory.radii);
+    std::vector<double> section, stage, radius;
+    for (std::size_t i = 0; i < trajectory.visits.size(); ++i) {
+        const Place& at = trajectory.passes[i / radii].place;
+        section.push_back(at.zone == Zone::section ? at.section : static_cast<int>(at.zone));
+        stage.push_back(at.stage);
+        radius.push_back(static_cast<double>(i % radii));
+    }
+    const auto& visits = trajectory.visits;
+    py::dict dict;
+    dict["section"] = arrayOf(section);
+    dict["stage"] = arrayOf(stage);
+    dict["radius"] = arrayOf(radius);
+    dict["time_s"] = arrayOfEach(visits, [](const Visit& v) { return v.time_s; });
+    dict["programmed_mm"] = arrayOfEach(visits, [](const Visit& v) { return v.programmed_mm; });
+    dict["actual_mm"] = arrayOfEach(visits, [](const Visit& v) { return v.actual_mm; });
+    dict["accumulated_mm"] = arrayOfEach(visits, [](const Visit& v) { return v.accumulated_mm; });
+    dict["radius_mm"] = arrayOfEach(visits, [](const Visit& v) { return v.radius_mm; });
+    dict["normal_force_n"] = arrayOfEach(visits, [](const Visit& v) { return v.normalForce_n; });
+    return dict;
+}
+
+bool allHold(const Evaluation& self) {
+    bool hold = self.result().status == RunStatus::completed;
+    for (const ConstraintResult& each : self.outcome->constraints) {
+        hold = hold && each.holds;
+    }
+    return hold;
+}
+
+void bindEvaluation(py::module_& module) {
+    py::class_<Evaluation>(module, "Evaluation", "A cycle that was run, and what came out of it.")
+        .def_property_readonly(
+            "status", [](const Evaluation& self) { return statusKey(self.result().status); })
+        .def_property_readonly("holds", &allHold,
+                               "whether it reached size and every requirement holds")
+        .def_property_readonly("time_s",
+                               [](const Evaluation& self) { return self.result().time_s; })
+        .def_property_readonly(
+            "count", [](const Evaluation& self) { return self.result().cycleCount; },
+            "double strokes or revolutions")
+        .def_property_readonly(
+            "time_by_stage_s",
+            [](const Evaluation& self) { return arrayOf(self.result().timeByStage_s); })
+        .def_property_readonly(
+            "peak_normal_force_n",
+            [](const Evaluation& self) { return self.result().peakNormalForce_n; })
+        .def_property_readonly("peak_power_w",
+                               [](const Evaluation& self) { return self.result().peakPower_w; })
+        .def_property_readonly("sections", &sectionsOf)
+        .def_property_readonly("requirements", &requirementsOf)
+        .def_property_readonly("warnings",
+                               [](const Evaluation& self) { return self.outcome->issues; })
+        .def("feeds", &feedsOf,
+             "Arrays by zone or section, a value for each double stroke or revolution.")
+        .def("trace", &traceOf, "Arrays with a value for every visit of a radius.")
+        .def(
+            "to_dict",
+            [](const Evaluation& self) {
+                return py::module_::import("json").attr("loads")(self.json);
+            },
+            "As `sparkout-cli simulate --json` has it.");
+    module.def("evaluate", &evaluateProject, py::arg("project"),
+               "Runs the cycle and holds it against the drawing.");
+}
+
+// --- many cycles --------------------------------------------------------------------------------
+
+/// A batch with its parts one by one.
+struct Batch {
+    BatchResult result;
+    std::vector<std::string> factors, quantities;
+    std::vector<double> factorValues, values; ///< part by part
+    std::vector<double> good;
+};
+
+Batch runBatchOf(const ValidProject& project, int threads) {
+    if (const Issues issues = checkBatch(project.project); hasErrors(issues)) {
+        raiseFaults(issues);
+    }
+    return interruptible([&](const std::stop_token& stop) {
+        Batch batch;
+        const ScenarioSource source(project.project);
+        for (const GivenFactor& factor : source.factors()) {
+            batch.factors.emplace_back(factorKey(factor.kind));
+        }
+        const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
+        for (const Characteristic& of : characteristics) {
+            batch.quantities.push_back(std::string(of.name) + ' ' + placeOf(of.zone, of.section)
+                                       + " [" + of.unit + ']');
+        }
+        BatchOptions options;
+        options.threads = threads;
+        options.stop = stop;
+        options.sink = [&](const PartRecord& record) {
+            batch.factorValues.insert(batch.factorValues.end(), record.factors.begin(),
+                                      record.factors.end());
+            for (std::size_t i = 0; i < characteristics.size(); ++i) {
+                batch.values.push_back(record.outcome.completed ? record.outcome.values[i] : none);
+            }
+            batch.good.push_back(record.outcome.good ? 1 : 0);
+            return true;
+        };
+        batch.result = runBatch(project.project, options);
+        return batch;
+    });
+}
+
+constexpr std::array batchStates{"completed", "narrow_enough", "stopped"};
+
+void bindBatch(py::module_& module) {
+    py::class_<Batch>(module, "Batch", "The parts of a batch.")
+        .def_property_readonly("status",
+                               [](const Batch& self) {
+                                   return batchStates[static_cast<std::size_t>(self.result.status)];
+                               })
+        .def_readonly("factors", &Batch::factors, "names of the columns of factor_values")
+        .def_readonly("quantities", &Batch::quantities, "names of the columns of values")
+        .def_property_readonly(
+            "factor_values",
+            [](const Batch& self) { return matrixOf(self.factorValues, self.factors.size()); },
+            "a row for every part")
+        .def_property_readonly(
+            "values",
+            [](const Batch& self) { return matrixOf(self.values, self.quantities.size()); },
+            "a row for every part; NaN where there is none")
+        .def_property_readonly(
+            "good", [](const Batch& self) { return arrayOf(self.good).attr("astype")("bool"); },
+            "of every part, whether all its requirements hold");
+    module.def("batch", &runBatchOf, py::arg("project"), py::arg("threads") = 0,
+               "Runs the batch of the project, the same for any number of threads.");
+}
+
+SweepResult runSweepOf(const ValidProject& project, int threads) {
+    if (const Issues issues = checkSweep(project.project); hasErrors(issues)) {
+        raiseFaults(issues);
+    }
+    return interruptible([&](const std::stop_token& stop) {
+        SweepOptions options;
+        options.threads = threads;
+        options.stop = stop;
+        return runSweep(project.project, options);
+    });
+}
+
+constexpr std::array sweepStates{"not_run", "refused", "cannot_reach_size", "completed"};
+
+/// A row a point, a column a quantity.
+Array sweepMatrix(const SweepResult& sweep, double SweepValue::*which) {
+    std::vector<double> values;
+    for (const SweepPoint& point : sweep.points) {
+        for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
+            values.push_back(point.values.empty() ? none : point.values[q].*which);
+        }
+    }
+    return matrixOf(values, sweep.quantities.size());
+}
+
+void bindSweep(py::module_& module) {
+    py::class_<SweepResult>(module, "Sweep", "The points of a sweep.")
+        .def_property_readonly(
+            "inputs",
+            [](const SweepResult& self) {
+                py::dict inputs;
+                for (const SweptInput& input : self.inputs) {
+                    inputs[py::str(input.axis.input)] = arrayOf(input.values);
+                }
+                return inputs;
+            },
+            "values of what is varied, by JSON pointer")
+        .def_property_readonly(
+            "points",
+            [](const SweepResult& self) {
+                std::vector<double> values;
+                for (std::size_t i = 0; i < self.points.size(); ++i) {
+                    const std::vector<double> at = self.valuesAt(i);
+                    values.insert(values.end(), at.begin(), at.end());
+                }
+                return matrixOf(values, self.inputs.size());
+            },
+            "the inputs' values at each point")
+        .def_property_readonly(
+            "quantities",
+            [](const SweepResult& self) {
+                std::vector<std::string> names;
+                for (const SweepQuantity& of : self.quantities) {
+                    names.push_back(of.name + ' ' + placeOf(of.zone, of.section)
+                                    + (of.unit.empty() ? "" : " [" + of.unit + ']'));
+                }
+                return names;
+            },
+            "names of the columns of values and margins")
+        .def_property_readonly(
+            "values", [](const SweepResult& self) { return sweepMatrix(self, &SweepValue::value); })
+        .def_property_readonly(
+            "margins",
+            [](const SweepResult& self) { return sweepMatrix(self, &SweepValue::margin); })
+        .def_property_readonly("statuses", [](const SweepResult& self) {
+            std::vector<std::string> names;
+            for (const SweepPoint& point : self.points) {
+                names.emplace_back(sweepStates[static_cast<std::size_t>(point.status)]);
+            }
+            return names;
+        });
+    module.def("sweep", &runSweepOf, py::arg("project"), py::arg("threads") = 0,
+               "Runs the sweep of the project, the same for any number of threads.");
+}
+
+// --- search -------------------------------------------------------------------------------------
+
+constexpr std::array searchStates{"proved", "infeasible", "stopped", "found", "not_found"};
+
+GridSearchReport runSearchOf(const ValidProject& project, bool robust, bool refine,
+                             std::optional<double> timeLimit_s) {
+    if (const GridFault fault = Variants(project.project).fault(); fault != GridFault::none) {
+        throw py::value_error("/optimisation: the grid cannot be searched");
+    }
+    if (asksForABatch(project.project)) {
+        if (const Issues issues = checkBatch(project.project); hasErrors(issues)) {
+            raiseFaults(issues);
+        }
+    }
+    return interruptible([&](const std::stop_token& stop) {
+        std::stop_source either;
+        const std::stop_callback asked(stop, [&either] { either.request_stop(); });
+        const std::jthread clock([&](const std::stop_token& ended) {
+            std::mutex mutex;
+            std::unique_lock lock(mutex);
+            std::condition_variable_any never;
+            if (timeLimit_s) {
+                never.wait_for(lock, ended, std::chrono::duration<double>(*timeLimit_s),
+                               [] { return false; });
+                either.request_stop();
+            }
+        });
+        GridSearchOptions options;
+        options.robust = robust;
+        options.refine = refine;
+        options.stop = either.get_token();
+        return searchGrid(project.project, options);
+    });
+}
+
+std::optional<double> timeOf(const GridSearchReport& self) {
+    if (!hasAnswer(self)) {
+        return std::nullopt;
+    }
+    return isRefined(self) ? self.refined->time_s : self.search.best->time_s;
+}
+
+void bindSearch(py::module_& module) {
+    py::class_<GridSearchReport>(module, "Search", "What a search found.")
+        .def_property_readonly(
+            "status",
+            [](const GridSearchReport& self) {
+                return searchStates[static_cast<std::size_t>(isRefined(self) ? SearchStatus::found
+                                                                             : self.search.status)];
+            },
+            "proved, found, stopped, infeasible or not_found")
+        .def_property_readonly("time_s", &timeOf, "of the cycle found; None without one")
+        .def_property_readonly(
+            "project",
+            [](const GridSearchReport& self) -> std::optional<ValidProject> {
+                return hasAnswer(self) ? std::optional(ValidProject{withAnswer(self), {}})
+                                       : std::nullopt;
+            },
+            "with the cycle found; None without one")
+        .def_property_readonly(
+            "bound_s", [](const GridSearchReport& self) { return self.search.bound_s; },
+            "no cycle of the grid that holds is quicker")
+        .def_property_readonly(
+            "limit_s", [](const GridSearchReport& self) { return self.limit_s; },
+            "of the stepless cycle")
+        .def_property_readonly(
+            "binding",
+            [](const GridSearchReport& self) -> std::optional<std::vector<std::string>> {
+                if (!self.binding) {
+                    return std::nullopt;
+                }
+                std::vector<std::string> names;
+                for (const ConstraintKind kind : *self.binding) {
+                    names.emplace_back(constraintName(kind));
+                }
+                return names;
+            },
+            "requirements that fail in quicker cycles nearby; None where not known");
+    module.def("search", &runSearchOf, py::arg("project"), py::kw_only(), py::arg("robust") = false,
+               py::arg("refine") = false, py::arg("time_limit_s") = py::none(),
+               "Finds the quickest cycle of the project's grid that holds every requirement.");
+}
+
+} // namespace
+
+void bindStudies(py::module_& module) {
+    bindEvaluation(module);
+    bindBatch(module);
+    bindSweep(module);
+    bindSearch(module);
+}
+
+} // namespace sparkout::python

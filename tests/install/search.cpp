@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A program of somebody else's: searches the grid of a project file and prints the quickest time.
+#include <core/sparkout.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+int main(int argc, char** argv) {
+    std::ifstream file(argc > 1 ? argv[1] : "");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const sparkout::ReadResult read = sparkout::readProject(text);
+    if (!read.project) {
+        return 1;
+    }
+    const sparkout::GridSearchReport report = sparkout::searchGrid(*read.project, {});
+    std::printf("%.17g\n", sparkout::hasAnswer(report) ? report.search.best->time_s / 60 : 0.0);
+    return 0;
+}

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python module gives the numbers of the command line, as arrays where there are many.
+
+Called with the module's folder, sparkout-cli and the folder of the examples."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+MODULE, CLI, EXAMPLES = sys.argv.pop(1), sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+sys.path.insert(0, MODULE)
+import sparkout  # noqa: E402
+
+FACTORY = EXAMPLES / "shaft-30h6-factory.sparkout"
+
+
+def cli(*arguments):
+    done = subprocess.run([CLI, *map(str, arguments)], capture_output=True, text=True, check=False)
+    return json.loads(done.stdout)
+
+
+class Evaluations(unittest.TestCase):
+    def test_every_example_has_the_numbers_of_the_command_line(self):
+        files = sorted(EXAMPLES.glob("*.sparkout"))
+        self.assertGreater(len(files), 5)
+        for file in files:
+            with self.subTest(file.name):
+                evaluation = sparkout.evaluate(sparkout.Project.read(file))
+                self.assertEqual(evaluation.to_dict(), cli("simulate", file, "--json"))
+
+    def test_sections_have_their_radii(self):
+        project = sparkout.Project.read(FACTORY)
+        sections = sparkout.evaluate(project).sections
+        self.assertEqual([each["where"] for each in sections], ["rz1", "nz", "rz2"])
+        for section in sections:
+            radii = section["radii_mm"]
+            self.assertEqual(radii.shape, (project["/part/radii_per_section"],))
+            self.assertLessEqual(section["diameter_min_mm"], section["diameter_max_mm"])
+            self.assertAlmostEqual(2 * radii.mean(), section["diameter_max_mm"], delta=0.02)
+
+    def test_the_trace_adds_up_to_the_sections(self):
+        evaluation = sparkout.evaluate(sparkout.Project.read(FACTORY))
+        trace = evaluation.trace()
+        for number, section in enumerate(evaluation.sections):
+            for k, last in enumerate(section["radii_mm"]):
+                mine = (trace["section"] == number) & (trace["radius"] == k)
+                self.assertEqual(trace["radius_mm"][mine][-1], last)
+                self.assertAlmostEqual(
+                    trace["actual_mm"][mine].sum(), trace["accumulated_mm"][mine][-1], delta=1e-12
+                )
+
+    def test_feeds_end_with_the_cycle(self):
+        evaluation = sparkout.evaluate(sparkout.Project.read(FACTORY))
+        feeds = evaluation.feeds()
+        self.assertEqual(set(feeds), {"rz1", "nz", "rz2"})
+        for column in feeds.values():
+            self.assertEqual(column["count"][-1], evaluation.count)
+            self.assertTrue((np.diff(column["actual_sum_um"]) >= -1e-9).all())
+        self.assertAlmostEqual(evaluation.time_by_stage_s.sum(), evaluation.time_s, delta=1e-9)
+
+    def test_arrays_outlive_what_made_them(self):
+        radii = sparkout.evaluate(sparkout.Project.read(FACTORY)).sections[0]["radii_mm"]
+        before = radii.copy()
+        for _ in range(20):
+            sparkout.evaluate(sparkout.Project.read(FACTORY))
+        self.assertTrue((radii == before).all())
+
+
+class Projects(unittest.TestCase):
+    def test_a_project_written_is_the_project_read(self):
+        project = sparkout.Project.read(FACTORY)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "вал.sparkout"
+            project.write(path)
+            self.assertEqual(sparkout.Project.read(path), project)
+            self.assertEqual(path.read_text(encoding="utf-8"), project.to_text())
+
+    def test_values_are_changed_in_another_project(self):
+        project = sparkout.Project.read(FACTORY)
+        dull = project.with_values({"/wheel/dullness": 0.2, "/title": "dull"})
+        self.assertEqual((dull["/wheel/dullness"], dull["/title"]), (0.2, "dull"))
+        self.assertNotEqual(dull, project)
+        self.assertGreater(
+            sparkout.evaluate(dull).peak_normal_force_n,
+            sparkout.evaluate(project).peak_normal_force_n,
+        )
+
+    def test_faults_name_path_value_and_range(self):
+        project = sparkout.Project.read(FACTORY)
+        with self.assertRaises(sparkout.ProjectError) as raised:
+            project.with_values({"/wheel/width_mm": -1})
+        fault = raised.exception.issues[0]
+        self.assertEqual(fault.path, "/wheel/width_mm")
+        self.assertTrue(fault.is_error)
+        self.assertIn("-1", fault.value)
+        self.assertIn("mm", fault.limit)
+        self.assertIn("/wheel/width_mm", str(raised.exception))
+        self.assertIsInstance(raised.exception, ValueError)
+
+    def test_what_is_no_project_is_refused(self):
+        for text in ("", "{}", "[1", '{"format": "sparkout-project"}', "null", "\0"):
+            with self.subTest(text), self.assertRaises(sparkout.ProjectError):
+                sparkout.Project(text)
+
+    def test_unknown_paths_and_missing_files_raise_what_python_raises(self):
+        project = sparkout.Project.read(FACTORY)
+        for path in ("/wheel/sharpness", "wheel", "/cycle/stages/99"):
+            with self.subTest(path), self.assertRaises(KeyError):
+                project[path]
+        with self.assertRaises(FileNotFoundError):
+            sparkout.Project.read("/nowhere/at-all.sparkout")
+
+
+class Studies(unittest.TestCase):
+    def test_a_batch_is_that_of_the_command_line(self):
+        batch = sparkout.batch(sparkout.Project.read(FACTORY))
+        summary = cli("batch", FACTORY, "--json")
+        self.assertEqual(batch.status, "completed")
+        self.assertEqual(batch.values.shape, (summary["parts"], len(batch.quantities)))
+        self.assertEqual(batch.factor_values.shape, (summary["parts"], len(batch.factors)))
+        self.assertEqual(len(summary["characteristics"]), len(batch.quantities))
+        for column, each in zip(batch.values.T, summary["characteristics"]):
+            self.assertEqual((np.nanmin(column), np.nanmax(column)), (each["min"], each["max"]))
+
+    def test_threads_change_nothing(self):
+        project = sparkout.Project.read(FACTORY)
+        one, three = sparkout.batch(project, threads=1), sparkout.batch(project, threads=3)
+        np.testing.assert_array_equal(one.values, three.values)
+
+    def test_a_sweep_is_that_of_the_command_line(self):
+        axis = {"input": "/wheel/dullness", "from": 0.02, "to": 0.1, "points": 5}
+        project = sparkout.Project.read(FACTORY).with_values({"/sweep": {"inputs": [axis]}})
+        sweep = sparkout.sweep(project)
+        self.assertEqual(sweep.statuses, ["completed"] * 5)
+        np.testing.assert_allclose(sweep.points[:, 0], np.linspace(0.02, 0.1, 5))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "sweep.sparkout"
+            project.write(path)
+            points = cli("sweep", path, "--json")["points"]
+        time_column = sweep.quantities.index("time part [s]")
+        for row, point in zip(sweep.values, points):
+            stated = next(each for each in point["results"] if each["name"] == "time")
+            self.assertEqual(row[time_column], stated["value"])
+
+    def test_a_search_is_that_of_the_command_line(self):
+        file = EXAMPLES / "shaft-30h6-optimal.sparkout"
+        search = sparkout.search(sparkout.Project.read(file))
+        stated = cli("optimize", file, "--json")
+        self.assertEqual(search.status, stated["status"])
+        self.assertEqual(search.time_s / 60, stated["cycle_time_min"])
+        self.assertEqual(search.binding, stated["binding"])
+        found = sparkout.evaluate(search.project)
+        self.assertTrue(found.holds)
+        self.assertAlmostEqual(found.time_s, search.time_s, delta=1e-6)
+
+    def test_what_cannot_be_searched_is_refused(self):
+        project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})
+        with self.assertRaises(ValueError):
+            sparkout.search(project)
+
+    def test_ctrl_c_ends_a_long_batch(self):
+        project = sparkout.Project.read(FACTORY).with_values({"/batch/parts": 1_000_000})
+        threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            sparkout.batch(project)
+        self.assertLess(time.monotonic() - begin, 5)
+
+    def test_other_threads_go_on_meanwhile(self):
+        project = sparkout.Project.read(FACTORY).with_values({"/batch/parts": 20_000})
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.wait(0.01):
+                ticks.append(time.monotonic())
+
+        other = threading.Thread(target=tick)
+        other.start()
+        begin = time.monotonic()
+        sparkout.batch(project, threads=1)
+        took = time.monotonic() - begin
+        done.set()
+        other.join()
+        self.assertGreater(len(ticks), took / 0.01 / 10)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
