@@ -2,6 +2,7 @@
 #include "app/cli_batch.h"
 
 #include "app/cli_report.h"
+#include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"

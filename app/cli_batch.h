@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_state.h"
+#include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_verdict.h"
 #include "core/batch/sensitivity.h"
 

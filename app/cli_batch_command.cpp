@@ -6,6 +6,7 @@
 #include "app/cli_io.h"
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
+#include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/files/safe_file_writer.h"
 #include "core/printable.h"

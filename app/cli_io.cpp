@@ -2,6 +2,7 @@
 #include "app/cli_io.h"
 
 #include "app/cli_report.h"
+#include "core/files/file_step_text.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"
 

@@ -4,6 +4,7 @@
 #include "core/files/safe_file.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/session/document.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include <QFile>

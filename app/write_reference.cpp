@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the help page of the project file and its JSON Schema into a folder: resources/help.
+#include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/reference/json_schema.h"
 #include "core/reference/reference_page.h"

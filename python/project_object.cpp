@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/project_object.h"
 
+#include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/project/project_file.h"
 

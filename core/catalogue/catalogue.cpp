@@ -5,6 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 #include "core/text.h"
 #include "core/units.h"
 

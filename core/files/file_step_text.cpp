@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/safe_file.h"
+#include "core/files/file_step_text.h"
+
 #include "core/text.h"
 
 namespace sparkout {

@@ -29,9 +29,6 @@ enum class FileStep {
     tooLarge, ///< the file holds more than the caller takes
 };
 
-/// What a step is in words, marked for translation in the context "FileError".
-[[nodiscard]] const char* fileStepText(FileStep step);
-
 /// Why a file was not read or not written. The caller words it.
 struct FileError {
     std::string path; ///< as the caller gave it

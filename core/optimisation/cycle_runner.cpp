@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/optimisation/cycle_runner.h"
 
+#include "core/simulation/plunge.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "core/quality/depth_limits.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
 #include "core/units.h"
 
 #include <algorithm>

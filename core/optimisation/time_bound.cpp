@@ -4,6 +4,7 @@
 #include "core/process/profile.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/stage_control.h"
+#include "core/simulation/traverse.h"
 #include "core/units.h"
 
 #include <algorithm>

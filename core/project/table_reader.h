@@ -24,9 +24,4 @@ void readByTable(const nlohmann::json& object, const StructInfo& table, void* ow
                  const std::string& path, Issues& issues, std::vector<MissingKey>& missing,
                  const std::vector<std::string>& skip = {});
 
-/// The JSON object of a struct by its table; keys that are null by default and null are left out,
-/// and so are those in `skip`.
-[[nodiscard]] nlohmann::ordered_json writeByTable(const StructInfo& table, const void* owner,
-                                                  const std::vector<std::string>& skip = {});
-
 } // namespace sparkout

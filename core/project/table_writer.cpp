@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 
 #include <nlohmann/json.hpp>
 

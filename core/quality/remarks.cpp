@@ -4,6 +4,7 @@
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/cycle_steps.h"
+#include "core/simulation/traverse.h"
 #include "core/units.h"
 
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 #include "core/project/validate.h"
 #include "core/text.h"
 

@@ -46,14 +46,4 @@ protected:
     int m_steps = 0; ///< begun so far
 };
 
-/// A dwell in whole revolutions: ⌊x + 0.5 + 1e-9⌋, at least 1 when there is a dwell [MODEL-5].
-[[nodiscard]] int dwellRevolutions(double dwell_s, double workSpeed_rpm);
-
-/// The gauge of a traverse cycle stands in the middle of a zone.
-[[nodiscard]] std::unique_ptr<CycleSteps> traverseSteps(const Project& project, Zone gaugeZone,
-                                                        Trajectory* trajectory,
-                                                        const std::stop_token& stop);
-[[nodiscard]] std::unique_ptr<CycleSteps>
-plungeSteps(const Project& project, Trajectory* trajectory, const std::stop_token& stop);
-
 } // namespace sparkout

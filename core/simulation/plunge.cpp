@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/plunge.h"
+
 #include "core/simulation/coupled_plunge.h"
-#include "core/simulation/cycle_steps.h"
 #include "core/units.h"
 
 #include <algorithm>

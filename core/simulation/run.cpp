@@ -3,7 +3,9 @@
 
 #include "core/process/coupled_sections.h"
 #include "core/project/validate.h"
+#include "core/simulation/plunge.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/traverse.h"
 #include "core/units.h"
 #include "core/version.h"
 

@@ -141,9 +141,4 @@ void keepLargestPeaks(SimulationResult& result);
 /// Deepest removal that still counts as none [mm].
 inline constexpr double noProgress_mm = 1e-9;
 
-[[nodiscard]] SimulationResult simulateTraverse(const Project& project, Trajectory* trajectory,
-                                                const std::stop_token& stop);
-[[nodiscard]] SimulationResult simulatePlunge(const Project& project, Trajectory* trajectory,
-                                              const std::stop_token& stop);
-
 } // namespace sparkout

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/cycle_steps.h"
+#include "core/simulation/traverse.h"
+
 #include "core/simulation/simulate.h"
 #include "core/units.h"
 

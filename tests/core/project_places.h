@@ -3,6 +3,7 @@
 
 #include "core/project/project_file.h"
 #include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 #include "core/project/validate.h"
 #include "tests/core/project_mutator.h"
 #include "tests/core/project_samples.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/reference_cycle.h"
 
+#include "core/simulation/traverse.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -8,6 +8,7 @@
 #include "core/quality/run_summary.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/simulate.h"
+#include "core/simulation/traverse.h"
 
 #include "tests/registry.h"
 

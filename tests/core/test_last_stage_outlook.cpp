@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What three radii tell of a last stage is true of the whole part.
 #include "core/optimisation/last_stage_outlook.h"
+#include "core/simulation/plunge.h"
+#include "core/simulation/traverse.h"
 
 #include "tests/core/search_cases.h"
 #include "tests/registry.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 #include "core/project/validate.h"
 #include "core/reference/reference_page.h"
 #include "tests/core/project_samples.h"

@@ -5,6 +5,7 @@
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
 #include "ui/session/document.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include "core/project/project_file.h"

@@ -7,6 +7,7 @@
 #include "ui/fields/mark.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/inputs_panel.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/plot/plot_style.h"
 #include "ui/views/feeds/feeds_plot.h"
 #include "ui/window/view_tabs.h"

@@ -5,6 +5,7 @@
 #include "ui/dialogs/watched_work.h"
 #include "ui/session/background.h"
 #include "ui/session/settings.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>

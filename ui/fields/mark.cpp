@@ -2,6 +2,7 @@
 #include "ui/fields/mark.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/texts.h"
 
 namespace sparkout {

@@ -3,6 +3,7 @@
 
 #include "core/catalogue/catalogue_check.h"
 #include "core/project/table_reader.h"
+#include "core/project/table_writer.h"
 #include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"

@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "ui/session/background.h"
 #include "ui/session/project_io.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/search_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"

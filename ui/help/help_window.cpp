@@ -6,6 +6,7 @@
 #include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 
 #include <QAction>
 #include <QEvent>

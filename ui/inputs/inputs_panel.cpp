@@ -8,6 +8,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/texts.h"
 
 #include <QApplication>

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <QColor>
-#include <QIcon>
 #include <QPalette>
 #include <QString>
 
 #include <array>
-#include <vector>
 
-/// How the window looks: themes, each one row of a table, and icons that follow them. Everything
-/// painted takes its colours from here, by the palette it is painted on.
+/// How the window looks: themes, each one row of a table. Everything painted takes its colours from
+/// here, by the palette it is painted on.
 namespace sparkout {
 
 enum class Theme { system, light, dark, contrast };
@@ -63,16 +61,5 @@ enum class Tone {
 namespace onMap {
 inline constexpr QColor dark(0, 0, 0), light(255, 255, 255), accent(0xff, 0x9d, 0x5c);
 }
-
-/// An icon of resources/icons by its name without ending: drawn at the size and in the colours of
-/// the moment, so a change of theme needs no new icon.
-[[nodiscard]] QIcon themeIcon(QStringView name);
-
-/// A colour the icons are written in, and what it stands for.
-struct IconColour {
-    const char* written; ///< "#rrggbb"
-    Tone tone;
-};
-[[nodiscard]] const std::vector<IconColour>& iconColours();
 
 } // namespace sparkout

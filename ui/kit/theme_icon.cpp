@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Icons in the colours of the theme: the colours an icon is written in stand for tones.
-#include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 
 #include <QBuffer>
 #include <QFile>

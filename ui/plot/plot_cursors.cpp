@@ -3,6 +3,7 @@
 
 #include "ui/kit/keyboard.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 
 #include <QAction>
 #include <QKeyEvent>

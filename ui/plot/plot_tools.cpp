@@ -4,6 +4,7 @@
 #include "ui/dialogs/save_dialog.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/plot/hair_line.h"
 
 #include <QApplication>

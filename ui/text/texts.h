@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/files/safe_file.h"
 #include "core/issue.h"
 
 #include <QString>
@@ -34,10 +33,6 @@ namespace sparkout {
 /// A text of many lines for a file of another program: what such a file cannot hold or would obey
 /// (NUL, marks that turn the reading direction) is shown as U+FFFD.
 [[nodiscard]] QString harmlessText(QString text);
-
-/// Why a file was not read, or not saved.
-[[nodiscard]] QString readErrorText(const FileError& error);
-[[nodiscard]] QString saveErrorText(const FileError& error);
 
 /// Rich text with indices below the line: "S_ax" → "S<sub>ax</sub>"; the text is escaped first.
 [[nodiscard]] QString withIndices(const QString& text);

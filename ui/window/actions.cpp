@@ -3,6 +3,7 @@
 
 #include "ui/kit/keyboard.h"
 #include "ui/kit/metrics.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
 #include "ui/session/document.h"
 

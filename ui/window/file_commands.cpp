@@ -7,6 +7,7 @@
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 #include "ui/window/dialogs/examples_dialog.h"
 #include "ui/window/dialogs/versions_dialog.h"

@@ -10,6 +10,7 @@
 #include "ui/window/notice_bar.h"
 
 #include "core/project/project_file.h"
+#include "ui/text/file_error_text.h"
 
 #include <QFileInfo>
 #include <QLocale>

@@ -7,6 +7,7 @@
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/sealed_state.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/plot/step_sheet.h"
 #include "ui/plot/view.h"
 #include "ui/views/verdict/verdict_panel.h"

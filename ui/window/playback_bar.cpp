@@ -4,6 +4,7 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
 #include "ui/text/names.h"
 

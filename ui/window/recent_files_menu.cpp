@@ -2,6 +2,7 @@
 #include "ui/window/recent_files_menu.h"
 #include "ui/kit/theme.h"
 
+#include "ui/kit/theme_icon.h"
 #include "ui/session/settings.h"
 #include "ui/text/texts.h"
 

@@ -4,6 +4,7 @@
 #include "ui/inputs/editors/form_metrics.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
 
 #include <QAction>

@@ -5,6 +5,7 @@
 #include "core/study/operation.h"
 #include "ui/session/document.h"
 #include "ui/tables/profile_csv.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

@@ -11,6 +11,7 @@
 #include "ui/inputs/editors/number_lines.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"

@@ -10,6 +10,7 @@
 #include "ui/inputs/forms/row_sliders.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/hint_text.h"
 #include "ui/text/texts.h"
 

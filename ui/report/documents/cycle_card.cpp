@@ -2,7 +2,8 @@
 #include "ui/report/documents/cycle_card.h"
 
 #include "ui/report/parts/cycle_card_parts.h"
-#include "ui/report/parts/figures.h"
+#include "ui/report/parts/feeds_figure.h"
+#include "ui/report/parts/part_sketch.h"
 #include "ui/report/parts/report_values.h"
 #include "ui/text/example_texts.h"
 

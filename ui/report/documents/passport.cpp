@@ -3,7 +3,7 @@
 
 #include "ui/report/documents/passport_parts.h"
 #include "ui/report/parts/cycle_card_parts.h"
-#include "ui/report/parts/figures.h"
+#include "ui/report/parts/part_sketch.h"
 #include "ui/report/parts/report_values.h"
 #include "ui/text/example_texts.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the formulas of the hand-out are made of and taken from.
-#include "ui/report/handout/course_handout_parts.h"
+
+#include "ui/report/handout/formula_meanings.h"
 
 #include "core/quality/depth_limits.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of the hand-out that the cycle card has not.
+#include "ui/report/parts/course_figures.h"
+
 #include "core/quality/limit_series.h"
 #include "core/simulation/feed_series.h"
 #include "ui/report/format/plot_figure.h"
-#include "ui/report/parts/figures.h"
 #include "ui/text/names.h"
 #include "ui/views/constraints/constraints_plot.h"
 #include "ui/views/profiles/profiles_plot.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/parts/figures.h"
+#include "ui/report/parts/part_sketch.h"
 
 #include "core/process/system_compliance.h"
 #include "ui/report/parts/report_values.h"

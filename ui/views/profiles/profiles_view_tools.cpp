@@ -3,6 +3,7 @@
 #include "ui/views/profiles/profiles_view.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"

@@ -4,6 +4,7 @@
 #include "ui/kit/theme.h"
 
 #include "ui/dialogs/copy_table.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/views/verdict/verdict_shop_model.h"
 
 #include <QHBoxLayout>

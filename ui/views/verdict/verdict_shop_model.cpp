@@ -2,6 +2,7 @@
 #include "ui/views/verdict/verdict_shop_model.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/texts.h"
 
 #include <QGuiApplication>

@@ -6,6 +6,7 @@
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/theme_icon.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"

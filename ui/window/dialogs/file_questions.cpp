@@ -2,6 +2,7 @@
 #include "ui/window/dialogs/file_questions.h"
 
 #include "ui/session/document.h"
+#include "ui/text/file_error_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/text/texts.h"
+#include "ui/text/file_error_text.h"
 
+#include "core/files/file_step_text.h"
 #include "core/printable.h"
 
 #include <QCoreApplication>

@@ -8,21 +8,11 @@
 
 namespace sparkout::report {
 
-/// The part between its supports with its dimensions, the zones or sections and the gauge.
-[[nodiscard]] Figure partSketch(const OutcomePtr& outcome);
-
 /// The feeds of the whole cycle by zone or section; nothing when it was too long to be recorded.
 [[nodiscard]] std::optional<Figure> feedsFigure(const OutcomePtr& outcome);
 /// The same of a span of time, with a line at a moment of it.
 [[nodiscard]] std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s,
                                                 double to_s, std::optional<double> moment_s,
                                                 const QString& caption);
-
-/// The cross-sections as the cycle leaves them, magnified.
-[[nodiscard]] Figure profilesFigure(const OutcomePtr& outcome);
-
-/// The actual feed over the stock left under its limits, where a place of the cycle is; nothing
-/// when there are no cuts.
-[[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
 
 } // namespace sparkout::report

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/safe_file.h"
+
+namespace sparkout {
+
+/// What a step is in words, marked for translation in the context "FileError".
+[[nodiscard]] const char* fileStepText(FileStep step);
+
+} // namespace sparkout

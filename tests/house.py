@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Counts what makes the tree hard to live in, prints it, and fails where it has grown: files that know
+a kind of operation or of spark-out, sources without a header of their name, full folders."""
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# What is there today, never more; what is aimed at stands beside it.
+LIMITS = {
+    "files that know a kind of operation": (84, 30),
+    "files that know spark-out": (33, 10),
+    "sources without a header of their name": (30, 0),
+    "headers with their sources in the largest folder": (29, 25),
+}
+
+
+def tracked(*folders):
+    names = subprocess.run(["git", "ls-files", *folders], cwd=ROOT, check=True, text=True,
+                           stdout=subprocess.PIPE).stdout.split("\n")
+    return [name for name in names if re.search(r"\.(h|cpp)$", name)]
+
+
+def knowing(files, pattern):
+    return [f for f in files if re.search(pattern, (ROOT / f).read_text(encoding="utf-8"))]
+
+
+def main():
+    files = tracked("core", "ui", "app", "python")
+    headers = set(files)
+    alone = [f for f in files if f.startswith(("core/", "ui/")) and f.endswith(".cpp")
+             and f[:-3] + "h" not in headers]
+    folders = collections.Counter(
+        str(pathlib.PurePath(stem).parent) for stem in {f.rsplit(".", 1)[0] for f in files})
+    full, most = folders.most_common(1)[0]
+    found = {
+        "files that know a kind of operation": knowing(files, r"\bOperation::"),
+        "files that know spark-out": knowing(files, r"\bSparkOut\b|\bspark_out\b"),
+        "sources without a header of their name": alone,
+        "headers with their sources in the largest folder": [full] * most,
+    }
+    grown = False
+    for name, (limit, aim) in LIMITS.items():
+        count = len(found[name])
+        print(f"HOUSE {count:3} {name} (at most {limit}, aim {aim})")
+        if count > limit:
+            grown = True
+            print("\n".join(sorted(set(found[name]))))
+    for folder, count in folders.most_common(8):
+        print(f"HOUSE {count:3} in {folder}")
+    return 1 if grown else 0
+
+
+sys.exit(main())

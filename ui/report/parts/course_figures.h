@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/outcome.h"
+#include "ui/report/format/report.h"
+
+#include <optional>
+
+namespace sparkout::report {
+
+/// The cross-sections as the cycle leaves them, magnified.
+[[nodiscard]] Figure profilesFigure(const OutcomePtr& outcome);
+
+/// The actual feed over the stock left under its limits, where a place of the cycle is; nothing
+/// when there are no cuts.
+[[nodiscard]] std::optional<Figure> limitsFigure(const OutcomePtr& outcome, const Place& at);
+
+} // namespace sparkout::report
