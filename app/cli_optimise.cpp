@@ -5,9 +5,10 @@
 #include "app/cli_optimise_report.h"
 #include "app/cli_report.h"
 #include "app/search_watch.h"
-#include "core/batch/batch_check.h"
+#include "core/optimisation/search_names.h"
 #include "core/printable.h"
 #include "core/project/project_file.h"
+#include "core/study/search_refusal.h"
 
 #include <algorithm>
 #include <charconv>
@@ -72,7 +73,7 @@ const char* valueOf(const std::string& option) {
 
 bool readValue(const std::string& option, const std::string& value, OptimiseOptions& options) {
     if (option == "--method") {
-        const auto method = methodNamed(value);
+        const auto method = searchMethodNamed(value);
         options.method = method.value_or(SearchMethod::pruned);
         return method.has_value();
     }
@@ -122,36 +123,6 @@ int parseOptimise(const std::vector<std::string>& arguments, OptimiseOptions& op
                : done;
 }
 
-/// Why the project's grid cannot be searched.
-std::optional<std::string> refusal(const Project& project, SearchMethod method) {
-    if (isHeuristic(method) && project.operation != Operation::plunge) {
-        return std::string("/operation: --method ") + methodName(method)
-               + " is for plunge grinding; --method search takes traverse cycles";
-    }
-    switch (Variants(project).fault()) {
-    case GridFault::none: break;
-    case GridFault::notGiven: return "/optimisation: what to search is not given";
-    case GridFault::noLevels:
-        return std::string("/optimisation: ")
-               + (project.operation == Operation::traverse ? "radial_feed_mm and axial_feed_mm_min"
-                                                           : "radial_feed_mm_min")
-               + " must be given";
-    case GridFault::tooManyLevels:
-        return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
-               + " settings of a stage's feeds";
-    case GridFault::tooManySteps:
-        return "/optimisation/stock_step_mm: more than "
-               + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
-    case GridFault::tooManyVariants:
-        return "/optimisation: more than " + std::to_string(std::lround(mostVariants))
-               + " combinations of work_speed_rpm, dwell_entry_s, dwell_exit_s and spark_out";
-    case GridFault::noDivision:
-        return "/optimisation: the stock and the feeds cannot be divided into these numbers of "
-               "stages within their bounds";
-    }
-    return std::nullopt;
-}
-
 GridSearchReport search(const Project& project, const OptimiseOptions& options) {
     SearchWatch watch(options.timeLimit_s); // of everything that follows
     return searchGrid(
@@ -177,20 +148,16 @@ int runOptimise(const std::vector<std::string>& arguments) {
     if (project->optimisation && !options.stages.empty()) {
         project->optimisation->stages = options.stages;
     }
-    if (const auto reason = refusal(*project, options.method)) {
-        print(stderr, printable(options.file) + ": " + *reason + '\n');
-        return refused;
-    }
-    if (asksForABatch(*project)) {
-        const Issues issues = checkBatch(*project);
-        for (const Issue& issue : issues) {
+    const GridSearchReport report = search(*project, options);
+    if (!report.ran()) {
+        for (const Issue& issue : report.issues) {
             print(stderr, issueLine(options.file, issue) + '\n');
         }
-        if (!issues.empty()) {
-            return refused;
+        if (const std::string reason = searchRefusal(report); !reason.empty()) {
+            print(stderr, printable(options.file) + ": " + reason + '\n');
         }
+        return refused;
     }
-    const GridSearchReport report = search(*project, options);
     if (options.json) {
         print(stdout, optimiseJson(report));
     } else if (hasAnswer(report)) {

@@ -4,6 +4,7 @@
 #include "app/cli_report.h"
 #include "core/optimisation/cost.h"
 #include "core/optimisation/limit.h"
+#include "core/optimisation/search_names.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "core/units.h"
@@ -21,13 +22,6 @@ namespace sparkout::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr std::array searchStatusNames{"proved", "infeasible", "stopped", "found", "not_found"};
-constexpr std::array methodNames{"full", "search", "dp", "labels"};
-
-const char* statusName(SearchStatus status) {
-    return searchStatusNames[static_cast<std::size_t>(status)];
-}
 
 double minutes(double time_s) {
     return time_s / units::secondsPerMinute;
@@ -233,17 +227,6 @@ std::string robustText(const GridSearchReport& report, double best_s) {
 
 } // namespace
 
-const char* methodName(SearchMethod method) {
-    return methodNames[static_cast<std::size_t>(method)];
-}
-
-std::optional<SearchMethod> methodNamed(const std::string& name) {
-    const auto found = std::find(methodNames.begin(), methodNames.end(), name);
-    return found == methodNames.end()
-               ? std::nullopt
-               : std::optional(static_cast<SearchMethod>(found - methodNames.begin()));
-}
-
 std::string optimiseText(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     const double best_s = timeFound_s(report);
@@ -276,8 +259,8 @@ std::string optimiseText(const GridSearchReport& report) {
 std::string optimiseJson(const GridSearchReport& report) {
     const SearchSummary& search = report.search;
     ordered_json root;
-    root["status"] = statusName(isRefined(report) ? SearchStatus::found : search.status);
-    root["method"] = methodName(report.method);
+    root["status"] = searchStatusName(isRefined(report) ? SearchStatus::found : search.status);
+    root["method"] = searchMethodName(report.method);
     root["heuristic"] = isHeuristic(report.method);
     root["cycle"] = nullptr;
     root["cycle_time_min"] = nullptr;
@@ -302,7 +285,7 @@ std::string optimiseJson(const GridSearchReport& report) {
     if (report.refined) { // off the grid only the limit is proved
         root["bound_time_min"] = minutes(report.limit_s);
         root["refined"] = {{"is_quicker", report.refined->isQuicker},
-                           {"grid_status", statusName(search.status)},
+                           {"grid_status", searchStatusName(search.status)},
                            {"grid_time_min", minutes(search.best->time_s)},
                            {"grid_bound_time_min", minutes(search.bound_s)},
                            {"cycles_run", report.refined->runs}};

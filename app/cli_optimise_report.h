@@ -8,10 +8,6 @@
 
 namespace sparkout::cli {
 
-/// A method as `--method` names it.
-[[nodiscard]] const char* methodName(SearchMethod method);
-[[nodiscard]] std::optional<SearchMethod> methodNamed(const std::string& name);
-
 /// For people.
 [[nodiscard]] std::string optimiseText(const GridSearchReport& report);
 

@@ -4,6 +4,7 @@
 #include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
 #include "core/project/project_file.h"
+#include "core/project/validate.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <map>
+#include <utility>
 #include <variant>
 
 namespace sparkout::python {
@@ -21,7 +23,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// Owned by the module.
+/// Of the module, which is never unloaded.
 PyObject* projectError = nullptr;
 
 std::string sentenceOf(const Issue& issue) {
@@ -61,9 +63,21 @@ py::object toPython(const nlohmann::ordered_json& json) {
     return py::module_::import("json").attr("loads")(json.dump());
 }
 
+/// Numbers and arrays of NumPy as Python's own.
+py::object plainOf(const py::object& value) {
+    if (!py::hasattr(value, "tolist")) {
+        throw py::type_error(std::string("a project cannot hold a ")
+                             + py::str(py::type::of(value)).cast<std::string>());
+    }
+    return value.attr("tolist")();
+}
+
 nlohmann::ordered_json fromPython(const py::object& value) {
-    const auto text = py::module_::import("json").attr("dumps")(value).cast<std::string>();
-    return nlohmann::ordered_json::parse(text);
+    using namespace py::literals;
+    const py::object dumps = py::module_::import("json").attr("dumps");
+    const py::object text =
+        dumps(value, "allow_nan"_a = false, "default"_a = py::cpp_function(&plainOf));
+    return nlohmann::ordered_json::parse(text.cast<std::string>());
 }
 
 nlohmann::ordered_json::json_pointer pointerTo(const std::string& path) {
@@ -83,30 +97,56 @@ py::object valueAt(const ValidProject& self, const std::string& path) {
     return toPython(json.at(pointer));
 }
 
+/// Puts a value where there is one, beside another key or at the end of a list.
+void put(nlohmann::ordered_json& json, const std::string& path, nlohmann::ordered_json value) {
+    const auto pointer = pointerTo(path);
+    const bool isThere = json.contains(pointer);
+    const bool hasParent = !pointer.empty() && json.contains(pointer.parent_pointer());
+    if (!isThere) {
+        if (!hasParent) {
+            throw py::key_error(path);
+        }
+        nlohmann::ordered_json& parent = json.at(pointer.parent_pointer());
+        const bool atEnd = parent.is_array() && pointer.back() == std::to_string(parent.size());
+        if (!parent.is_object() && !atEnd) {
+            throw py::key_error(path);
+        }
+    }
+    json[pointer] = std::move(value);
+}
+
 ValidProject withValues(const ValidProject& self, const std::map<std::string, py::object>& values) {
     auto json = nlohmann::ordered_json::parse(writeProject(self.project));
     for (const auto& [path, value] : values) {
-        try {
-            json[pointerTo(path)] = fromPython(value);
-        } catch (const nlohmann::json::exception&) { // beyond a value or the end of a list
-            throw py::key_error(path);
-        }
+        put(json, path, fromPython(value));
     }
     return readText(json.dump());
 }
 
 } // namespace
 
+void raiseRefusal(const std::string& sentence, const Issues& issues) {
+    const auto type = py::reinterpret_borrow<py::object>(projectError);
+    py::object error = type(sentence);
+    error.attr("issues") = py::cast(issues);
+    PyErr_SetObject(projectError, error.ptr());
+    throw py::error_already_set();
+}
+
 void raiseFaults(const Issues& issues) {
     std::string text;
     for (const Issue& issue : issues) {
         text += (text.empty() ? "" : "\n") + lineOf(issue);
     }
-    const auto type = py::reinterpret_borrow<py::object>(projectError);
-    py::object error = type(text);
-    error.attr("issues") = py::cast(issues);
-    PyErr_SetObject(projectError, error.ptr());
-    throw py::error_already_set();
+    raiseRefusal(text, issues);
+}
+
+ValidProject checkedProject(Project project) {
+    Issues issues = validate(project);
+    if (hasErrors(issues)) {
+        raiseFaults(issues);
+    }
+    return {std::move(project), std::move(issues)};
 }
 
 ValidProject readText(const std::string& text) {
@@ -151,9 +191,13 @@ void bindProject(py::module_& module) {
         .def("with_values", &withValues, py::arg("values"),
              "Another project with these values, by JSON pointer.")
         .def_readonly("warnings", &ValidProject::warnings)
-        .def("__eq__", [](const ValidProject& self, const ValidProject& other) {
-            return sameProject(self.project, other.project);
-        });
+        .def(
+            "__eq__",
+            [](const ValidProject& self, const ValidProject& other) {
+                return sameProject(self.project, other.project);
+            },
+            py::is_operator())
+        .attr("__hash__") = py::none();
 }
 
 } // namespace sparkout::python

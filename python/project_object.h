@@ -22,7 +22,12 @@ struct ValidProject {
 /// Project, Issue and ProjectError.
 void bindProject(pybind11::module_& module);
 
+/// A project that was made of another one; raises ProjectError where it is refused.
+[[nodiscard]] ValidProject checkedProject(Project project);
+
 /// Raises ProjectError with these faults.
 [[noreturn]] void raiseFaults(const Issues& issues);
+/// The same with a sentence that is of the project as a whole.
+[[noreturn]] void raiseRefusal(const std::string& sentence, const Issues& issues = {});
 
 } // namespace sparkout::python

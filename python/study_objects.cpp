@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "python/study_objects.h"
 
+#include "core/optimisation/search_names.h"
 #include "core/quality/result_names.h"
 #include "core/sparkout.h"
+#include "core/study/search_refusal.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/project_object.h"
@@ -76,8 +78,7 @@ py::list requirementsOf(const Evaluation& self) {
     using namespace py::literals;
     py::list list;
     for (const ConstraintResult& each : self.outcome->constraints) {
-        list.append(py::dict("name"_a = constraintName(each.kind),
-                             "where"_a = placeOf(each.zone, each.section),
+        list.append(py::dict("name"_a = constraintName(each.kind), "where"_a = whereText(each),
                              "unit"_a = constraintUnit(each.kind), "holds"_a = each.holds,
                              "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
                              "margin"_a = each.isWhole ? each.margin : none));
@@ -104,7 +105,17 @@ py::dict feedsDict(const FeedPoints& points) {
     return dict;
 }
 
+/// What was too long to be recorded has neither feeds nor a trace.
+void expectRecorded(const Evaluation& self) {
+    if (self.result().visits > maxRecordedVisits) {
+        throw py::value_error("the run has " + std::to_string(self.result().visits)
+                              + " visits of a radius; recorded are at most "
+                              + std::to_string(maxRecordedVisits));
+    }
+}
+
 py::dict feedsOf(const Evaluation& self) {
+    expectRecorded(self);
     py::dict dict;
     for (const FeedColumn& column : self.outcome->feeds.columns) {
         dict[py::str(sectionName(column.zone, column.section))] = feedsDict(column.strokes);
@@ -115,10 +126,7 @@ py::dict feedsOf(const Evaluation& self) {
 /// Every visit of a radius, column by column.
 py::dict traceOf(const Evaluation& self) {
     const Trajectory& trajectory = self.outcome->trajectory;
-    if (self.result().visits > maxRecordedVisits) {
-        throw py::value_error("the trace would have " + std::to_string(self.result().visits)
-                              + " rows; allowed: at most " + std::to_string(maxRecordedVisits));
-    }
+    expectRecorded(self);
     const auto radii = static_cast<std::size_t>(trajectory.radii);
     std::vector<double> section, stage, radius;
     for (std::size_t i = 0; i < trajectory.visits.size(); ++i) {
@@ -195,7 +203,17 @@ struct Batch {
     std::vector<double> good;
 };
 
+/// As many as the command line takes; 0: one a processor.
+void expectThreads(int threads) {
+    constexpr int most = 1024;
+    if (threads < 0 || threads > most) {
+        throw py::value_error("threads: " + std::to_string(threads) + "; allowed: 0…"
+                              + std::to_string(most));
+    }
+}
+
 Batch runBatchOf(const ValidProject& project, int threads) {
+    expectThreads(threads);
     if (const Issues issues = checkBatch(project.project); hasErrors(issues)) {
         raiseFaults(issues);
     }
@@ -253,6 +271,7 @@ void bindBatch(py::module_& module) {
 }
 
 SweepResult runSweepOf(const ValidProject& project, int threads) {
+    expectThreads(threads);
     if (const Issues issues = checkSweep(project.project); hasErrors(issues)) {
         raiseFaults(issues);
     }
@@ -329,37 +348,49 @@ void bindSweep(py::module_& module) {
 
 // --- search -------------------------------------------------------------------------------------
 
-constexpr std::array searchStates{"proved", "infeasible", "stopped", "found", "not_found"};
+/// A timer that asks a search to stop.
+class TimeLimit {
+public:
+    TimeLimit(std::stop_source stop, std::optional<double> limit_s)
+        : m_thread([stop = std::move(stop), limit_s](const std::stop_token& ended) mutable {
+            if (limit_s && *limit_s < longest_s) {
+                std::mutex mutex;
+                std::unique_lock lock(mutex);
+                std::condition_variable_any never;
+                never.wait_for(lock, ended, std::chrono::duration<double>(*limit_s),
+                               [] { return false; });
+                stop.request_stop();
+            }
+        }) {}
+
+private:
+    static constexpr double longest_s = 1e9; ///< longer is none
+    std::jthread m_thread;
+};
 
 GridSearchReport runSearchOf(const ValidProject& project, bool robust, bool refine,
                              std::optional<double> timeLimit_s) {
-    if (const GridFault fault = Variants(project.project).fault(); fault != GridFault::none) {
-        throw py::value_error("/optimisation: the grid cannot be searched");
+    if (timeLimit_s && !(*timeLimit_s >= 0)) {
+        throw py::value_error("time_limit_s: " + std::to_string(*timeLimit_s)
+                              + " s; allowed: ≥ 0 s");
     }
-    if (asksForABatch(project.project)) {
-        if (const Issues issues = checkBatch(project.project); hasErrors(issues)) {
-            raiseFaults(issues);
-        }
-    }
-    return interruptible([&](const std::stop_token& stop) {
+    GridSearchReport report = interruptible([&](const std::stop_token& stop) {
         std::stop_source either;
         const std::stop_callback asked(stop, [&either] { either.request_stop(); });
-        const std::jthread clock([&](const std::stop_token& ended) {
-            std::mutex mutex;
-            std::unique_lock lock(mutex);
-            std::condition_variable_any never;
-            if (timeLimit_s) {
-                never.wait_for(lock, ended, std::chrono::duration<double>(*timeLimit_s),
-                               [] { return false; });
-                either.request_stop();
-            }
-        });
+        const TimeLimit limit(either, timeLimit_s);
         GridSearchOptions options;
         options.robust = robust;
         options.refine = refine;
         options.stop = either.get_token();
         return searchGrid(project.project, options);
     });
+    if (!report.issues.empty()) {
+        raiseFaults(report.issues);
+    }
+    if (const std::string reason = searchRefusal(report); !reason.empty()) {
+        raiseRefusal(reason);
+    }
+    return report;
 }
 
 std::optional<double> timeOf(const GridSearchReport& self) {
@@ -374,15 +405,14 @@ void bindSearch(py::module_& module) {
         .def_property_readonly(
             "status",
             [](const GridSearchReport& self) {
-                return searchStates[static_cast<std::size_t>(isRefined(self) ? SearchStatus::found
-                                                                             : self.search.status)];
+                return searchStatusName(isRefined(self) ? SearchStatus::found : self.search.status);
             },
             "proved, found, stopped, infeasible or not_found")
         .def_property_readonly("time_s", &timeOf, "of the cycle found; None without one")
         .def_property_readonly(
             "project",
             [](const GridSearchReport& self) -> std::optional<ValidProject> {
-                return hasAnswer(self) ? std::optional(ValidProject{withAnswer(self), {}})
+                return hasAnswer(self) ? std::optional(checkedProject(withAnswer(self)))
                                        : std::nullopt;
             },
             "with the cycle found; None without one")

@@ -17,9 +17,9 @@
 ///    digits for a feed; 0.0001 mm of stock. From there, and from the best so far, by such steps in
 ///    one setting or in a setting and a stock while that helps.
 ///
-/// Every cycle that is tried is run in full by simulate(), on the part and in every scenario, and
-/// evaluateConstraints() decides on it: the answer holds, and it is the given cycle where no
-/// quicker one was met. Nothing is proved: off the grid a still quicker cycle may hold.
+/// Every cycle that is tried is run in full by simulateUnchecked(), on the part and in every
+/// scenario, and evaluateConstraints() decides on it: the answer holds, and it is the given cycle
+/// where no quicker one was met. Nothing is proved: off the grid a still quicker cycle may hold.
 namespace sparkout {
 
 struct RefineOptions {

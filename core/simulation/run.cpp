@@ -311,6 +311,11 @@ SimulationResult simulate(const Project& project, Trajectory* trajectory,
         result.project.runs.clear();
         result.engineVersion = version;
         result.status = RunStatus::refused;
+        if (trajectory) {
+            trajectory->radii = 0;
+            trajectory->passes.clear();
+            trajectory->visits.clear();
+        }
         return result;
     }
     return simulateUnchecked(project, trajectory, stop);

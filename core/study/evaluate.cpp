@@ -13,6 +13,7 @@ OutcomePtr evaluate(const Project& project, const std::stop_token& stop) {
     auto outcome = std::make_shared<Outcome>();
     outcome->issues = validate(project);
     if (hasErrors(outcome->issues)) {
+        outcome->result.status = RunStatus::refused;
         return outcome;
     }
     // Once to learn how much there is to record, then again to record it: a run is short, and a

@@ -8,6 +8,6 @@
 namespace sparkout {
 
 /// Checks a project, runs its cycle and holds it against the drawing. Null when stopped.
-[[nodiscard]] OutcomePtr evaluate(const Project& project, const std::stop_token& stop);
+[[nodiscard]] OutcomePtr evaluate(const Project& project, const std::stop_token& stop = {});
 
 } // namespace sparkout

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/grid_search.h"
 
+#include "core/batch/batch_check.h"
 #include "core/optimisation/binding.h"
 #include "core/optimisation/grace_stop.h"
 #include "core/optimisation/limit.h"
+#include "core/project/validate.h"
 #include "core/simulation/simulate.h"
 #include "core/study/refine_answer.h"
 
@@ -60,17 +62,41 @@ GivenCycle givenCycle(const Project& project, const std::stop_token& stop) {
     return given;
 }
 
+/// Whether the answer must hold for the project's batch.
+bool asksForABatch(const Project& project) {
+    return project.optimisation->scenarios != OptimisationScenarios::nominal;
+}
+
+/// What keeps it from being searched, before anything is.
+GridSearchReport checked(const Project& project, const GridSearchOptions& options) {
+    GridSearchReport report;
+    report.project = project;
+    report.method = options.method;
+    report.issues = validate(project);
+    if (!hasErrors(report.issues)) {
+        report.issues.clear();
+        report.isOtherOperation =
+            isHeuristic(options.method) && project.operation != Operation::plunge;
+        report.fault = Variants(project, options.stop).fault();
+        if (report.ran() && asksForABatch(project)) {
+            report.issues = checkBatch(project);
+        }
+    }
+    return report;
+}
+
 } // namespace
 
 GridSearchReport searchGrid(const Project& project, const GridSearchOptions& options) {
+    GridSearchReport report = checked(project, options);
+    if (!report.ran()) {
+        return report;
+    }
     SearchOptions search;
     search.method = options.method;
     search.threads = options.threads;
     search.onProgress = options.onProgress;
     search.stop = options.stop;
-    GridSearchReport report;
-    report.project = project;
-    report.method = options.method;
     if (options.robust || asksForABatch(project)) {
         report.robust =
             optimiseRobustly(project, scenariosAskedFor(project, options.stop), {.search = search});
@@ -108,10 +134,6 @@ Project withAnswer(const GridSearchReport& report) {
     Project project = withBest(report.project, report.search);
     project.cycle = cycleFound(report);
     return project;
-}
-
-bool asksForABatch(const Project& project) {
-    return project.optimisation->scenarios != OptimisationScenarios::nominal;
 }
 
 } // namespace sparkout

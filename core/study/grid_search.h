@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/issue.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/refine.h"
 #include "core/optimisation/robust.h"
@@ -35,16 +36,23 @@ struct GivenCycle {
 struct GridSearchReport {
     Project project; ///< as read: the given cycle
     SearchMethod method = SearchMethod::pruned;
+    Issues issues;                     ///< errors of the project, or why its batch cannot be run
+    GridFault fault = GridFault::none; ///< why its grid cannot be searched
+    bool isOtherOperation = false;     ///< the method is for plunge grinding alone
     SearchSummary search;
     std::optional<RobustSummary> robust; ///< of which the search is the last
     std::optional<RefineSummary> refined;
     double limit_s = 0;                                 ///< stepless
     std::optional<std::vector<ConstraintKind>> binding; ///< nothing: not known, or no cycle
     GivenCycle given;
+
+    /// Else nothing was searched; refusal() says why.
+    [[nodiscard]] bool ran() const {
+        return issues.empty() && fault == GridFault::none && !isOtherOperation;
+    }
 };
 
-/// Searches the grid of a project that has one, and whose batch checkBatch() passes if the answer
-/// must hold for it. A stop keeps the best so far.
+/// Searches the grid of a project. A stop keeps the best so far.
 [[nodiscard]] GridSearchReport searchGrid(const Project& project, const GridSearchOptions& options);
 
 /// Whether the answer was found off the grid, by refinement.
@@ -57,8 +65,5 @@ struct GridSearchReport {
 [[nodiscard]] const Cycle& cycleFound(const GridSearchReport& report);
 /// The project with that cycle and its machine.
 [[nodiscard]] Project withAnswer(const GridSearchReport& report);
-
-/// Whether the answer must hold for the project's batch.
-[[nodiscard]] bool asksForABatch(const Project& project);
 
 } // namespace sparkout

@@ -16,7 +16,7 @@ namespace sparkout {
 struct RecalledRun {
     Issues issues;                           ///< with errors nothing was run
     std::optional<RunSummary> summary;       ///< nothing: refused
-    std::shared_ptr<const FeedSeries> feeds; ///< of the wanted ones; null: not asked for
+    std::shared_ptr<const FeedSeries> feeds; ///< null: not kept
 };
 
 /// Computes the run of such inputs, the text of a project. One that was stopped is empty.

@@ -89,7 +89,7 @@ struct SearchState {
     double took_s = 0;
 };
 
-/// Searches a project's grid in this thread; `note` is told how far that is, in any thread.
+/// Searches a project's grid in this thread; `note` receives the progress, in any thread.
 [[nodiscard]] SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish,
                                               std::stop_token stop,
                                               std::function<void(const SearchState&)> note);

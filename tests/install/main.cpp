@@ -13,6 +13,10 @@ int main(int argc, char** argv) {
         std::puts("an empty project was not refused");
         return 1;
     }
+    if (sparkout::evaluate(sparkout::Project{})->ran()) {
+        std::puts("an empty project was evaluated");
+        return 1;
+    }
     for (int i = 1; i < argc; ++i) {
         std::ifstream file(argv[i]);
         const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -14,6 +14,10 @@ int main(int argc, char** argv) {
     if (!read.project) {
         return 1;
     }
+    if (sparkout::searchGrid(sparkout::Project{}, {}).ran()) {
+        std::puts("an empty project was searched");
+        return 1;
+    }
     const sparkout::GridSearchReport report = sparkout::searchGrid(*read.project, {});
     std::printf("%.17g\n", sparkout::hasAnswer(report) ? report.search.best->time_s / 60 : 0.0);
     return 0;

@@ -28,7 +28,7 @@ def stated(*arguments):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    prefix, outside = pathlib.Path(folder) / "usr", pathlib.Path(folder) / "outside"
+    prefix, outside = pathlib.Path(folder) / "local usr", pathlib.Path(folder) / "out side"
     run(cmake, "--install", build, "--prefix", str(prefix), "--component", "library")
     outside.mkdir()
     shutil.copy(here / "consumer.cmake", outside / "CMakeLists.txt")

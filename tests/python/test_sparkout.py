@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Python module gives the numbers of the command line, as arrays where there are many.
 
-Called with the module's folder, sparkout-cli and the folder of the examples."""
+Called with the module, sparkout-cli and the folder of the examples."""
 import json
 import os
 import pathlib
@@ -16,7 +16,7 @@ import unittest
 import numpy as np
 
 MODULE, CLI, EXAMPLES = sys.argv.pop(1), sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
-sys.path.insert(0, MODULE)
+sys.path.insert(0, str(pathlib.Path(MODULE).parent))
 import sparkout  # noqa: E402
 
 FACTORY = EXAMPLES / "shaft-30h6-factory.sparkout"
@@ -35,6 +35,16 @@ class Evaluations(unittest.TestCase):
             with self.subTest(file.name):
                 evaluation = sparkout.evaluate(sparkout.Project.read(file))
                 self.assertEqual(evaluation.to_dict(), cli("simulate", file, "--json"))
+
+    def test_requirements_are_those_of_the_command_line(self):
+        for file in sorted(EXAMPLES.glob("*.sparkout")):
+            evaluation = sparkout.evaluate(sparkout.Project.read(file))
+            stated = evaluation.to_dict()["constraints"]
+            mine = [(e["name"], e["where"], e["holds"]) for e in evaluation.requirements]
+            self.assertEqual(len(mine), len(set(mine)))
+            for worst in stated:  # of each kind
+                self.assertIn((worst["name"], worst["where"], worst["ok"]), mine)
+            self.assertEqual({e[0] for e in mine}, {e["name"] for e in stated})
 
     def test_sections_have_their_radii(self):
         project = sparkout.Project.read(FACTORY)
@@ -92,6 +102,32 @@ class Projects(unittest.TestCase):
             sparkout.evaluate(dull).peak_normal_force_n,
             sparkout.evaluate(project).peak_normal_force_n,
         )
+
+    def test_values_may_be_numpys(self):
+        project = sparkout.Project.read(FACTORY)
+        changed = project.with_values(
+            {"/part/radii_per_section": np.int64(72), "/wheel/dullness": np.float64(0.1)}
+        )
+        self.assertEqual(changed["/part/radii_per_section"], 72)
+        with self.assertRaises(TypeError):
+            project.with_values({"/wheel/dullness": object()})
+
+    def test_values_go_where_there_is_a_place(self):
+        project = sparkout.Project.read(FACTORY)
+        stages = project["/cycle/stages"]
+        more = project.with_values({f"/cycle/stages/{len(stages)}": stages[-1]})
+        self.assertEqual(len(more["/cycle/stages"]), len(stages) + 1)
+        for path in ("/cycle/stages/4000000000/stock_mm", "/cycle/stages/99", "/no/such/place"):
+            with self.subTest(path), self.assertRaises(KeyError):
+                project.with_values({path: 1})
+        for number in (float("nan"), float("inf")):
+            with self.assertRaises(ValueError):
+                project.with_values({"/wheel/dullness": number})
+
+    def test_projects_compare_with_anything(self):
+        project = sparkout.Project.read(FACTORY)
+        self.assertFalse(project == None)  # noqa: E711
+        self.assertFalse(project == 3)
 
     def test_faults_name_path_value_and_range(self):
         project = sparkout.Project.read(FACTORY)
@@ -163,8 +199,20 @@ class Studies(unittest.TestCase):
 
     def test_what_cannot_be_searched_is_refused(self):
         project = sparkout.Project.read(FACTORY).with_values({"/optimisation": None})
-        with self.assertRaises(ValueError):
+        with self.assertRaises(sparkout.ProjectError) as raised:
             sparkout.search(project)
+        self.assertIn("/optimisation", str(raised.exception))
+
+    def test_limits_of_time_and_threads(self):
+        project = sparkout.Project.read(EXAMPLES / "shaft-30h6-optimal.sparkout")
+        for limit_s in (float("nan"), -1.0):
+            with self.subTest(limit_s), self.assertRaises(ValueError):
+                sparkout.search(project, time_limit_s=limit_s)
+        self.assertEqual(sparkout.search(project, time_limit_s=float("inf")).status, "proved")
+        self.assertEqual(sparkout.search(project, time_limit_s=1e300).status, "proved")
+        for threads in (-1, 100_000):
+            with self.subTest(threads), self.assertRaises(ValueError):
+                sparkout.batch(project, threads=threads)
 
     def test_ctrl_c_ends_a_long_batch(self):
         project = sparkout.Project.read(FACTORY).with_values({"/batch/parts": 1_000_000})

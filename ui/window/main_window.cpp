@@ -301,7 +301,7 @@ void MainWindow::showStatus() {
                      "presses it against the wheel. Couple the sections."));
         break;
     case RunStatus::stopped:
-    case RunStatus::refused: break; // it was not run
+    case RunStatus::refused: break;
     }
     m_time->setText(tr("Computed in %1 ms").arg(QLocale().toString(m_runs.lastRun_ms(), 'f', 1)));
 }

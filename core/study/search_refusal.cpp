@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/search_refusal.h"
+
+#include "core/optimisation/grid.h"
+#include "core/optimisation/search_names.h"
+
+#include <cmath>
+
+namespace sparkout {
+
+std::string searchRefusal(const GridSearchReport& report) {
+    if (report.isOtherOperation) {
+        return std::string("/operation: --method ") + searchMethodName(report.method)
+               + " is for plunge grinding; --method search takes traverse cycles";
+    }
+    switch (report.fault) {
+    case GridFault::none: break;
+    case GridFault::notGiven: return "/optimisation: what to search is not given";
+    case GridFault::noLevels:
+        return std::string("/optimisation: ")
+               + (report.project.operation == Operation::traverse
+                      ? "radial_feed_mm and axial_feed_mm_min"
+                      : "radial_feed_mm_min")
+               + " must be given";
+    case GridFault::tooManyLevels:
+        return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
+               + " settings of a stage's feeds";
+    case GridFault::tooManySteps:
+        return "/optimisation/stock_step_mm: more than "
+               + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
+    case GridFault::tooManyVariants:
+        return "/optimisation: more than " + std::to_string(std::lround(mostVariants))
+               + " combinations of work_speed_rpm, dwell_entry_s, dwell_exit_s and spark_out";
+    case GridFault::noDivision:
+        return "/optimisation: the stock and the feeds cannot be divided into these numbers of "
+               "stages within their bounds";
+    }
+    return {};
+}
+
+} // namespace sparkout
