@@ -7,6 +7,7 @@
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/plot/view.h"
 #include "ui/window/view_tabs.h"
@@ -34,6 +35,25 @@ class TestExportViews : public ExportTest {
 
 private slots:
     void initTestCase() { begin(); }
+
+    /// As a view that was torn off and goes back while its picture is written.
+    void aWindowThatIsGoneWhenItsFileIsWrittenIsNotAskedAgain() {
+        const Bench bench(QStringLiteral("en"));
+        auto* own = new QWidget;
+        own->show();
+        const QString path = m_folder.filePath(QStringLiteral("gone.txt"));
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        QVERIFY(saveWithDialog(own, nullptr,
+                               {QStringLiteral("Save"), QStringLiteral("gone"),
+                                QStringLiteral("txt"), QStringLiteral("Texts (*.txt)"), [own] {
+                                    delete own;
+                                    return [] { return QByteArrayLiteral("whole"); };
+                                }}));
+        QCOMPARE(answers.fault(), QString());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArrayLiteral("whole"));
+    }
 
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart_data() { languageRows(); }
     void everyPlotIsSavedAsAWorkbookWithItsUnitsApart() {

@@ -15,6 +15,7 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStatusBar>
@@ -118,14 +119,15 @@ void confirm(QWidget* window, const QString& path) {
 
 } // namespace
 
-bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& request) {
+bool saveWithDialog(QWidget* from, Settings* settings, const SaveRequest& request) {
+    const QPointer<QWidget> window(from); // one torn off may be gone when the file is written
     QString folder = settings ? settings->lastFolder() : QDir::homePath();
     for (;;) {
-        const QString path = SaveDialog::askPath(window, folder, request);
+        const QString path = SaveDialog::askPath(window.data(), folder, request);
         if (path.isEmpty()) {
             return false;
         }
-        const std::optional<QString> outcome = save(window, path, request);
+        const std::optional<QString> outcome = save(window.data(), path, request);
         if (!outcome) {
             return false;
         }
@@ -135,11 +137,11 @@ bool saveWithDialog(QWidget* window, Settings* settings, const SaveRequest& requ
             settings->setLastFolder(chosen.absolutePath());
         }
         if (failure.isEmpty()) {
-            confirm(window, path);
+            confirm(window.data(), path);
             return true;
         }
         folder = chosen.exists() ? chosen.absolutePath() : folder;
-        if (!SaveDialog::offerAnother(window, failure)) {
+        if (!SaveDialog::offerAnother(window.data(), failure)) {
             return false;
         }
     }
