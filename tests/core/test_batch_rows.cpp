@@ -4,6 +4,7 @@
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
+#include "core/quality/finished_surface.h"
 
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
@@ -248,6 +249,18 @@ private slots:
                 QVERIFY2(!ofSurface || cells[i].empty(), keys[i].c_str());
                 QVERIFY2(!isTime || !cells[i].empty(), keys[i].c_str());
             }
+            int failed = 0;
+            for (const ConstraintKind kind : rows.columns.requirements) {
+                const auto at =
+                    std::ranges::find(keys, std::string(constraintName(kind)) + " holds");
+                QVERIFY(at != keys.end());
+                const std::string& cell = cells[static_cast<std::size_t>(at - keys.begin())];
+                if (FinishedSurface::isMeantBy(kind) || kind == ConstraintKind::overlap) {
+                    QVERIFY2(cell != "true", at->c_str()); // empty: not required of this part
+                    failed += cell == "false" ? 1 : 0;
+                }
+            }
+            QVERIFY(failed > 2);
             QCOMPARE(cells[3], std::string());
         }
     }

@@ -37,6 +37,9 @@ private slots:
         row("NUL", QByteArray("a\0b", 3), "a\\u0000b");
         row("escape", "\x1b[2J", "\\u001B[2J");
         row("reversed", "a\u202Egpj.exe", "a\\u202Egpj.exe");
+        row("override ended", "a\u202Cb", "a\\u202Cb");
+        row("isolated", "a\u2067b\u2069c", "a\\u2067b\\u2069c");
+        row("beside the isolates", "a\u2065b\u206Ac", "a\u2065b\u206Ac");
         row("no UTF-8", "a\xff", "a\\xFF");
         row("comma", "a,b", "\"a,b\"");
         row("semicolon", "a;b", "a;b");

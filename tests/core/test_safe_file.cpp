@@ -127,6 +127,21 @@ private slots:
         QCOMPARE(namesIn(m_folder), Names{"part.sparkout"});
     }
 
+    void bytesThatChangedOnTheDiskAreNotTakenForTheOnesWritten() {
+        put(file(), "old");
+        SafeFileWriter writer(file(), SafeFileWriter::Existing::replaced);
+        QVERIFY(
+            writer.write(std::string(300'000, 'x'))); // more than one block: some are on the disk
+        Names names = namesIn(m_folder);
+        std::erase(names, "part.sparkout");
+        QCOMPARE(names.size(), std::size_t{1});
+        std::fstream(m_folder / names.front(), std::ios::in | std::ios::out | std::ios::binary)
+            << 'y';
+        QVERIFY(!writer.finish());
+        QVERIFY(writer.error()->step == FileStep::verify);
+        QCOMPARE(get(file()), std::string("old"));
+    }
+
     void whatIsNotFinishedLeavesNothing() {
         put(file(), "old");
         {
