@@ -18,7 +18,7 @@ namespace sparkout {
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 /// A state that no batch writes.
 struct NoState {};
@@ -29,7 +29,7 @@ void expect(bool holds) {
     }
 }
 
-std::int64_t wholeIn(const json& value, std::int64_t low, std::int64_t high) {
+std::int64_t wholeIn(const Json& value, std::int64_t low, std::int64_t high) {
     expect(value.is_number_integer()
            && (!value.is_number_unsigned()
                || value.get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max()));
@@ -41,7 +41,7 @@ std::int64_t wholeIn(const json& value, std::int64_t low, std::int64_t high) {
 /// Reads a state and refuses whatever could lead the joining or the figures astray.
 class StateReader {
 public:
-    explicit StateReader(const json& state) : m_state(state) {}
+    explicit StateReader(const Json& state) : m_state(state) {}
 
     BatchResult read() {
         ReadResult project = readProject(m_state.at("project").dump());
@@ -63,12 +63,12 @@ public:
     }
 
 private:
-    void readStatistics(const json& state) {
+    void readStatistics(const Json& state) {
         BatchStatistics& statistics = m_result.statistics;
         statistics.parts = wholeIn(state.at("parts"), 0, m_result.range.end - m_result.range.first);
         statistics.failed = wholeIn(state.at("failed"), 0, statistics.parts);
         statistics.bad = wholeIn(state.at("bad"), statistics.failed, statistics.parts);
-        const json& rejects = state.at("rejects");
+        const Json& rejects = state.at("rejects");
         std::int64_t causes = 0;
         expect(rejects.size() == statistics.rejects.size());
         for (std::size_t i = 0; i < statistics.rejects.size(); ++i) {
@@ -78,17 +78,17 @@ private:
         expect(causes >= statistics.bad - statistics.failed); // each of these has one at least
         statistics.worst = partValue(state.at("worst"), statistics.parts == 0);
         const std::int64_t measured = statistics.parts - statistics.failed;
-        for (const json& values : state.at("values")) {
+        for (const Json& values : state.at("values")) {
             statistics.values.push_back(readValues(values, measured));
         }
         expect(statistics.values.size() == (statistics.parts > 0 ? m_characteristics : 0));
-        for (const json& row : state.at("rows")) {
+        for (const Json& row : state.at("rows")) {
             statistics.rows.push_back(readRow(row));
         }
         expect(static_cast<std::int64_t>(statistics.rows.size()) <= measured);
     }
 
-    [[nodiscard]] PartValue partValue(const json& state, bool none) const {
+    [[nodiscard]] PartValue partValue(const Json& state, bool none) const {
         expect(state.size() == 2);
         if (none) {
             expect(state.at(1) == -1);
@@ -100,7 +100,7 @@ private:
         return value;
     }
 
-    [[nodiscard]] ValueStatistics readValues(const json& state, std::int64_t measured) const {
+    [[nodiscard]] ValueStatistics readValues(const Json& state, std::int64_t measured) const {
         ValueStatistics values;
         values.count = wholeIn(state.at("count"), 0, measured);
         expect(state.at("powers").size() == values.powers.size());
@@ -116,12 +116,12 @@ private:
         return values;
     }
 
-    void readBins(const json& state, ValueStatistics& values) const {
+    void readBins(const Json& state, ValueStatistics& values) const {
         const auto level =
             static_cast<int>(wholeIn(state.at("bin_level"), 0, ValueBins::highestLevel));
         ValueBins::Map bins;
         std::int64_t left = values.count;
-        for (const json& given : state.at("bins")) {
+        for (const Json& given : state.at("bins")) {
             expect(given.size() == 2 + m_factors);
             const std::int64_t at =
                 wholeIn(given.at(0), ValueBins::lowest(level), ValueBins::highest(level));
@@ -146,7 +146,7 @@ private:
         }
     }
 
-    static ExactSum readSum(const json& state) {
+    static ExactSum readSum(const Json& state) {
         constexpr std::int64_t base = std::int64_t{1} << 32;
         ExactSum::Limbs digits{};
         expect(state.size() == digits.size());
@@ -157,29 +157,29 @@ private:
         return ExactSum::ofDigits(digits);
     }
 
-    [[nodiscard]] PartRow readRow(const json& state) const {
+    [[nodiscard]] PartRow readRow(const Json& state) const {
         expect(state.size() == 2 && state.at(1).size() == m_characteristics);
         const auto& rows = m_result.statistics.rows;
         const std::int64_t first = rows.empty() ? m_result.range.first : rows.back().part + 1;
         PartRow row{wholeIn(state.at(0), first,
                             std::min(m_result.range.end, BatchStatistics::keptRows) - 1),
                     {}};
-        for (const json& value : state.at(1)) {
+        for (const Json& value : state.at(1)) {
             row.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                                  : value.get<double>());
         }
         return row;
     }
 
-    const json& m_state;
+    const Json& m_state;
     BatchResult m_result;
     std::size_t m_characteristics = 0, m_factors = 0;
 };
 
-ReadBatchState contentsOf(const json& state) {
+ReadBatchState contentsOf(const Json& state) {
     try {
         return {StateFault::none, StateReader(state).read()};
-    } catch (const json::exception&) {
+    } catch (const Json::exception&) {
         return {StateFault::impossible, {}};
     } catch (const NoState&) {
         return {StateFault::impossible, {}};
@@ -192,7 +192,7 @@ ReadBatchState readBatchState(std::string_view text) {
     if (nestingOf(text) > limits::depth) {
         return {StateFault::tooDeep, {}};
     }
-    std::optional<json> state = parseState(text);
+    std::optional<Json> state = parseState(text);
     if (!state || !state->contains("format") || state->at("format") != batchStateFormat) {
         return {StateFault::otherFormat, {}};
     }

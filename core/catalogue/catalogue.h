@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
@@ -118,5 +119,16 @@ struct ThermalPoint {
     double conductivity_w_mk = 0, diffusivity_mm2_s = 0;
 };
 [[nodiscard]] std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius);
+
+template <>
+const StructInfo& tableOf<ValueSource>();
+template <>
+const StructInfo& tableOf<ThermalData>();
+template <>
+const StructInfo& tableOf<MaterialEntry>();
+template <>
+const StructInfo& tableOf<WheelEntry>();
+template <>
+const StructInfo& tableOf<MachineEntry>();
 
 } // namespace sparkout

@@ -10,7 +10,6 @@ namespace sparkout {
 
 namespace {
 constexpr double peakRounding = 1e-9;
-constexpr double wattsPerKilowatt = 1e3;
 constexpr std::size_t traverseZones = 3;
 } // namespace
 
@@ -24,11 +23,11 @@ PassCuts::PassCuts(const Project& project)
     , m_isBore(project.part.surface == Surface::internal) {
     const Machine& machine = project.machine;
     if (machine.wheel_drive_kw && !isCoupled(project)) {
-        m_wheelPower_w = *machine.wheel_drive_kw * wattsPerKilowatt * (1 + peakRounding);
+        m_wheelPower_w = *machine.wheel_drive_kw * units::wPerKw * (1 + peakRounding);
     }
     if (machine.work_drive_kw && !isCoupled(project)) {
         const Cutting cutting = cuttingOf(project);
-        m_workPower_w = *machine.work_drive_kw * wattsPerKilowatt * cutting.Vk_mm_s
+        m_workPower_w = *machine.work_drive_kw * units::wPerKw * cutting.Vk_mm_s
                         / cutting.Vd_mm_s * (1 + peakRounding);
     }
     if (const auto model = selfSharpening(project)) {

@@ -42,4 +42,13 @@ struct Batch {
     std::optional<double> most_outside_share; ///< of parts that are not good, and of expected ones
 };
 
+template <>
+std::span<const Choice> choicesOf<Scenarios>();
+template <>
+const StructInfo& tableOf<Factor>();
+template <>
+const StructInfo& tableOf<Factors>();
+template <>
+const StructInfo& tableOf<Batch>();
+
 } // namespace sparkout

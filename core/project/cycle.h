@@ -25,4 +25,9 @@ struct Cycle {
 /// stage is one of the project's.
 [[nodiscard]] bool mayRetract(const Project& project, const Stage& stage);
 
+template <>
+const StructInfo& tableOf<Stage>();
+template <>
+const StructInfo& tableOf<Cycle>();
+
 } // namespace sparkout

@@ -21,4 +21,11 @@ struct Gauge {
     int commands = 5;               ///< stages the gauge can switch
 };
 
+template <>
+std::span<const Choice> choicesOf<Control>();
+template <>
+std::span<const Choice> choicesOf<GaugeRule>();
+template <>
+const StructInfo& tableOf<Gauge>();
+
 } // namespace sparkout

@@ -12,15 +12,15 @@ namespace sparkout {
 namespace {
 
 constexpr std::size_t ranges = 13;
-using Row = std::array<double, ranges>;
+using ByRange = std::array<double, ranges>;
 
 /// Each range goes over the bound before it up to and including its own [mm].
-constexpr Row upTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+constexpr ByRange upTo{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 
 constexpr int finestGrade = 4, coarsestGrade = 14;
 
 /// IT3 (for the Δ of IT4 alone) to IT14 [µm], ISO 286-1 table 1.
-constexpr std::array<Row, 12> tolerances{{
+constexpr std::array<ByRange, 12> tolerances{{
     {2, 2.5, 2.5, 3, 4, 4, 5, 6, 8, 10, 12, 13, 15},
     {3, 4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 20},
     {4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27},
@@ -37,21 +37,21 @@ constexpr std::array<Row, 12> tolerances{{
 
 /// Fundamental deviations of shafts [µm]: es of d…h, ei of j…p; ISO 286-1 tables 4 and 5.
 namespace shafts {
-constexpr Row d{-20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230};
-constexpr Row e{-14, -20, -25, -32, -40, -50, -60, -72, -85, -100, -110, -125, -135};
-constexpr Row f{-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68};
-constexpr Row g{-2, -4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18, -20};
-constexpr Row h{};
-constexpr Row j5and6{-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20};
-constexpr Row j7{-4, -4, -5, -6, -8, -10, -12, -15, -18, -21, -26, -28, -32};
-constexpr Row k4to7{0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5};
-constexpr Row m{2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23};
-constexpr Row n{4, 8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37, 40};
-constexpr Row p{6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68};
+constexpr ByRange d{-20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230};
+constexpr ByRange e{-14, -20, -25, -32, -40, -50, -60, -72, -85, -100, -110, -125, -135};
+constexpr ByRange f{-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68};
+constexpr ByRange g{-2, -4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18, -20};
+constexpr ByRange h{};
+constexpr ByRange j5and6{-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20};
+constexpr ByRange j7{-4, -4, -5, -6, -8, -10, -12, -15, -18, -21, -26, -28, -32};
+constexpr ByRange k4to7{0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5};
+constexpr ByRange m{2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23};
+constexpr ByRange n{4, 8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37, 40};
+constexpr ByRange p{6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68};
 } // namespace shafts
 
 /// ES of J6, J7, J8 [µm], ISO 286-1 table 2.
-constexpr std::array<Row, 3> J6to8{{
+constexpr std::array<ByRange, 3> J6to8{{
     {2, 5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29, 33},
     {4, 6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39, 43},
     {6, 10, 12, 15, 20, 24, 28, 34, 41, 47, 55, 60, 66},

@@ -51,4 +51,15 @@ struct Machine {
     MachineLimits limits;
 };
 
+template <>
+std::span<const Choice> choicesOf<EntrySide>();
+template <>
+const StructInfo& tableOf<Stiffness>();
+template <>
+const StructInfo& tableOf<WheelContact>();
+template <>
+const StructInfo& tableOf<MachineLimits>();
+template <>
+const StructInfo& tableOf<Machine>();
+
 } // namespace sparkout

@@ -22,4 +22,7 @@ struct Material {
     double heat_share = 1;              ///< ε_w, share of the heat that goes into the part
 };
 
+template <>
+const StructInfo& tableOf<Material>();
+
 } // namespace sparkout

@@ -43,4 +43,11 @@ struct Optimisation {
     std::optional<Cost> cost;            ///< not given: not told
 };
 
+template <>
+std::span<const Choice> choicesOf<OptimisationScenarios>();
+template <>
+const StructInfo& tableOf<Cost>();
+template <>
+const StructInfo& tableOf<Optimisation>();
+
 } // namespace sparkout

@@ -66,4 +66,23 @@ struct Part {
     Shaft shaft;
 };
 
+template <>
+std::span<const Choice> choicesOf<Surface>();
+template <>
+std::span<const Choice> choicesOf<ProfileForm>();
+template <>
+std::span<const Choice> choicesOf<Mounting>();
+template <>
+const StructInfo& tableOf<Tolerance>();
+template <>
+const StructInfo& tableOf<ShaftSegment>();
+template <>
+const StructInfo& tableOf<SteadyRest>();
+template <>
+const StructInfo& tableOf<Quill>();
+template <>
+const StructInfo& tableOf<Shaft>();
+template <>
+const StructInfo& tableOf<Part>();
+
 } // namespace sparkout

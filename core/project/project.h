@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/project/batch.h"
 #include "core/project/cycle.h"
 #include "core/project/gauge.h"
@@ -45,5 +46,12 @@ struct Project {
     std::optional<Sweep> sweep;
     std::vector<KeptRun> runs;
 };
+
+template <>
+std::span<const Choice> choicesOf<Operation>();
+template <>
+const StructInfo& tableOf<KeptRun>();
+template <>
+const StructInfo& tableOf<Project>();
 
 } // namespace sparkout

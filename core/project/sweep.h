@@ -24,4 +24,11 @@ struct Sweep {
     std::vector<SweepAxis> inputs;
 };
 
+template <>
+std::span<const Choice> choicesOf<SweepSpacing>();
+template <>
+const StructInfo& tableOf<SweepAxis>();
+template <>
+const StructInfo& tableOf<Sweep>();
+
 } // namespace sparkout

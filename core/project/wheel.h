@@ -28,4 +28,7 @@ struct Wheel {
     std::optional<double> grains_per_mm2;            ///< n_g; not given: from the lattice [1/mm²]
 };
 
+template <>
+const StructInfo& tableOf<Wheel>();
+
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/field.h"
 #include "core/project/leaves.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/result.h"
@@ -82,5 +83,14 @@ struct ChangedValue {
 /// deviations within sameRadius_um, other numbers to a millionth of them, or of one.
 [[nodiscard]] std::vector<ChangedValue> changedSince(const ReadSummary& kept,
                                                      const RunSummary& now);
+
+template <>
+std::span<const Choice> choicesOf<RunStatus>();
+template <>
+const StructInfo& tableOf<ZoneSummary>();
+template <>
+const StructInfo& tableOf<RequirementSummary>();
+template <>
+const StructInfo& tableOf<RunSummary>();
 
 } // namespace sparkout

@@ -29,7 +29,7 @@ Shape shapeOf(Quantity quantity) {
 }
 
 /// What an accumulated feed grew by over a point.
-double growth(const FeedPoint& point, Quantity quantity, Edge edge) {
+double grownBy(const FeedPoint& point, Quantity quantity, Edge edge) {
     return edgeOf(quantity == Quantity::programmedSum ? point.programmed_um : point.actual_um,
                   edge);
 }
@@ -106,7 +106,7 @@ std::vector<XY> polyline(const FeedPoints& points, Quantity quantity, Edge edge,
         if (shape != Shape::ramp) {
             put(p.start_s, value);
         } else if (line.empty()) {
-            put(p.start_s, value - growth(p, quantity, edge));
+            put(p.start_s, value - grownBy(p, quantity, edge));
         }
         put(p.end_s, value);
         lastEnd_s = p.end_s;

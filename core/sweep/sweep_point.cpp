@@ -15,7 +15,6 @@ namespace sparkout {
 namespace {
 
 constexpr double percent = 100;
-constexpr double wattsPerKilowatt = 1000;
 
 class PointMeasure {
 public:
@@ -37,7 +36,7 @@ public:
             }
         }
         add("peak_normal_force", "N", {m_result.peakNormalForce_n});
-        add("peak_power", "kW", {m_result.peakPower_w / wattsPerKilowatt});
+        add("peak_power", "kW", {m_result.peakPower_w / units::wPerKw});
         return std::move(m_measured);
     }
 

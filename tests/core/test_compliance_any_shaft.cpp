@@ -7,12 +7,12 @@
 #include "tests/core/shafts.h"
 #include "tests/registry.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <stop_token>
 #include <utility>
@@ -180,13 +180,16 @@ private slots:
         }
         p.part.shaft.ground_from_mm = 300;
         p.sections = 20;
-        QElapsedTimer took;
-        took.start();
+        std::clock_t start = std::clock();
+        const auto took_ms = [&start] { // processor time: the machine may be busy
+            const std::clock_t since = std::exchange(start, std::clock());
+            return 1e3 * double(start - since) / CLOCKS_PER_SEC;
+        };
         const std::vector<CompliantPoint> points = compliantPoints(p);
-        const qint64 points_ms = took.restart();
+        const double points_ms = took_ms();
         const std::vector<CompliantPlace> along = complianceAlong(p, 241);
-        const qint64 along_ms = took.restart();
-        qInfo("sections %lld ms, along the shaft %lld ms", points_ms, along_ms);
+        const double along_ms = took_ms();
+        qInfo("sections %.0f ms, along the shaft %.0f ms", points_ms, along_ms);
         QVERIFY(points_ms < 2000 && along_ms < 2000);
         QCOMPARE(points.size(), 20u);
         for (const CompliantPoint& point : points) { // between a rigid shaft's and a free one's
@@ -194,9 +197,9 @@ private slots:
         }
         std::stop_source stop;
         stop.request_stop();
-        took.restart();
+        took_ms();
         QCOMPARE(compliantPoints(p, stop.get_token()).size(), 20u);
-        QVERIFY(took.elapsed() < 200);
+        QVERIFY(took_ms() < 200);
     }
 
     void aRestNeverMakesTheShaftSofter() {

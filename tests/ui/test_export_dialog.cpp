@@ -224,7 +224,7 @@ private slots:
         std::atomic<bool> progressSeen = false;
         QTimer watch;
         connect(&watch, &QTimer::timeout, &watch,
-                [&] { progressSeen = QApplication::activeModalWidget() != nullptr; });
+                [&] { progressSeen = progressSeen || QApplication::activeModalWidget(); });
         watch.start(10);
         const QDeadlineTimer tooLong(10'000);
         QVERIFY(runWatched(nullptr, QStringLiteral("work"), [&](const KeepGoing& keepGoing) {
