@@ -27,8 +27,8 @@ PassCuts::PassCuts(const Project& project)
     }
     if (machine.work_drive_kw && !isCoupled(project)) {
         const Cutting cutting = cuttingOf(project);
-        m_workPower_w = *machine.work_drive_kw * units::wPerKw * cutting.Vk_mm_s
-                        / cutting.Vd_mm_s * (1 + peakRounding);
+        m_workPower_w = *machine.work_drive_kw * units::wPerKw * cutting.Vk_mm_s / cutting.Vd_mm_s
+                        * (1 + peakRounding);
     }
     if (const auto model = selfSharpening(project)) {
         if (const auto depth = model->limitDepth()) {
