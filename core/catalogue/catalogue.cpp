@@ -203,9 +203,9 @@ void applyEntry(const Entry& entry, Project& project) {
 }
 
 template <class Entry>
-Entry entryOf(const Project& project, std::string name) {
+Entry entryOf(const Project& project, const std::string& name) {
     Entry entry;
-    entry.name = std::move(name);
+    entry.name = name;
     entry.value = project.*Kindred<Entry>::member;
     const ordered_json value = writeByTable(valueTable<Entry>(), &entry.value);
     eachValue(value, valueTable<Entry>(), {}, [&](const std::string& key, const ordered_json&) {
@@ -235,7 +235,7 @@ std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius) {
     template std::vector<Entry> mergedEntries<Entry>(const std::vector<Entry>&,                    \
                                                      const std::vector<Entry>&);                   \
     template void applyEntry<Entry>(const Entry&, Project&);                                       \
-    template Entry entryOf<Entry>(const Project&, std::string)
+    template Entry entryOf<Entry>(const Project&, const std::string&)
 SPARKOUT_CATALOGUE(MaterialEntry);
 SPARKOUT_CATALOGUE(WheelEntry);
 SPARKOUT_CATALOGUE(MachineEntry);

@@ -102,7 +102,7 @@ void applyEntry(const Entry& entry, Project& project);
 /// An entry that gives what the project has: "save as mine". Its numbers are estimates until their
 /// sources are filled in.
 template <class Entry>
-[[nodiscard]] Entry entryOf(const Project& project, std::string name);
+[[nodiscard]] Entry entryOf(const Project& project, const std::string& name);
 
 /// The source of a value by its key, null when the entry does not give it.
 [[nodiscard]] const ValueSource* sourceOf(const std::vector<ValueSource>& sources,

@@ -107,7 +107,7 @@ ordered_json givenPart(const ordered_json& value, const StructInfo& table,
                 given[field.key] = *found;
             }
         } else if (field.kind == Kind::text) {
-            if (*found != "") {
+            if (!found->get_ref<const std::string&>().empty()) {
                 given[field.key] = *found;
             }
         } else if (field.nested && found->is_object()) {
@@ -159,7 +159,8 @@ void checkLimits(const Project& project, const std::string& key,
         }
         const std::string inValue = issue.path.substr(inProject.size());
         if (sourceOf(sources, keyOf(inValue))) {
-            issue.path = path + "/value/" + inValue;
+            issue.path = path;
+            issue.path.append("/value/").append(inValue);
             issues.push_back(std::move(issue));
         }
     }

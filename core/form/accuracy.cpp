@@ -59,20 +59,20 @@ double runout(std::span<const SectionShape> sections, double geometricRunout_mm,
 // Least squares by orthogonal parts: P₁ = ξ − mean ξ and P₂ = ξ² less its share in 1 and P₁, with ξ
 // from −1 at the first section to 1 at the last. Between these ends the quadratic part ξ² rises by
 // 1, so its coefficient is ends less middle.
-LongitudinalProfile longitudinalProfile(std::span<const double> positions,
-                                        std::span<const double> radii) {
-    const auto [first, last] = std::minmax_element(positions.begin(), positions.end());
+LongitudinalProfile longitudinalProfile(std::span<const double> positions_mm,
+                                        std::span<const double> meanRadii_mm) {
+    const auto [first, last] = std::minmax_element(positions_mm.begin(), positions_mm.end());
     const double middle = (*first + *last) / 2, reach = (*last - *first) / 2;
-    if (positions.size() < 2 || reach <= 0) {
+    if (positions_mm.size() < 2 || reach <= 0) {
         return {};
     }
-    const std::size_t J = positions.size();
+    const std::size_t J = positions_mm.size();
     std::vector<double> line(J), curve(J), rest(J);
-    const double radius = mean(radii);
+    const double radius = mean(meanRadii_mm);
     for (std::size_t j = 0; j < J; ++j) {
-        line[j] = (positions[j] - middle) / reach;
+        line[j] = (positions_mm[j] - middle) / reach;
         curve[j] = line[j] * line[j];
-        rest[j] = radii[j] - radius;
+        rest[j] = meanRadii_mm[j] - radius;
     }
     const double lineMean = mean(line), curveMean = mean(curve);
     for (std::size_t j = 0; j < J; ++j) {

@@ -52,11 +52,11 @@ std::optional<double> Judge::leastMargin(const SimulationResult& result) {
 }
 
 std::optional<double> Judge::leastMargin(const GridCycle& cycle, double margin) {
-    for (std::size_t i = 0; i < m_scenarios.size(); ++i) {
-        const auto result = m_scenarios[i]->run(cycle, counts);
+    for (auto& scenario : m_scenarios) {
+        const auto result = scenario->run(cycle, counts);
         const std::optional<double> there = result ? leastMargin(*result) : std::nullopt;
         if (!there) {
-            std::swap(m_scenarios[0], m_scenarios[i]);
+            std::swap(m_scenarios.front(), scenario);
             return std::nullopt;
         }
         margin = std::min(margin, *there);
@@ -111,15 +111,17 @@ void Judge::settle(double time_s) {
         if (m_options.stop.stop_requested()) {
             return; // it waits on, and its time is a bound
         }
-        if (!holds) {
-            m_waiting.erase(first);
-        } else if (found.leastRelativeMargin < first->leastRelativeMargin) {
+        if (holds && found.leastRelativeMargin < first->leastRelativeMargin) {
             *first = found; // another may be better now
-        } else if (!isChallenged(found)) {
-            m_waiting.erase(first);
+            continue;
+        }
+        const bool challenged = holds && isChallenged(found);
+        if (challenged && m_options.stop.stop_requested()) {
+            return; // it waits on too
+        }
+        m_waiting.erase(first);
+        if (holds && !challenged) {
             put(found);
-        } else if (!m_options.stop.stop_requested()) {
-            m_waiting.erase(first);
         }
     }
 }

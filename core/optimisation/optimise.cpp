@@ -40,7 +40,7 @@ public:
         for (std::size_t v = 0; v < m_variants.count() && !m_unprepared; ++v) {
             m_unprepared = grace.isOver();
             if (m_variants.grid(v).fault() == GridFault::none) {
-                m_order.push_back({leastTime_s(m_variants.project(v), m_variants.grid(v)), v});
+                m_order.emplace_back(leastTime_s(m_variants.project(v), m_variants.grid(v)), v);
             }
         }
         if (options.method != SearchMethod::full) { // which goes on where it was stopped

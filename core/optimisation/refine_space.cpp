@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -29,8 +30,8 @@ double RefineSpace::Setting::rounded(double value) const {
     return asWritten(base + steps * by);
 }
 
-RefineSpace::RefineSpace(const Project& project, const Cycle& cycle)
-    : m_cycle(cycle)
+RefineSpace::RefineSpace(const Project& project, Cycle cycle)
+    : m_cycle(std::move(cycle))
     , m_stock_mm(project.part.stock_mm)
     , m_leastLast_mm(refinedStock_mm)
     , m_mostLast_mm(project.part.stock_mm)

@@ -12,7 +12,7 @@ namespace sparkout {
 class RefineSpace {
 public:
     /// Of a project with a grid.
-    RefineSpace(const Project& project, const Cycle& cycle);
+    RefineSpace(const Project& project, Cycle cycle);
 
     struct Setting {
         std::size_t stage = 0;

@@ -57,7 +57,7 @@ struct RobustSummary {
 /// joined later, nothing is lost: cycles of its time are not dropped, they wait, as its margin may
 /// fall. Where it does not hold, the search is made again with the set as it is. Cycles quicker
 /// than the best without further scenarios were judged before: none of them holds.
-[[nodiscard]] RobustSummary optimiseRobustly(const Project& project, const FreshScenarios& source,
+[[nodiscard]] RobustSummary optimiseRobustly(const Project& asked, const FreshScenarios& source,
                                              const RobustOptions& options = {});
 
 /// The project with stocks spread evenly over one infeed of each stage of its cycle, `phases` a

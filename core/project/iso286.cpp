@@ -66,7 +66,7 @@ std::optional<std::size_t> rangeOf(double nominal) {
 }
 
 double tolerance(int grade, std::size_t range) {
-    return tolerances[static_cast<std::size_t>(grade - finestGrade + 1)][range];
+    return tolerances[static_cast<std::size_t>(grade - finestGrade) + 1][range];
 }
 
 SizeDeviations below(double upper, double width) {

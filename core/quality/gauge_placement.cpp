@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 namespace sparkout {
 
@@ -76,8 +77,8 @@ GaugePosition summary(const SimulationResult& result) {
 /// Runs the cycle with the gauge at one place after the other.
 class Placement {
 public:
-    Placement(const Project& project, const std::stop_token& stop)
-        : m_project(project), m_stop(stop) {
+    Placement(Project project, std::stop_token stop)
+        : m_project(std::move(project)), m_stop(std::move(stop)) {
         m_project.gauge.section.reset();
         m_project.gauge.position_mm.reset();
         m_project.gauge.compliance_mm_per_n.reset();

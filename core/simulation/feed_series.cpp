@@ -129,6 +129,7 @@ FeedSeries makeFeedSeries(const SimulationResult& result, const Trajectory& traj
 std::vector<int> shownSections(int count, int gauge, std::optional<int> wanted, int most) {
     std::vector<int> shown;
     const int n = std::min(count, most);
+    shown.reserve(static_cast<std::size_t>(std::max(n, 0)));
     for (int i = 0; i < n; ++i) {
         shown.push_back(n == 1 ? gauge : (i * (count - 1) + (n - 1) / 2) / (n - 1));
     }

@@ -13,7 +13,8 @@ namespace sparkout {
 /// of four Philox rounds over the next even power of two, walked until it falls into the range.
 [[nodiscard]] constexpr std::uint64_t permuted(std::uint64_t value, std::uint64_t count,
                                                std::uint32_t seed, std::uint32_t which) {
-    const int half = (std::bit_width(count > 1 ? count - 1 : std::uint64_t{1}) + 1) / 2;
+    const int half =
+        (static_cast<int>(std::bit_width(count > 1 ? count - 1 : std::uint64_t{1})) + 1) / 2;
     const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
     do {
         std::uint64_t left = value >> half, right = value & mask;

@@ -56,6 +56,7 @@ double complianceAt(const Project& project, double share) {
 std::vector<double> sectionCompliance(const Project& project, int count, double reach_mm) {
     const double share = reach_mm / project.part.length_mm;
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (int j = 0; j < count; ++j) {
         values.push_back(rounded(complianceAt(project, share * (j + 0.5) / count)));
     }
