@@ -13,6 +13,7 @@
 #include "core/project/blanks_csv.h"
 #include "core/project/project_file.h"
 #include "core/project/strict_json.h"
+#include "words/issue_words.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -42,11 +43,12 @@ bool putMeasuredFile(const std::string& file, Batch& batch) {
     }
     const auto blanks = readMeasuredBlanks(*content);
     if (const auto* fault = std::get_if<TableFault>(&blanks)) {
-        print(stderr,
-              printable(file) + ": line " + std::to_string(fault->line) + ": "
-                  + (fault->text.empty() ? "no heading is a factor, as stock_mm"
-                                         : "not understood: " + quoted(nlohmann::json(fault->text)))
-                  + '\n');
+        print(stderr, printable(file) + ": line " + std::to_string(fault->line) + ": "
+                          + (fault->text.empty()
+                                 ? "no heading is a factor, as stock_mm"
+                                 : "not understood: "
+                                       + Wording().detail(quoted(nlohmann::json(fault->text))))
+                          + '\n');
         return false;
     }
     const auto& columns = std::get<std::vector<MeasuredColumn>>(blanks);

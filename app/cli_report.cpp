@@ -9,6 +9,7 @@
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"
 #include "core/units.h"
+#include "words/issue_words.h"
 
 #include <algorithm>
 #include <charconv>
@@ -103,7 +104,7 @@ std::string issueLine(const std::string& file, const Issue& issue) {
     if (issue.severity == Severity::warning) {
         line += "warning: ";
     }
-    line += fillTemplate(issueTemplate(issue.code), issue);
+    line += issueSentence(issue);
     return printable(line); // one line a fault, whatever a key or a file name may hold
 }
 

@@ -8,6 +8,7 @@
 #include "core/printable.h"
 #include "core/project/validate.h"
 #include "core/sweep/sweep_run.h"
+#include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -61,8 +62,7 @@ ordered_json pointJson(const SweepResult& sweep, std::size_t index) {
                          {"ok", point.good},
                          {"results", ordered_json::array()}};
     for (const Issue& issue : point.issues) {
-        json["refused"].push_back(issue.path + ": "
-                                  + fillTemplate(issueTemplate(issue.code), issue));
+        json["refused"].push_back(issue.path + ": " + issueSentence(issue));
     }
     for (std::size_t q = 0; q < point.values.size(); ++q) {
         if (!std::isnan(point.values[q].value)) {

@@ -50,7 +50,7 @@ def drawing():
     folders = merged(rules())
     names = {name: f"n{i}" for i, name in enumerate(folders)}
     lines = ["```mermaid", "graph TD"]
-    for title in ("app", "python", "ui", "core"):
+    for title in ("app", "python", "ui", "words", "core"):
         lines.append(f"  subgraph {title}_ [{title}]")
         for name, key in names.items():
             if name.split("/")[0] == title:

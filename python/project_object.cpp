@@ -5,6 +5,7 @@
 #include "core/files/safe_file.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
+#include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,12 +27,8 @@ namespace {
 /// Of the module, which is never unloaded.
 PyObject* projectError = nullptr;
 
-std::string sentenceOf(const Issue& issue) {
-    return fillTemplate(issueTemplate(issue.code), issue);
-}
-
 std::string lineOf(const Issue& issue) {
-    return (issue.path.empty() ? std::string() : issue.path + ": ") + sentenceOf(issue);
+    return (issue.path.empty() ? std::string() : issue.path + ": ") + issueSentence(issue);
 }
 
 /// Raises OSError with errno and the path, as Python's own open() does.
@@ -160,17 +157,24 @@ ValidProject readText(const std::string& text) {
 void bindProject(py::module_& module) {
     projectError = PyErr_NewExceptionWithDoc(
         "sparkout.ProjectError",
-        "A project is refused. `issues` has the faults: path, value, limit, text.",
+        "A project is refused. `issues` has the faults: code, path, value, limit, text.",
         PyExc_ValueError, nullptr);
     module.add_object("ProjectError", py::reinterpret_borrow<py::object>(projectError));
 
     py::class_<Issue>(module, "Issue", "A fault of an input, or a warning.")
         .def_readonly("path", &Issue::path, "JSON pointer of the input, \"/wheel/width_mm\"")
-        .def_readonly("value", &Issue::value, "what stands there")
-        .def_readonly("limit", &Issue::limit, "what is allowed there")
+        .def_property_readonly(
+            "code", [](const Issue& self) { return wordsOf(self.code).key; },
+            "what kind of fault it is, \"out_of_range\"")
+        .def_property_readonly(
+            "value", [](const Issue& self) { return Wording().detail(self.value); },
+            "what stands there")
+        .def_property_readonly(
+            "limit", [](const Issue& self) { return Wording().detail(self.limit); },
+            "what is allowed there")
         .def_property_readonly("is_error",
                                [](const Issue& self) { return self.severity == Severity::error; })
-        .def_property_readonly("text", &sentenceOf, "value and limit in a sentence")
+        .def_property_readonly("text", &issueSentence, "value and limit in a sentence")
         .def("__repr__", [](const Issue& self) { return "<sparkout.Issue " + lineOf(self) + '>'; });
 
     py::class_<ValidProject>(module, "Project",

@@ -18,6 +18,9 @@ class Issue:
     def path(self) -> str:
         """JSON pointer of the input, "/wheel/width_mm"."""
     @property
+    def code(self) -> str:
+        """What kind of fault it is, "out_of_range"."""
+    @property
     def value(self) -> str: ...
     @property
     def limit(self) -> str: ...

@@ -30,9 +30,9 @@ def knowing(files, pattern):
 
 
 def main():
-    files = tracked("core", "ui", "app", "python")
+    files = tracked("core", "words", "ui", "app", "python")
     headers = set(files)
-    alone = [f for f in files if f.startswith(("core/", "ui/")) and f.endswith(".cpp")
+    alone = [f for f in files if f.startswith(("core/", "words/", "ui/")) and f.endswith(".cpp")
              and f[:-3] + "h" not in headers]
     folders = collections.Counter(
         str(pathlib.PurePath(stem).parent) for stem in {f.rsplit(".", 1)[0] for f in files})

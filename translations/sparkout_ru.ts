@@ -922,25 +922,6 @@
         </message>
     </context>
     <context>
-        <name>Detail</name>
-        <message>
-            <source>plunge</source>
-            <translation>врезному шлифованию</translation>
-        </message>
-        <message>
-            <source>traverse</source>
-            <translation>шлифованию с осевой подачей</translation>
-        </message>
-        <message>
-            <source>internal</source>
-            <translation>внутренняя</translation>
-        </message>
-        <message>
-            <source>external</source>
-            <translation>наружная</translation>
-        </message>
-    </context>
-    <context>
         <name>Edit</name>
         <message>
             <source>Add a stage</source>
@@ -3664,6 +3645,18 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>the path of an input, as /wheel/dullness</source>
             <translation>путь исходной величины, например /wheel/dullness</translation>
+        </message>
+        <message>
+            <source>plunge</source>
+            <translation>врезному шлифованию</translation>
+        </message>
+        <message>
+            <source>internal</source>
+            <translation>внутренняя</translation>
+        </message>
+        <message>
+            <source>external</source>
+            <translation>наружная</translation>
         </message>
     </context>
     <context>

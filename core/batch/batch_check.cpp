@@ -4,7 +4,6 @@
 #include "core/batch/scenario_source.h"
 #include "core/project/batch_rules.h"
 #include "core/project/validate.h"
-#include "core/text.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,11 +35,7 @@ Issues faultsOfExtremes(Project project) {
 
 Issues checkBatch(const Project& project) {
     if (!project.batch) {
-        return {{IssueCode::missingKey,
-                 Severity::error,
-                 "/batch",
-                 {},
-                 SPARKOUT_NOOP("Limit", "an object")}};
+        return {{IssueCode::missingKey, Severity::error, "/batch", {}, Phrase::anObject}};
     }
     Issues issues = errorsOf(validate(project));
     Issues faults = batchFaults(project);

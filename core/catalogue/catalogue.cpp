@@ -6,7 +6,6 @@
 #include "core/project/strict_json.h"
 #include "core/project/table_reader.h"
 #include "core/project/table_writer.h"
-#include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -52,18 +51,17 @@ const StructInfo& valueTable() {
 
 /// The header, and the list of entries when there is one.
 const json* checkHeader(const json& root, const char* kind, Issues& issues) {
-    const auto refuse = [&](IssueCode code, const char* path, std::string value,
-                            std::string limit) {
+    const auto refuse = [&](IssueCode code, const char* path, Detail value, Detail limit) {
         issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
     };
     if (!root.is_object()) {
-        refuse(IssueCode::wrongType, "", quoted(root), SPARKOUT_NOOP("Limit", "object"));
+        refuse(IssueCode::wrongType, "", quoted(root), Phrase::object);
         return nullptr;
     }
     for (const auto& [key, value] : root.items()) {
         if (key != "format" && key != "version" && key != "kind" && key != "entries") {
             refuse(IssueCode::unknownKey, ("/" + pathStep(key)).c_str(), quoted(json(key)),
-                   "format, version, kind, entries");
+                   Keys{{"format", "version", "kind", "entries"}});
         }
     }
     const auto expect = [&](const char* key, const json& expected, IssueCode wrong) {
@@ -81,8 +79,7 @@ const json* checkHeader(const json& root, const char* kind, Issues& issues) {
     const auto entries = root.find("entries");
     if (entries == root.end() || !entries->is_array()) {
         refuse(entries == root.end() ? IssueCode::missingKey : IssueCode::wrongType, "/entries",
-               entries == root.end() ? std::string() : quoted(*entries),
-               SPARKOUT_NOOP("Limit", "list of objects"));
+               entries == root.end() ? Detail() : quoted(*entries), Phrase::listOfObjects);
         return nullptr;
     }
     return &*entries;
@@ -95,7 +92,8 @@ void readEntry(const json& text, const std::string& path, Entry& entry, Issues& 
     readByTable(text, tableOf<Entry>(), &entry, path, issues, missing);
     for (const char* key : {"name", "value"}) {
         if (text.is_object() && !text.contains(key)) {
-            issues.push_back({IssueCode::missingKey, Severity::error, path + "/" + key, {}, key});
+            issues.push_back(
+                {IssueCode::missingKey, Severity::error, path + "/" + key, {}, Keys{{key}}});
         }
     }
     if (issues.size() == before) {

@@ -3,7 +3,6 @@
 
 #include "core/project/range_check.h"
 #include "core/project/strict_json.h"
-#include "core/project/validate.h"
 
 #include <algorithm>
 
@@ -23,17 +22,8 @@ bool isValue(Kind kind) {
     }
 }
 
-void refuse(Issues& issues, IssueCode code, std::string path, std::string value,
-            std::string limit) {
+void refuse(Issues& issues, IssueCode code, std::string path, Detail value, Detail limit) {
     issues.push_back({code, Severity::error, std::move(path), std::move(value), std::move(limit)});
-}
-
-std::string joined(const std::vector<std::string>& keys) {
-    std::string text;
-    for (const std::string& key : keys) {
-        text += (text.empty() ? "" : ", ") + key;
-    }
-    return text;
 }
 
 /// A path inside a value without the indices of lists: what its source is called by.
@@ -55,8 +45,7 @@ void checkRange(const ordered_json& number, const ValueSource& source, const std
     }
     const Range range{(*source.range)[0], (*source.range)[1]};
     if (!range.contains(number.get<double>())) {
-        refuse(issues, IssueCode::outOfRange, path, numberText(number.get<double>()),
-               rangeText(range, ""));
+        refuse(issues, IssueCode::outOfRange, path, Amount{number.get<double>()}, Bounds{range});
     }
 }
 
@@ -65,12 +54,13 @@ void checkRows(const NumberRows& rows, const std::string& path, Issues& issues) 
         const auto& row = (*rows)[i];
         const std::string at = path + "/" + std::to_string(i);
         if (row.size() != 2) {
-            refuse(issues, IssueCode::wrongCount, at, std::to_string(row.size()), "2");
+            refuse(issues, IssueCode::wrongCount, at, countOf(row.size()), Count{2});
         } else if (row[1] <= 0) {
-            refuse(issues, IssueCode::outOfRange, at + "/1", numberText(row[1]), "> 0");
+            refuse(issues, IssueCode::outOfRange, at + "/1", Amount{row[1]},
+                   Bounds{{.low = 0, .lowOpen = true}});
         } else if (i > 0 && (*rows)[i - 1].size() == 2 && row[0] <= (*rows)[i - 1][0]) {
-            refuse(issues, IssueCode::outOfRange, at + "/0", numberText(row[0]),
-                   "> " + numberText((*rows)[i - 1][0]));
+            refuse(issues, IssueCode::outOfRange, at + "/0", Amount{row[0]},
+                   Bounds{{.low = (*rows)[i - 1][0], .lowOpen = true}});
         }
     }
 }
@@ -124,27 +114,28 @@ void checkSources(const json& value, const StructInfo& table,
                   const std::vector<ValueSource>& sources, const std::string& path,
                   Issues& issues) {
     std::vector<std::string> keys;
-    eachValue(
-        ordered_json(value), table, {}, [&](const std::string& key, const ordered_json& number) {
-            keys.push_back(key);
-            if (const ValueSource* source = sourceOf(sources, key)) {
-                checkRange(number, *source, path + "/value/" + key, issues);
-            } else {
-                refuse(issues, IssueCode::sourceMissing, path + "/value/" + key, key, "sources");
-            }
-        });
+    eachValue(ordered_json(value), table, {},
+              [&](const std::string& key, const ordered_json& number) {
+                  keys.push_back(key);
+                  if (const ValueSource* source = sourceOf(sources, key)) {
+                      checkRange(number, *source, path + "/value/" + key, issues);
+                  } else {
+                      refuse(issues, IssueCode::sourceMissing, path + "/value/" + key, Keys{{key}},
+                             Keys{{"sources"}});
+                  }
+              });
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const ValueSource& source = sources[i];
         const std::string at = path + "/sources/" + std::to_string(i);
         if (std::find(keys.begin(), keys.end(), source.key) == keys.end()) {
             refuse(issues, IssueCode::unknownKey, at + "/key", quoted(json(source.key)),
-                   joined(keys));
+                   Keys{keys});
         } else if (sourceOf(sources, source.key) != &source) {
             refuse(issues, IssueCode::duplicateKey, at + "/key", quoted(json(source.key)), {});
         }
         if (source.range && source.range->size() != 2) {
-            refuse(issues, IssueCode::wrongCount, at + "/range",
-                   std::to_string(source.range->size()), "2");
+            refuse(issues, IssueCode::wrongCount, at + "/range", countOf(source.range->size()),
+                   Count{2});
         }
     }
 }
@@ -169,8 +160,8 @@ void checkLimits(const Project& project, const std::string& key,
 void checkThermal(const ThermalData& data, const std::string& path, Issues& issues) {
     const Field& density = *tableOf<ThermalData>().find("density_kg_m3");
     if (data.density_kg_m3 && !density.hard.contains(*data.density_kg_m3)) {
-        refuse(issues, IssueCode::outOfRange, path + "/density_kg_m3",
-               numberText(*data.density_kg_m3), rangeText(density.hard, density.unit));
+        refuse(issues, IssueCode::outOfRange, path + "/density_kg_m3", Amount{*data.density_kg_m3},
+               Bounds{density.hard, density.unit});
     }
     checkRows(data.conductivity_w_mk_at_c, path + "/conductivity_w_mk_at_c", issues);
     checkRows(data.heat_capacity_j_kgk_at_c, path + "/heat_capacity_j_kgk_at_c", issues);

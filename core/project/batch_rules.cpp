@@ -5,7 +5,6 @@
 #include "core/project/given_factors.h"
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
-#include "core/text.h"
 
 #include <algorithm>
 #include <string>
@@ -37,8 +36,9 @@ private:
             + static_cast<int>(law.triangular.has_value())
             + static_cast<int>(law.measured.has_value()) + static_cast<int>(law.grows.has_value());
         if (forms != 1) {
-            add(IssueCode::wrongCount, path, std::to_string(forms),
-                "uniform | normal | triangular | measured | grows");
+            add(IssueCode::wrongCount, path, Count{forms},
+                Keys{{"uniform", "normal", "triangular", "measured", "grows"},
+                     Keys::Kind::alternatives});
             return;
         }
         checkValues(law.uniform, path + "/uniform", factor, true);
@@ -47,10 +47,10 @@ private:
         checkValues(law.grows, path + "/grows", factor, false); // it may also fall
         checkNormal(factor, path);
         if (law.measured && law.measured->empty()) {
-            add(IssueCode::wrongCount, path + "/measured", "0", "≥ 1");
+            add(IssueCode::wrongCount, path + "/measured", Count{0}, Bounds{{1}});
         }
         if (law.parts_between_dressings && !law.grows) {
-            add(IssueCode::notUsedHere, path + "/parts_between_dressings", {}, "grows");
+            add(IssueCode::notUsedHere, path + "/parts_between_dressings", {}, Keys{{"grows"}});
         }
     }
 
@@ -58,7 +58,7 @@ private:
         const Factor& law = factor.law;
         if (!law.normal) {
             if (law.within) {
-                add(IssueCode::notUsedHere, path + "/within", {}, "normal");
+                add(IssueCode::notUsedHere, path + "/within", {}, Keys{{"normal"}});
             }
             return;
         }
@@ -72,13 +72,13 @@ private:
                      const GivenFactor& factor) {
         checkValue(normal[0], path + "/0", factor);
         if (normal[1] < 0) {
-            add(IssueCode::outOfRange, path + "/1", numberText(normal[1]), "≥ 0");
+            add(IssueCode::outOfRange, path + "/1", Amount{normal[1]}, Bounds{{0}});
         }
     }
 
     void checkValue(double value, const std::string& path, const GivenFactor& factor) {
         if (!factor.allowed.contains(value)) {
-            add(IssueCode::outOfRange, path, numberText(value), rangeText(factor.allowed, ""));
+            add(IssueCode::outOfRange, path, Amount{value}, Bounds{factor.allowed});
         }
     }
 
@@ -88,8 +88,7 @@ private:
             const std::string at = path + "/" + std::to_string(i);
             checkValue((*values)[i], at, factor);
             if (rising && i > 0 && (*values)[i] < (*values)[i - 1]) {
-                add(IssueCode::outOfRange, at, numberText((*values)[i]),
-                    "≥ " + numberText((*values)[i - 1]));
+                add(IssueCode::outOfRange, at, Amount{(*values)[i]}, Bounds{{(*values)[i - 1]}});
             }
         }
     }
@@ -102,13 +101,13 @@ private:
         const auto& matrix = *m_correlation;
         const std::size_t n = m_factors.size();
         if (matrix.size() != n) {
-            add(IssueCode::wrongCount, path, std::to_string(matrix.size()), std::to_string(n));
+            add(IssueCode::wrongCount, path, countOf(matrix.size()), countOf(n));
             return;
         }
         for (std::size_t i = 0; i < n; ++i) {
             if (matrix[i].size() != n) {
                 add(IssueCode::wrongCount, path + "/" + std::to_string(i),
-                    std::to_string(matrix[i].size()), std::to_string(n));
+                    countOf(matrix[i].size()), countOf(n));
                 return;
             }
         }
@@ -119,8 +118,7 @@ private:
             }
         }
         if (m_issues.size() == before && !choleskyFactor(matrix)) {
-            add(IssueCode::outOfRange, path, "[…]",
-                SPARKOUT_NOOP("Limit", "a positive definite matrix"));
+            add(IssueCode::outOfRange, path, Quoted{"[…]"}, Phrase::positiveDefinite);
         }
     }
 
@@ -129,15 +127,15 @@ private:
             "/batch/correlation/" + std::to_string(i) + "/" + std::to_string(j);
         const double value = matrix[i][j];
         if (i == j && value != 1) {
-            add(IssueCode::outOfRange, path, numberText(value), "1");
+            add(IssueCode::outOfRange, path, Amount{value}, Amount{1});
         } else if (value != matrix[j][i]) {
-            add(IssueCode::outOfRange, path, numberText(value), numberText(matrix[j][i]));
+            add(IssueCode::outOfRange, path, Amount{value}, Amount{matrix[j][i]});
         } else if (i != j && value != 0 && (m_factors[i].isLaw() || m_factors[j].isLaw())) {
-            add(IssueCode::outOfRange, path, numberText(value), "0");
+            add(IssueCode::outOfRange, path, Amount{value}, Amount{0});
         }
     }
 
-    void add(IssueCode code, std::string path, std::string value, std::string limit) {
+    void add(IssueCode code, std::string path, Detail value, Detail limit) {
         if (m_issues.size() < limits::issues) {
             m_issues.push_back(
                 {code, Severity::error, std::move(path), std::move(value), std::move(limit)});

@@ -7,7 +7,6 @@
 #include "core/project/table_reader.h"
 #include "core/project/table_writer.h"
 #include "core/project/validate.h"
-#include "core/text.h"
 
 #include <algorithm>
 
@@ -22,28 +21,23 @@ constexpr const char* projectFormat = "sparkout-project";
 /// The header decides whether the rest is worth reading.
 Issues checkHeader(const json& root) {
     if (!root.is_object()) {
-        return {{IssueCode::wrongType,
-                 Severity::error,
-                 {},
-                 quoted(root),
-                 SPARKOUT_NOOP("Limit", "object")}};
+        return {{IssueCode::wrongType, Severity::error, {}, quoted(root), Phrase::object}};
     }
     Issues issues;
-    const auto add = [&](IssueCode code, const char* path, std::string value, std::string limit) {
+    const auto add = [&](IssueCode code, const char* path, Detail value, Detail limit) {
         issues.push_back({code, Severity::error, path, std::move(value), std::move(limit)});
     };
-    const std::string expected = '"' + std::string(projectFormat) + '"';
+    const Detail expected = quoted(projectFormat);
     if (!root.contains("format")) {
         add(IssueCode::missingKey, "/format", {}, expected);
     } else if (root.at("format") != projectFormat) {
         add(IssueCode::wrongFormat, "/format", quoted(root.at("format")), expected);
     }
-    const std::string versions = "1…" + std::to_string(projectVersion);
+    const Bounds versions{{1, projectVersion}};
     if (!root.contains("version")) {
         add(IssueCode::missingKey, "/version", {}, versions);
     } else if (const json& version = root.at("version"); !version.is_number_integer()) {
-        add(IssueCode::wrongType, "/version", quoted(version),
-            SPARKOUT_NOOP("Limit", "whole number"));
+        add(IssueCode::wrongType, "/version", quoted(version), Phrase::wholeNumber);
     } else if (version.get<double>() > projectVersion) {
         add(IssueCode::newerVersion, "/version", quoted(version), versions);
     } else if (version.get<double>() < 1) {
@@ -69,7 +63,7 @@ void reportMissing(const std::vector<MissingKey>& missing, const Project& projec
         }
         if (field.required(project, key.owner) && issues.size() < limits::issues) {
             issues.push_back(
-                {IssueCode::missingKey, Severity::error, key.path, {}, allowedText(field)});
+                {IssueCode::missingKey, Severity::error, key.path, {}, allowedIn(field)});
         }
     }
 }

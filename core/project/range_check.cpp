@@ -3,7 +3,6 @@
 
 #include "core/project/project_file.h"
 #include "core/project/validate.h"
-#include "core/text.h"
 
 #include <charconv>
 #include <cmath>
@@ -27,19 +26,18 @@ public:
 
 private:
     void checkNumber(const Field& field, double value, const std::string& path, bool relevant) {
-        const std::string unit = *field.unit ? " " + std::string(field.unit) : std::string();
         if (!std::isfinite(value) || !field.hard.contains(value)) {
-            add(IssueCode::outOfRange, Severity::error, path, numberText(value) + unit,
-                rangeText(field.hard, field.unit));
+            add(IssueCode::outOfRange, Severity::error, path, Amount{value, field.unit},
+                Bounds{field.hard, field.unit});
         } else if (relevant && !field.soft.contains(value)) {
-            add(IssueCode::unusual, Severity::warning, path, numberText(value) + unit,
-                rangeText(field.soft, field.unit));
+            add(IssueCode::unusual, Severity::warning, path, Amount{value, field.unit},
+                Bounds{field.soft, field.unit});
         }
     }
 
     /// A list may hold a million faults; no more are kept than are listed.
-    void add(IssueCode code, Severity severity, const std::string& path, std::string value,
-             std::string limit) {
+    void add(IssueCode code, Severity severity, const std::string& path, Detail value,
+             Detail limit) {
         std::size_t& count = severity == Severity::error ? m_errors : m_warnings;
         if (++count <= limits::issues) {
             issues.push_back({code, severity, path, std::move(value), std::move(limit)});
@@ -56,8 +54,7 @@ private:
 
     void checkCount(const Field& field, std::size_t count, const std::string& path) {
         if (field.count != 0 && count != field.count) {
-            add(IssueCode::wrongCount, Severity::error, path, std::to_string(count),
-                std::to_string(field.count));
+            add(IssueCode::wrongCount, Severity::error, path, countOf(count), countOf(field.count));
         }
     }
 
@@ -94,8 +91,7 @@ private:
     void checkItems(const Field& field, const void* owner, const std::string& path) {
         const std::size_t size = field.size(owner);
         if (!field.hard.unbounded() && !field.hard.contains(static_cast<double>(size))) {
-            add(IssueCode::wrongCount, Severity::error, path, std::to_string(size),
-                rangeText(field.hard, ""));
+            add(IssueCode::wrongCount, Severity::error, path, countOf(size), Bounds{field.hard});
         }
         for (std::size_t i = 0; i < size; ++i) {
             checkObject(*field.nested, field.itemIn(owner, i), path + "/" + std::to_string(i));
@@ -166,42 +162,41 @@ std::string numberText(double value) {
     return {buffer, end};
 }
 
-std::string rangeText(const Range& range, const char* unit) {
+std::string rangeText(const Range& range, const char* unit,
+                      const std::function<std::string(double)>& number) {
     const std::string suffix = *unit ? " " + std::string(unit) : std::string();
     const bool below = std::isfinite(range.low);
     const bool above = std::isfinite(range.high);
     if (below && above) {
-        return (range.lowOpen ? "> " : "") + numberText(range.low) + "…" + numberText(range.high)
-               + suffix;
+        return (range.lowOpen ? "> " : "") + number(range.low) + "…" + number(range.high) + suffix;
     }
     if (below) {
-        return (range.lowOpen ? "> " : "≥ ") + numberText(range.low) + suffix;
+        return (range.lowOpen ? "> " : "≥ ") + number(range.low) + suffix;
     }
-    return above ? "≤ " + numberText(range.high) + suffix : std::string();
+    return above ? "≤ " + number(range.high) + suffix : std::string();
 }
 
-std::string allowedText(const Field& field) {
+Detail allowedIn(const Field& field) {
     switch (field.kind) {
     case Kind::number:
     case Kind::optionalNumber:
     case Kind::integer:
     case Kind::optionalInteger:
-        return field.hard.unbounded() ? SPARKOUT_NOOP("Limit", "number")
-                                      : rangeText(field.hard, field.unit);
-    case Kind::boolean: return "true, false";
-    case Kind::text: return SPARKOUT_NOOP("Limit", "text");
+        return field.hard.unbounded() ? Detail(Phrase::number) : Bounds{field.hard, field.unit};
+    case Kind::boolean: return Keys{{"true", "false"}};
+    case Kind::text: return Phrase::text;
     case Kind::choice: {
-        std::string text;
+        Keys choices{{}, Keys::Kind::choices};
         for (const Choice& choice : field.choices) {
-            text += (text.empty() ? "\"" : ", \"") + std::string(choice.key) + '"';
+            choices.keys.emplace_back(choice.key);
         }
-        return text;
+        return choices;
     }
-    case Kind::objectList: return SPARKOUT_NOOP("Limit", "list of objects");
+    case Kind::objectList: return Phrase::listOfObjects;
     case Kind::object:
     case Kind::optionalObject:
-    case Kind::jsonText: return SPARKOUT_NOOP("Limit", "object");
-    default: return rangeText(field.hard, field.unit);
+    case Kind::jsonText: return Phrase::object;
+    default: return Bounds{field.hard, field.unit};
     }
 }
 

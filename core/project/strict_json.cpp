@@ -55,8 +55,8 @@ public:
                      const nlohmann::detail::exception& exception) override {
         constexpr int numberOverflow = 406;
         if (exception.id == numberOverflow) {
-            m_issues.push_back({IssueCode::outOfRange, Severity::error, path(), token.substr(0, 60),
-                                "-1.8e308…1.8e308"});
+            m_issues.push_back({IssueCode::outOfRange, Severity::error, path(),
+                                Numeral{token.substr(0, 60)}, Numeral{"-1.8e308…1.8e308"}});
             return false;
         }
         syntaxError = true;
@@ -88,8 +88,7 @@ private:
             return true;
         }
         m_issues.push_back({IssueCode::stringTooLong, Severity::error, path(),
-                            std::to_string(value.size()) + " bytes",
-                            std::to_string(limits::stringBytes) + " bytes"});
+                            countOf(value.size(), "bytes"), countOf(limits::stringBytes, "bytes")});
         return false;
     }
 
@@ -121,14 +120,14 @@ private:
             return !m_stop.stop_requested();
         }
         m_issues.push_back(
-            {IssueCode::tooManyValues, Severity::error, {}, {}, std::to_string(limits::values)});
+            {IssueCode::tooManyValues, Severity::error, {}, {}, countOf(limits::values)});
         return false;
     }
 
     bool open(json value) {
         if (m_open.size() >= limits::depth) {
             m_issues.push_back(
-                {IssueCode::tooDeep, Severity::error, {}, {}, std::to_string(limits::depth)});
+                {IssueCode::tooDeep, Severity::error, {}, {}, countOf(limits::depth)});
             return false;
         }
         if (!count()) {
@@ -158,7 +157,7 @@ Issue notJson(std::string_view text, std::size_t position) {
         column = text[i] == '\n' ? 1 : column + (inCharacter ? 0 : 1);
         line += text[i] == '\n' ? 1 : 0;
     }
-    return {IssueCode::notJson, Severity::error, {}, std::to_string(line), std::to_string(column)};
+    return {IssueCode::notJson, Severity::error, {}, countOf(line), countOf(column)};
 }
 
 /// Shortest digits; what no JSON number can say is null, and −0 is 0 as for the reader.
@@ -234,8 +233,8 @@ std::optional<json> parseStrictly(std::string_view text, Issues& issues,
         issues.push_back({IssueCode::tooLarge,
                           Severity::error,
                           {},
-                          std::to_string(text.size()) + " bytes",
-                          std::to_string(limits::fileBytes) + " bytes"});
+                          countOf(text.size(), "bytes"),
+                          countOf(limits::fileBytes, "bytes")});
         return std::nullopt;
     }
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
@@ -261,14 +260,18 @@ std::string printJson(const nlohmann::ordered_json& value) {
     return out;
 }
 
-std::string quoted(const json& value) {
+Detail quoted(const json& value) {
     if (value.is_number_float()) {
-        return numberText(value.get<double>());
+        return Amount{value.get<double>()};
+    }
+    if (value.is_number()) {
+        return Numeral{value.dump()};
     }
     if (value.is_structured()) {
-        return value.is_object() ? (value.empty() ? "{}" : "{…}") : (value.empty() ? "[]" : "[…]");
+        return Quoted{value.is_object() ? (value.empty() ? "{}" : "{…}")
+                                        : (value.empty() ? "[]" : "[…]")};
     }
-    return printable(shortened(value.dump(-1, ' ', false, json::error_handler_t::replace)));
+    return Quoted{printable(shortened(value.dump(-1, ' ', false, json::error_handler_t::replace)))};
 }
 
 std::string pathStep(const std::string& key) {

@@ -20,8 +20,8 @@ namespace sparkout {
 /// Prints JSON for people: shortest numbers, an array or object that fits stands on one line.
 [[nodiscard]] std::string printJson(const nlohmann::ordered_json& value);
 
-/// A value as it may be quoted in a message: one line, short, valid UTF-8.
-[[nodiscard]] std::string quoted(const nlohmann::json& value);
+/// A value as it may stand in a message: one line, short, valid UTF-8.
+[[nodiscard]] Detail quoted(const nlohmann::json& value);
 
 /// A key of a file as one step of a JSON pointer, shortened for messages.
 [[nodiscard]] std::string pathStep(const std::string& key);

@@ -2,8 +2,6 @@
 #include "core/project/sweep_rules.h"
 
 #include "core/project/number_input.h"
-#include "core/project/validate.h"
-#include "core/text.h"
 
 #include <cmath>
 #include <string>
@@ -23,8 +21,8 @@ public:
             checkAxis(axes[i], "/sweep/inputs/" + std::to_string(i));
         }
         if (axes.size() == 2 && axes[0].input == axes[1].input) {
-            add(IssueCode::variedTwice, "/sweep/inputs/1/input", '"' + axes[1].input + '"',
-                SPARKOUT_NOOP("Limit", "another input"));
+            add(IssueCode::variedTwice, "/sweep/inputs/1/input", Quoted{'"' + axes[1].input + '"'},
+                Phrase::anotherInput);
         }
         return std::move(m_issues);
     }
@@ -33,41 +31,36 @@ private:
     void checkAxis(const SweepAxis& axis, const std::string& path) {
         const auto input = numberInput(m_project, axis.input);
         if (!input) {
-            add(IssueCode::noSuchNumber, path + "/input", '"' + axis.input + '"',
-                SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness"));
+            add(IssueCode::noSuchNumber, path + "/input", Quoted{'"' + axis.input + '"'},
+                Phrase::pathOfInput);
             return;
         }
         const char* const unit = input->field->unit;
         const bool inside =
             checkEnd(axis.from, *input, path + "/from") && checkEnd(axis.to, *input, path + "/to");
         if (inside && axis.spacing == SweepSpacing::logarithmic && axis.from <= 0) {
-            add(IssueCode::outOfRange, path + "/from", withUnit(axis.from, unit),
-                "> " + withUnit(0, unit));
+            add(IssueCode::outOfRange, path + "/from", Amount{axis.from, unit},
+                Bounds{{.low = 0, .lowOpen = true}, unit});
         } else if (inside && axis.to <= axis.from) {
-            add(IssueCode::outOfRange, path + "/to", withUnit(axis.to, unit),
-                "> " + withUnit(axis.from, unit));
+            add(IssueCode::outOfRange, path + "/to", Amount{axis.to, unit},
+                Bounds{{.low = axis.from, .lowOpen = true}, unit});
         }
     }
 
     bool checkEnd(double value, const NumberInput& input, const std::string& path) {
         const char* const unit = input.field->unit;
         if (!input.allowed.contains(value)) {
-            add(IssueCode::outOfRange, path, withUnit(value, unit), rangeText(input.allowed, unit));
+            add(IssueCode::outOfRange, path, Amount{value, unit}, Bounds{input.allowed, unit});
             return false;
         }
         if (input.integer && value != std::floor(value)) {
-            add(IssueCode::wrongType, path, numberText(value),
-                SPARKOUT_NOOP("Limit", "whole number"));
+            add(IssueCode::wrongType, path, Amount{value}, Phrase::wholeNumber);
             return false;
         }
         return true;
     }
 
-    static std::string withUnit(double value, const char* unit) {
-        return *unit ? numberText(value) + ' ' + unit : numberText(value);
-    }
-
-    void add(IssueCode code, std::string path, std::string value, std::string limit) {
+    void add(IssueCode code, std::string path, Detail value, Detail limit) {
         m_issues.push_back(
             {code, Severity::error, std::move(path), std::move(value), std::move(limit)});
     }

@@ -4,7 +4,6 @@
 #include "core/project/project_file.h"
 #include "core/project/strict_json.h"
 #include "core/project/validate.h"
-#include "core/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ public:
     void readObject(const json& object, const StructInfo& table, void* owner,
                     const std::string& path, const std::vector<std::string>& skip) {
         if (!object.is_object()) {
-            refuse(path, object, SPARKOUT_NOOP("Limit", "object"));
+            refuse(path, object, Phrase::object);
             return;
         }
         for (const auto& [key, value] : object.items()) {
@@ -51,27 +50,27 @@ private:
     /// A fault beyond those that are listed is not even worded.
     bool full() const { return m_issues.size() >= limits::issues; }
 
-    void report(IssueCode code, const std::string& path, const json& value, std::string limit) {
+    void report(IssueCode code, const std::string& path, const json& value, Detail limit) {
         if (!full()) {
             m_issues.push_back({code, Severity::error, path, quoted(value), std::move(limit)});
         }
     }
 
-    void refuse(const std::string& path, const json& value, const char* expected) {
+    void refuse(const std::string& path, const json& value, Phrase expected) {
         report(IssueCode::wrongType, path, value, expected);
     }
 
-    static std::string allKeys(const StructInfo& table) {
-        std::string text;
+    static Keys allKeys(const StructInfo& table) {
+        Keys all;
         for (const Field& field : table.fields) {
-            text += (text.empty() ? "" : ", ") + std::string(field.key);
+            all.keys.emplace_back(field.key);
         }
-        return text;
+        return all;
     }
 
     std::optional<double> number(const json& value, const std::string& path) {
         if (!value.is_number()) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "number"));
+            refuse(path, value, Phrase::number);
             return std::nullopt;
         }
         return value.get<double>() + 0.0; // −0 becomes 0
@@ -80,11 +79,11 @@ private:
     std::optional<int> wholeNumber(const json& value, const Field& field, const std::string& path) {
         const double number = value.is_number() ? value.get<double>() : 0.5;
         if (number != std::floor(number)) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "whole number"));
+            refuse(path, value, Phrase::wholeNumber);
             return std::nullopt;
         }
         if (std::abs(number) > std::numeric_limits<int>::max()) {
-            report(IssueCode::outOfRange, path, value, rangeText(field.hard, field.unit));
+            report(IssueCode::outOfRange, path, value, Bounds{field.hard, field.unit});
             return std::nullopt;
         }
         return static_cast<int>(number);
@@ -92,7 +91,7 @@ private:
 
     std::optional<std::vector<double>> numbers(const json& value, const std::string& path) {
         if (!value.is_array()) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "list of numbers"));
+            refuse(path, value, Phrase::listOfNumbers);
             return std::nullopt;
         }
         std::vector<double> list;
@@ -105,7 +104,7 @@ private:
 
     void readChoice(const json& value, const Field& field, void* owner, const std::string& path) {
         if (!value.is_string()) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "text"));
+            refuse(path, value, Phrase::text);
             return;
         }
         for (std::size_t i = 0; i < field.choices.size(); ++i) {
@@ -114,17 +113,17 @@ private:
                 return;
             }
         }
-        report(IssueCode::notOneOf, path, value, allowedText(field));
+        report(IssueCode::notOneOf, path, value, allowedIn(field));
     }
 
     void readList(const json& value, const Field& field, void* owner, const std::string& path) {
         if (!value.is_array()) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "list of objects"));
+            refuse(path, value, Phrase::listOfObjects);
             return;
         }
         constexpr std::size_t mostItems = 1000;
         if (value.size() > mostItems) {
-            report(IssueCode::wrongCount, path, value.size(), "≤ " + std::to_string(mostItems));
+            report(IssueCode::wrongCount, path, value.size(), Bounds{{.high = mostItems}});
             return;
         }
         field.resize(owner, value.size());
@@ -145,7 +144,7 @@ private:
                 sparkOut = {SparkOut::Mode::count, *count};
             }
         } else {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "whole number or \"until_size\""));
+            refuse(path, value, Phrase::wholeNumberOrUntilSize);
         }
     }
 
@@ -159,8 +158,7 @@ private:
         } else if (value.is_object()) {
             compliance = readZones(value, path);
         } else {
-            refuse(path, value,
-                   SPARKOUT_NOOP("Limit", "object with rz1, nz, rz2, or list of numbers, or null"));
+            refuse(path, value, Phrase::zonesOrListOrNull);
         }
     }
 
@@ -176,13 +174,13 @@ private:
                                     Severity::error,
                                     path + "/" + key,
                                     {},
-                                    SPARKOUT_NOOP("Limit", "number, mm/N")});
+                                    Phrase::numberOfZone});
             }
         }
         for (const auto& [key, item] : value.items()) {
             if (key != "rz1" && key != "nz" && key != "rz2") {
                 report(IssueCode::unknownKey, path + "/" + pathStep(key), json(key),
-                       "rz1, nz, rz2");
+                       Keys{{"rz1", "nz", "rz2"}});
             }
         }
         return zones;
@@ -200,8 +198,7 @@ private:
                                    number(value.at("to"), path + "/to").value_or(0),
                                    number(value.at("step"), path + "/step").value_or(0)};
         } else {
-            refuse(path, value,
-                   SPARKOUT_NOOP("Limit", "list of numbers, or object with from, to, step"));
+            refuse(path, value, Phrase::listOrSteps);
         }
     }
 
@@ -212,7 +209,7 @@ private:
             return;
         }
         if (!value.is_array()) {
-            refuse(path, value, SPARKOUT_NOOP("Limit", "list of rows of numbers, or null"));
+            refuse(path, value, Phrase::rowsOrNull);
             return;
         }
         rows.emplace();
@@ -257,11 +254,11 @@ private:
             break;
         case Kind::boolean:
             value.is_boolean() ? void(field.as<bool>(owner) = value.get<bool>())
-                               : refuse(path, value, SPARKOUT_NOOP("Limit", "true or false"));
+                               : refuse(path, value, Phrase::trueOrFalse);
             break;
         case Kind::text:
             value.is_string() ? void(field.as<std::string>(owner) = value.get<std::string>())
-                              : refuse(path, value, SPARKOUT_NOOP("Limit", "text"));
+                              : refuse(path, value, Phrase::text);
             break;
         case Kind::choice: readChoice(value, field, owner, path); break;
         case Kind::numberList:
@@ -282,7 +279,7 @@ private:
         case Kind::numberRows: readRows(value, field, owner, path); break;
         case Kind::jsonText:
             value.is_object() ? void(field.as<JsonText>(owner).text = value.dump())
-                              : refuse(path, value, SPARKOUT_NOOP("Limit", "object"));
+                              : refuse(path, value, Phrase::object);
             break;
         }
     }

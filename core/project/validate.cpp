@@ -4,7 +4,6 @@
 #include "core/project/batch_rules.h"
 #include "core/project/range_check.h"
 #include "core/project/sweep_rules.h"
-#include "core/text.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -40,7 +39,7 @@ private:
     const Project& project() const { return m_project; }
 
     /// One fault a value: a range that refuses it says enough, "unusual" says less than a rule.
-    void add(IssueCode code, const std::string& path, std::string value, std::string limit,
+    void add(IssueCode code, const std::string& path, Detail value, Detail limit,
              Severity severity = Severity::error) {
         std::erase_if(m_issues, [&](const Issue& issue) {
             return issue.code == IssueCode::unusual && issue.path == path;
@@ -52,7 +51,7 @@ private:
             m_issues.push_back({code, severity, path, std::move(value), std::move(limit)});
         }
     }
-    void warn(IssueCode code, const std::string& path, std::string value, std::string limit) {
+    void warn(IssueCode code, const std::string& path, Detail value, Detail limit) {
         add(code, path, std::move(value), std::move(limit), Severity::warning);
     }
     /// Whether none of these inputs is refused, nor what is within them: a rule that read them
@@ -74,8 +73,9 @@ private:
         return sound({project().part.profile == ProfileForm::measured ? "/part/radii_um"
                                                                       : "/part/initial_runout_mm"});
     }
-    static std::string mm(double value) { return numberText(value) + " mm"; }
-    static std::string um(double value) { return numberText(value) + " µm"; }
+    static Amount mm(double value) { return {value, "mm"}; }
+    static Amount um(double value) { return {value, "µm"}; }
+    static Bounds mm(const Range& range) { return {range, "mm"}; }
 
     void checkPart() {
         const Part& part = project().part;
@@ -90,22 +90,26 @@ private:
             const double away = part.diameter_mm / 4;
             if (std::abs(*part.target_diameter_mm - part.diameter_mm) > away) {
                 add(IssueCode::outOfRange, "/part/target_diameter_mm", mm(*part.target_diameter_mm),
-                    numberText(part.diameter_mm - away) + "…" + mm(part.diameter_mm + away));
+                    mm(Range{part.diameter_mm - away, part.diameter_mm + away}));
             } else if (fieldIsSound()
                        && (*part.target_diameter_mm < low || *part.target_diameter_mm > high)) {
                 warn(IssueCode::targetOutsideField, "/part/target_diameter_mm",
-                     mm(*part.target_diameter_mm), numberText(low) + "…" + mm(high));
+                     mm(*part.target_diameter_mm), mm(Range{low, high}));
             }
         }
         if (part.surface == Surface::internal) {
             if (project().operation == Operation::traverse) {
-                add(IssueCode::internalTraverse, "/part/surface", "internal", "external");
+                add(IssueCode::internalTraverse, "/part/surface", Phrase::internal,
+                    Phrase::external);
             }
             const bool known = fieldIsSound() && runoutIsSound()
                                && sound({"/part/target_diameter_mm", "/part/stock_mm"});
             if (known && project().wheel.diameter_mm >= smallestBore()) {
                 add(IssueCode::wheelTooLarge, "/wheel/diameter_mm", mm(project().wheel.diameter_mm),
-                    "< " + mm(smallestBore()) + " (2R_t − 2·Π − 2·ΔR)");
+                    Bounds{.range = {.high = smallestBore()},
+                           .unit = "mm",
+                           .formula = "2R_t − 2·Π − 2·ΔR",
+                           .highOpen = true});
             }
         }
     }
@@ -133,18 +137,18 @@ private:
         const Part& part = project().part;
         const Field& radii = *tableOf<Part>().find("radii_per_section");
         if (part.radii_per_section % 2 != 0) {
-            add(IssueCode::notEven, "/part/radii_per_section",
-                std::to_string(part.radii_per_section), rangeText(radii.hard, radii.unit));
+            add(IssueCode::notEven, "/part/radii_per_section", Count{part.radii_per_section},
+                Bounds{radii.hard, radii.unit});
         } else if (part.radii_per_section < radii.soft.low) {
-            warn(IssueCode::fewRadii, "/part/radii_per_section",
-                 std::to_string(part.radii_per_section), rangeText(radii.soft, radii.unit));
+            warn(IssueCode::fewRadii, "/part/radii_per_section", Count{part.radii_per_section},
+                 Bounds{radii.soft, radii.unit});
         }
         if (part.profile == ProfileForm::measured) {
             const std::size_t given = part.radii_um ? part.radii_um->size() : 0;
             if (given != static_cast<std::size_t>(part.radii_per_section)
                 && sound({"/part/radii_per_section"})) {
-                add(IssueCode::wrongCount, "/part/radii_um", std::to_string(given),
-                    std::to_string(part.radii_per_section) + " (/part/radii_per_section)");
+                add(IssueCode::wrongCount, "/part/radii_um", countOf(given),
+                    Count{part.radii_per_section, {}, "/part/radii_per_section"});
             }
         }
     }
@@ -159,15 +163,15 @@ private:
         const bool measured = part.profile == ProfileForm::measured;
         if (blankRunout() > greatest) {
             add(IssueCode::outOfRange, measured ? "/part/radii_um" : "/part/initial_runout_mm",
-                mm(blankRunout()) + (measured ? " (ΔR)" : ""), "0…" + mm(greatest));
+                Amount{blankRunout(), "mm", measured ? "ΔR" : ""}, mm(Range{0, greatest}));
         }
         if (part.surface == Surface::internal && part.stock_mm > greatest) {
-            add(IssueCode::outOfRange, "/part/stock_mm", mm(part.stock_mm), "0…" + mm(greatest));
+            add(IssueCode::outOfRange, "/part/stock_mm", mm(part.stock_mm), mm(Range{0, greatest}));
         }
         const double deepest = part.diameter_mm / 4 * units::umPerMm;
         if (part.lower_deviation_um < -deepest) {
             add(IssueCode::outOfRange, "/part/lower_deviation_um", um(part.lower_deviation_um),
-                "≥ " + um(-deepest));
+                Bounds{{-deepest}, "µm"});
         }
     }
 
@@ -176,7 +180,10 @@ private:
         const Machine& machine = project().machine;
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
         const double rz2 = wheel.width_mm - machine.overrun_exit_mm;
-        const std::string below = "< " + mm(wheel.width_mm) + " (/wheel/width_mm)";
+        const Bounds below{.range = {.high = wheel.width_mm},
+                           .unit = "mm",
+                           .field = "/wheel/width_mm",
+                           .highOpen = true};
         const bool wide = sound({"/wheel/width_mm"});
         if (wide && rz1 <= 0) {
             add(IssueCode::outOfRange, "/machine/overrun_entry_mm", mm(machine.overrun_entry_mm),
@@ -189,15 +196,17 @@ private:
         const bool known = wide && sound({"/machine/overrun_entry_mm", "/machine/overrun_exit_mm"});
         if (known && rz1 > 0 && rz2 > 0 && project().part.length_mm <= rz1 + rz2) {
             add(IssueCode::zoneTooShort, "/part/length_mm", mm(project().part.length_mm),
-                "> " + mm(rz1 + rz2) + " (2·B − o_1 − o_2)");
+                Bounds{.range = {.low = rz1 + rz2, .lowOpen = true},
+                       .unit = "mm",
+                       .formula = "2·B − o_1 − o_2"});
         }
         if (project().gauge.position_mm) {
             warn(IssueCode::notUsedHere, "/gauge/position_mm", mm(*project().gauge.position_mm),
-                 "plunge");
+                 Phrase::plunge);
         }
         if (project().gauge.section) {
-            warn(IssueCode::notUsedHere, "/gauge/section", std::to_string(*project().gauge.section),
-                 "plunge");
+            warn(IssueCode::notUsedHere, "/gauge/section", Count{*project().gauge.section},
+                 Phrase::plunge);
         }
     }
 
@@ -207,15 +216,15 @@ private:
         const bool lengthIsSound = sound({"/part/length_mm"});
         if (lengthIsSound && project().wheel.width_mm < part.length_mm) {
             add(IssueCode::wheelTooNarrow, "/wheel/width_mm", mm(project().wheel.width_mm),
-                "≥ " + mm(part.length_mm) + " (/part/length_mm)");
+                Bounds{{part.length_mm}, "mm", "/part/length_mm"});
         }
         if (gauge.section && *gauge.section >= project().sections && sound({"/sections"})) {
-            add(IssueCode::outOfRange, "/gauge/section", std::to_string(*gauge.section),
-                "0…" + std::to_string(project().sections - 1));
+            add(IssueCode::outOfRange, "/gauge/section", Count{*gauge.section},
+                Bounds{{0, project().sections - 1.0}});
         }
         if (lengthIsSound && gauge.position_mm && *gauge.position_mm > part.length_mm) {
             add(IssueCode::outOfRange, "/gauge/position_mm", mm(*gauge.position_mm),
-                "0…" + mm(part.length_mm) + " (/part/length_mm)");
+                Bounds{{0, part.length_mm}, "mm", "/part/length_mm"});
         }
     }
 
@@ -226,9 +235,8 @@ private:
             const auto& range = field.as<std::optional<std::vector<double>>>(&limits);
             const std::string lowest = std::string("/machine/limits/") + field.key + "/0";
             if (range && range->size() == 3 && (*range)[1] < (*range)[0] && sound({lowest})) {
-                const std::string unit = std::string(" ") + field.unit;
                 add(IssueCode::outOfRange, std::string("/machine/limits/") + field.key + "/1",
-                    numberText((*range)[1]) + unit, "≥ " + numberText((*range)[0]) + unit);
+                    Amount{(*range)[1], field.unit}, Bounds{{(*range)[0]}, field.unit});
             }
         }
     }
@@ -242,22 +250,21 @@ private:
             return;
         }
         if (project().sections_coupled && project().operation == Operation::plunge) {
-            add(IssueCode::influenceUnknown, "/sections_coupled", "true",
-                SPARKOUT_NOOP("Limit", "a compliance computed from stiffness and shaft"));
+            add(IssueCode::influenceUnknown, "/sections_coupled", Quoted{"true"},
+                Phrase::computedCompliance);
         }
         if (project().operation == Operation::traverse) {
             if (sections) {
-                add(IssueCode::wrongType, path, "[…]",
-                    SPARKOUT_NOOP("Limit", "a value for each zone: { rz1, nz, rz2 }"));
+                add(IssueCode::wrongType, path, Quoted{"[…]"}, Phrase::valueForEachZone);
             }
         } else if (!sections) {
-            add(IssueCode::wrongType, path, "{…}",
-                sound({"/sections"}) ? "[γ × " + std::to_string(project().sections) + "]"
-                                     : "[γ × J]");
+            add(IssueCode::wrongType, path, Quoted{"{…}"},
+                Quoted{sound({"/sections"}) ? "[γ × " + std::to_string(project().sections) + "]"
+                                            : "[γ × J]"});
         } else if (sections->size() != static_cast<std::size_t>(project().sections)
                    && sound({"/sections"})) {
-            add(IssueCode::wrongCount, path, std::to_string(sections->size()),
-                std::to_string(project().sections) + " (/sections)");
+            add(IssueCode::wrongCount, path, countOf(sections->size()),
+                Count{project().sections, {}, "/sections"});
         }
     }
 
@@ -266,14 +273,12 @@ private:
         const bool internal = project().part.surface == Surface::internal;
         if (!project().machine.stiffness_n_um) {
             add(IssueCode::complianceMissing, "/machine/compliance_mm_per_n", {},
-                SPARKOUT_NOOP("Limit",
-                              "a compliance as given, or stiffness and shaft to compute it from"));
+                Phrase::anyCompliance);
             return;
         }
         if (internal) {
             if (!shaft.quill) {
-                add(IssueCode::complianceMissing, "/part/shaft/quill", {},
-                    SPARKOUT_NOOP("Limit", "length and diameter of the quill"));
+                add(IssueCode::complianceMissing, "/part/shaft/quill", {}, Phrase::quill);
             }
             return;
         }
@@ -282,19 +287,19 @@ private:
             [](double sum, const ShaftSegment& segment) { return sum + segment.length_mm; });
         const double needed = shaft.ground_from_mm + project().part.length_mm;
         if (shaft.segments.empty()) {
-            add(IssueCode::complianceMissing, "/part/shaft/segments", {},
-                SPARKOUT_NOOP("Limit", "length and diameter of each step of the shaft"));
+            add(IssueCode::complianceMissing, "/part/shaft/segments", {}, Phrase::shaftSteps);
         } else if (length < needed - 1e-9
                    && sound(
                        {"/part/shaft/segments", "/part/shaft/ground_from_mm", "/part/length_mm"})) {
-            add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length), "≥ " + mm(needed));
+            add(IssueCode::shaftTooShort, "/part/shaft/segments", mm(length),
+                Bounds{{needed}, "mm"});
         }
         for (std::size_t i = 0; i < shaft.steady_rests.size(); ++i) {
             if (shaft.steady_rests[i].position_mm > length && sound({"/part/shaft/segments"})) {
                 const std::string path =
                     "/part/shaft/steady_rests/" + std::to_string(i) + "/position_mm";
                 add(IssueCode::outOfRange, path, mm(shaft.steady_rests[i].position_mm),
-                    "0…" + mm(length));
+                    mm(Range{0, length}));
             }
         }
     }
@@ -308,7 +313,7 @@ private:
         const auto& rows = *contact->n_um_at_n;
         const std::string path = "/machine/wheel_contact/n_um_at_n";
         if (rows.empty()) {
-            add(IssueCode::wrongCount, path, "0", "≥ 1");
+            add(IssueCode::wrongCount, path, Count{0}, Bounds{{1}});
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const std::string row = path + "/" + std::to_string(i);
@@ -317,14 +322,14 @@ private:
             }
             constexpr double softest = 1e-3;
             if (rows[i][1] < softest) {
-                add(IssueCode::outOfRange, row + "/1", numberText(rows[i][1]) + " N/µm",
-                    "≥ 0.001 N/µm");
+                add(IssueCode::outOfRange, row + "/1", Amount{rows[i][1], "N/µm"},
+                    Bounds{{softest}, "N/µm"});
             }
             const std::string before = path + "/" + std::to_string(i - 1) + "/0";
             if (i > 0 && !rows[i - 1].empty() && !(rows[i][0] > rows[i - 1][0])
                 && sound({before})) {
-                add(IssueCode::outOfRange, row + "/0", numberText(rows[i][0]) + " N",
-                    "> " + numberText(rows[i - 1][0]) + " N");
+                add(IssueCode::outOfRange, row + "/0", Amount{rows[i][0], "N"},
+                    Bounds{{.low = rows[i - 1][0], .lowOpen = true}, "N"});
             }
         }
     }
@@ -346,8 +351,8 @@ private:
         const auto commands = static_cast<std::size_t>(project().gauge.commands);
         if (project().gauge.control == Control::gauge && stages.size() > commands
             && sound({"/gauge/commands"})) {
-            warn(IssueCode::tooManyStages, "/cycle/stages", std::to_string(stages.size()),
-                 std::to_string(commands));
+            warn(IssueCode::tooManyStages, "/cycle/stages", countOf(stages.size()),
+                 countOf(commands));
         }
     }
 
@@ -359,26 +364,25 @@ private:
         const std::string feedPath = path + "/" + feedKey;
         const Field& row = *tableOf<Stage>().find(feedKey);
         const auto& feed = traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min;
-        const std::string unit = std::string(" ") + row.unit;
         const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
         if (sparks && index + 1 < count) {
-            add(IssueCode::sparkOutNotLast, path + "/spark_out", std::to_string(index + 1),
-                std::to_string(count));
+            add(IssueCode::sparkOutNotLast, path + "/spark_out", countOf(index + 1),
+                countOf(count));
         }
         if (sparks && feed && *feed > 0) {
-            warn(IssueCode::feedUnused, feedPath, numberText(*feed) + unit, {});
+            warn(IssueCode::feedUnused, feedPath, Amount{*feed, row.unit}, {});
         }
         if (!sparks && !feed) {
-            add(IssueCode::missingKey, feedPath, {}, rangeText(row.read, row.unit));
+            add(IssueCode::missingKey, feedPath, {}, Bounds{row.read, row.unit});
         } else if (!sparks && *feed < row.read.low
                    && !(*feed < 0 && mayRetract(project(), stage))) {
-            add(IssueCode::feedMissing, feedPath, numberText(*feed) + unit,
-                rangeText(row.read, row.unit));
+            add(IssueCode::feedMissing, feedPath, Amount{*feed, row.unit},
+                Bounds{row.read, row.unit});
         }
         if (traverse && !stage.axial_feed_mm_min) {
             const Field& axial = *tableOf<Stage>().find("axial_feed_mm_min");
             add(IssueCode::missingKey, path + "/axial_feed_mm_min", {},
-                rangeText(axial.stated(), axial.unit));
+                Bounds{axial.stated(), axial.unit});
         }
     }
 
@@ -403,7 +407,7 @@ private:
         for (std::size_t i = 0; i < stages.size(); ++i) {
             if (stages[i] != std::floor(stages[i])) {
                 add(IssueCode::wrongType, "/optimisation/stages/" + std::to_string(i),
-                    numberText(stages[i]), SPARKOUT_NOOP("Limit", "whole number"));
+                    Amount{stages[i]}, Phrase::wholeNumber);
             }
         }
         checkSparkOuts(project().optimisation->spark_out);
@@ -412,8 +416,8 @@ private:
     void checkSparkOuts(const Levels& levels) {
         const auto whole = [this](double count, const std::string& key) {
             if (count != std::floor(count)) {
-                add(IssueCode::wrongType, "/optimisation/spark_out/" + key, numberText(count),
-                    SPARKOUT_NOOP("Limit", "whole number"));
+                add(IssueCode::wrongType, "/optimisation/spark_out/" + key, Amount{count},
+                    Phrase::wholeNumber);
             }
         };
         if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {

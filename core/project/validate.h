@@ -4,6 +4,7 @@
 #include "core/issue.h"
 #include "core/project/project.h"
 
+#include <functional>
 #include <string>
 
 namespace sparkout {
@@ -12,13 +13,14 @@ namespace sparkout {
 /// run, warnings do not.
 [[nodiscard]] Issues validate(const Project& project);
 
-/// A range as text, "0.5…1000 mm"; an open end is marked, "above 0 up to 5 mm".
-[[nodiscard]] std::string rangeText(const Range& range, const char* unit);
-
-/// What a field may hold, as text for a message: its range, its choices, its type.
-[[nodiscard]] std::string allowedText(const Field& field);
+/// What a field may hold, for a message: its range, its choices, its type.
+[[nodiscard]] Detail allowedIn(const Field& field);
 
 /// The shortest digits that read back to the same double.
 [[nodiscard]] std::string numberText(double value);
+
+/// A range as text, "0.5…1000 mm"; an open end is marked, "> 0…5 mm".
+[[nodiscard]] std::string rangeText(const Range& range, const char* unit,
+                                    const std::function<std::string(double)>& number = numberText);
 
 } // namespace sparkout

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/remarks.h"
 
-#include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/cycle_steps.h"
 #include "core/simulation/traverse.h"
@@ -25,8 +24,8 @@ bool endsOversize(const SimulationResult& result) {
 }
 
 /// In whole hundredths of a micrometre.
-std::string shortMm(double value) {
-    return numberText(std::round(value * 1e5) / 1e5) + " mm";
+Amount shortMm(double value) {
+    return {std::round(value * 1e5) / 1e5, "mm"};
 }
 
 /// A spark-out that leaves a stock which the deflection did not give back.
@@ -46,8 +45,8 @@ void addIdleStages(const SimulationResult& result, Issues& found) {
     for (std::size_t z = 0; z < stages.size(); ++z) {
         if (result.countsByStage[z] == 0 && stages[z].spark_out.mode == SparkOut::Mode::none) {
             found.push_back({IssueCode::stageIdle, Severity::warning,
-                             "/cycle/stages/" + std::to_string(z) + "/stock_mm",
-                             std::to_string(z + 1), std::to_string(stages.size())});
+                             "/cycle/stages/" + std::to_string(z) + "/stock_mm", countOf(z + 1),
+                             countOf(stages.size())});
         }
     }
 }
@@ -65,9 +64,8 @@ void addDwells(const Project& project, Issues& found) {
                               * units::secondsPerMinute / machine.work_speed_rpm;
         if (std::abs(made_s - dwell_s) > noticed * dwell_s) {
             found.push_back({IssueCode::dwellRounded, Severity::warning,
-                             std::string("/machine/dwell_") + name + "_s",
-                             numberText(dwell_s) + " s",
-                             numberText(std::round(made_s * 1e3) / 1e3) + " s"});
+                             std::string("/machine/dwell_") + name + "_s", Amount{dwell_s, "s"},
+                             Amount{std::round(made_s * 1e3) / 1e3, "s"}});
         }
     }
 }

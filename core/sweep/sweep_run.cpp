@@ -159,11 +159,7 @@ std::vector<double> SweepResult::valuesAt(std::size_t point) const {
 
 Issues checkSweep(const Project& project) {
     if (!project.sweep) {
-        return {{IssueCode::missingKey,
-                 Severity::error,
-                 "/sweep",
-                 {},
-                 SPARKOUT_NOOP("Limit", "an object")}};
+        return {{IssueCode::missingKey, Severity::error, "/sweep", {}, Phrase::anObject}};
     }
     return sweepFaults(project);
 }

@@ -5,6 +5,7 @@
 #include "core/project/project.h"
 #include "core/project/project_file.h"
 #include "core/simulation/simulate.h"
+#include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,7 +47,7 @@ inline Project read(const nlohmann::json& json) {
     const ReadResult result = readProject(json.dump());
     if (!result.project) {
         const Issue issue = result.issues.empty() ? Issue{} : result.issues.front();
-        throw std::runtime_error("refused: " + issue.path + " " + issue.value);
+        throw std::runtime_error("refused: " + issue.path + " " + issueSentence(issue));
     }
     return *result.project;
 }

@@ -3,6 +3,7 @@
 
 #include "core/issue.h"
 #include "core/project/project_file.h"
+#include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>
 
@@ -74,7 +75,7 @@ inline bool holds(const Issues& issues, IssueCode code, const std::string& path)
 inline std::string listed(const Issues& issues) {
     std::string lines;
     for (const Issue& issue : issues) {
-        lines += issue.path + ": " + fillTemplate(issueTemplate(issue.code), issue) + '\n';
+        lines += issue.path + ": " + issueSentence(issue) + '\n';
     }
     return lines.empty() ? "no issues" : lines;
 }

@@ -5,6 +5,7 @@
 #include "tests/core/project_fixtures.h"
 #include "tests/core/shipped_catalogues.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 #include <QTest>
 
@@ -201,7 +202,7 @@ private:
         const std::string text = shippedText(kindOf<Entry>());
         const auto read = readCatalogue<Entry>(text);
         for (const Issue& issue : read.issues) {
-            qWarning("%s %s %s", issue.path.c_str(), issue.value.c_str(), issue.limit.c_str());
+            qWarning("%s %s", issue.path.c_str(), issueSentence(issue).c_str());
         }
         return read.entries && !read.entries->empty() && writeCatalogue(*read.entries) == text;
     }

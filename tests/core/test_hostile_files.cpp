@@ -6,6 +6,7 @@
 #include "tests/check_line.h"
 #include "tests/core/project_samples.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -49,7 +50,7 @@ std::string faultOfAnswer(const ReadResult& read) {
         return "too many issues";
     }
     for (const Issue& issue : read.issues) {
-        const std::string sentence = fillTemplate(issueTemplate(issue.code), issue);
+        const std::string sentence = issueSentence(issue);
         if (sentence.empty() || sentence.size() > 2000 || issue.path.size() > 5000) {
             return "no readable sentence";
         }

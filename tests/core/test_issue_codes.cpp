@@ -2,6 +2,7 @@
 // Each code of a fault is produced by a file, and has its sentence.
 #include "tests/core/project_places.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 namespace test_issue_codes {
 
@@ -38,7 +39,7 @@ private slots:
         for (const Issue& issue : read.issues) {
             if (issue.code == expected && issue.path == at) {
                 QCOMPARE(issue.severity == Severity::warning, warning);
-                const std::string sentence = fillTemplate(issueTemplate(issue.code), issue);
+                const std::string sentence = issueSentence(issue);
                 QVERIFY(!sentence.empty());
                 QVERIFY2(sentence.find("  ") == std::string::npos && !sentence.ends_with(' ')
                              && !sentence.ends_with(": "),
@@ -54,14 +55,65 @@ private slots:
 
     void everyCodeHasASentenceAndIsProduced() {
         for (int i = 0; i <= static_cast<int>(IssueCode::targetOutsideField); ++i) {
-            QVERIFY2(*issueTemplate(static_cast<IssueCode>(i)), std::to_string(i).c_str());
+            QVERIFY2(*wordsOf(static_cast<IssueCode>(i)).sentence, std::to_string(i).c_str());
             QVERIFY2(m_produced.count(static_cast<IssueCode>(i)), std::to_string(i).c_str());
         }
     }
 
+    void everyCodeHasAKeyOfItsOwn() {
+        std::set<std::string> keys;
+        for (int i = 0; i <= static_cast<int>(IssueCode::sourceMissing); ++i) {
+            keys.insert(wordsOf(static_cast<IssueCode>(i)).key);
+        }
+        QCOMPARE(keys.size(), static_cast<std::size_t>(IssueCode::sourceMissing) + 1);
+        QVERIFY(!keys.contains(""));
+    }
+
+    void everyPhraseHasItsWords() {
+        std::set<std::string> words;
+        for (int i = 0; i <= static_cast<int>(Phrase::external); ++i) {
+            words.insert(wordsOf(static_cast<Phrase>(i)));
+        }
+        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::external) + 1);
+        QVERIFY(!words.contains(""));
+    }
+
+    void detailsAreWrittenWithUnitAndOrigin_data() {
+        QTest::addColumn<QString>("written");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char* name, const Detail& detail, const char* expected) {
+            QTest::newRow(name) << QString::fromStdString(Wording().detail(detail))
+                                << QString::fromUtf8(expected);
+        };
+        row("nothing", {}, "");
+        row("number", Amount{1e-5}, "1e-05");
+        row("amount", Amount{-2.5, "mm"}, "-2.5 mm");
+        row("amount of a formula", Amount{0.5, "mm", "ΔR"}, "0.5 mm (ΔR)");
+        row("count", Count{100'000}, "100000");
+        row("bytes", Count{7, "bytes"}, "7 bytes");
+        row("count of an input", Count{4, {}, "/sections"}, "4 (/sections)");
+        row("range", Bounds{{0, 5, true}, "mm"}, "> 0…5 mm");
+        row("least of an input", Bounds{{40}, "mm", "/part/length_mm"},
+            "≥ 40 mm (/part/length_mm)");
+        row("less than", Bounds{{.high = 50}, "mm", {}, "2R_t", true}, "< 50 mm (2R_t)");
+        row("no range", Bounds{{}, "mm"}, "");
+        row("members", Keys{{"rz1", "nz"}}, "rz1, nz");
+        row("choices", Keys{{"min", "max"}, Keys::Kind::choices}, "\"min\", \"max\"");
+        row("alternatives", Keys{{"grows", "normal"}, Keys::Kind::alternatives}, "grows | normal");
+        row("phrase", Phrase::wholeNumber, "whole number");
+        row("numeral", Numeral{"18446744073709551615"}, "18446744073709551615");
+        row("quoted", Quoted{"\"a -5\""}, "\"a -5\"");
+    }
+    void detailsAreWrittenWithUnitAndOrigin() {
+        QFETCH(QString, written);
+        QFETCH(QString, expected);
+        QCOMPARE(written, expected);
+    }
+
     void aValueMayHoldThePlacesOfATemplate() {
-        const Issue issue{IssueCode::outOfRange, Severity::error, "", "{limit}", "{value}"};
-        QCOMPARE(fillTemplate("{value} and {limit}", issue), std::string("{limit} and {value}"));
+        const Issue issue{IssueCode::outOfRange, Severity::error, "", Quoted{"{limit}"},
+                          Quoted{"{value}"}};
+        QCOMPARE(issueSentence(issue), std::string("{limit} is out of range; allowed: {value}"));
     }
 
 private:

@@ -89,7 +89,7 @@ private slots:
         for (const Row& row : rows()) {
             named << row.folder;
         }
-        for (const char* top : {"core", "ui", "app", "python"}) {
+        for (const char* top : {"core", "words", "ui", "app", "python"}) {
             for (const Include& include : includesBelow(QString::fromLatin1(top))) {
                 found << folderOf(include.file);
             }
@@ -107,7 +107,7 @@ private slots:
     void filesIncludeWhatTheirRowNames() {
         QFETCH(QString, folder);
         QFETCH(QStringList, may);
-        static const QRegularExpression ours(QStringLiteral("^(core|ui|app|python)/"));
+        static const QRegularExpression ours(QStringLiteral("^(core|words|ui|app|python)/"));
         QSet<QString> used;
         QStringList wrong;
         for (const Include& include : includesBelow(folder.section(u'/', 0, 0))) {
@@ -133,7 +133,9 @@ private slots:
         const auto row = [](const char* folder, const char* forbidden) {
             QTest::newRow(folder) << QString::fromLatin1(folder) << QString::fromLatin1(forbidden);
         };
-        row("core", "^(Q[A-Za-z]|qcustomplot)");
+        for (const char* folder : {"core", "words"}) {
+            row(folder, "^(Q[A-Za-z]|qcustomplot)");
+        }
         for (const char* folder : {"ui/text", "ui/session", "ui/files", "ui/tables"}) {
             row(folder, "^(qcustomplot|QWidget|QApplication|QMainWindow|"
                         "Q[A-Za-z]*(Button|Dialog|Edit|Label|Layout|View|Box)$)");
@@ -156,7 +158,7 @@ private slots:
     void everySourceNamesItsLicence() {
         const QDir root(QStringLiteral(SPARKOUT_SOURCE_DIR));
         QStringList without;
-        for (const char* folder : {"app", "core", "ui", "python", "tests"}) {
+        for (const char* folder : {"app", "core", "words", "ui", "python", "tests"}) {
             QDirIterator files(root.filePath(QString::fromLatin1(folder)),
                                {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
                                QDirIterator::Subdirectories);

@@ -5,6 +5,7 @@
 #include "tests/core/project_fixtures.h"
 #include "tests/core/project_places.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 namespace test_project_faults {
 
@@ -47,7 +48,8 @@ private slots:
                      spot.path.c_str());
             removed += required ? 1 : 0;
             if (required) {
-                QVERIFY2(!samples::find(issues, spot.path)->limit.empty(), spot.path.c_str());
+                QVERIFY2(!Wording().detail(samples::find(issues, spot.path)->limit).empty(),
+                         spot.path.c_str());
             }
         }
         QVERIFY(removed >= 13);
@@ -227,8 +229,8 @@ private slots:
                 const Issues issues = samples::faults(file);
                 return std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
                     return issue.code == IssueCode::outOfRange && issue.path == at
-                           && issue.limit == rangeText(hard, place.field->unit)
-                           && issue.value.starts_with(numberText(x));
+                           && issue.limit == Detail(Bounds{hard, place.field->unit})
+                           && Wording().detail(issue.value).starts_with(numberText(x));
                 });
             };
             m_limits += 2;
@@ -294,8 +296,8 @@ private slots:
             const Issues issues = samples::faults(file);
             QVERIFY2(holds(issues, IssueCode::unknownKey, path + "/colour"), path.c_str());
             const Issue issue = *samples::find(issues, path + "/colour");
-            QCOMPARE(issue.value, std::string("\"colour\""));
-            QVERIFY2(!issue.limit.empty(), path.c_str());
+            QCOMPARE(issue.value, Detail(Quoted{"\"colour\""}));
+            QVERIFY2(!Wording().detail(issue.limit).empty(), path.c_str());
         }
         QVERIFY(objects.size() > 20);
     }
@@ -308,7 +310,7 @@ private slots:
         QCOMPARE(issues.size(), std::size_t{2});
         QCOMPARE(issues[0].path, std::string("/part/a~1b~0c\\u001B[2J\\u202E"));
         QVERIFY(issues[1].path.size() < 100);
-        QVERIFY(issues[1].value.size() < 100);
+        QVERIFY(Wording().detail(issues[1].value).size() < 100);
     }
 
     // --- all faults at once ---------------------------------------------------------------------

@@ -7,6 +7,9 @@
 
 #include <QTest>
 
+#include <cmath>
+#include <limits>
+
 namespace test_remarks {
 
 using namespace sparkout;
@@ -19,9 +22,9 @@ Project example(const char* name) {
     return *read.project;
 }
 
-/// The number before its unit.
-double amount(const std::string& text) {
-    return QByteArray::fromStdString(text).split(' ').first().toDouble();
+double millimetres(const Detail& detail) {
+    const auto& amount = std::get<Amount>(detail);
+    return amount.unit == "mm" ? amount.number : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace
@@ -55,8 +58,8 @@ private slots:
         QCOMPARE(remarks[0].severity, Severity::warning);
         QCOMPARE(remarks[0].path,
                  "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm");
-        QVERIFY(std::abs(amount(remarks[0].value) - result.remainingStock_mm) < 1e-5);
-        QVERIFY(std::abs(amount(remarks[0].limit) - stages.back().stock_mm) < 1e-5);
+        QVERIFY(std::abs(millimetres(remarks[0].value) - result.remainingStock_mm) < 1e-5);
+        QVERIFY(std::abs(millimetres(remarks[0].limit) - stages.back().stock_mm) < 1e-5);
     }
 
     void withoutStockNothingIsLeft() {
@@ -91,7 +94,7 @@ private slots:
         QCOMPARE(remarks.size(), 1u);
         QCOMPARE(remarks[0].code, IssueCode::stageIdle);
         QCOMPARE(remarks[0].path, std::string("/cycle/stages/1/stock_mm"));
-        QCOMPARE(remarks[0].value, std::string("2"));
+        QCOMPARE(remarks[0].value, Detail(Count{2}));
     }
 
     // 0.05 s at 180 revolutions a minute are 0.15 revolutions, made as one: 1/3 s.
@@ -103,8 +106,8 @@ private slots:
         QCOMPARE(remarks.size(), 1u);
         QCOMPARE(remarks[0].code, IssueCode::dwellRounded);
         QCOMPARE(remarks[0].path, std::string("/machine/dwell_entry_s"));
-        QCOMPARE(remarks[0].value, std::string("0.05 s"));
-        QCOMPARE(remarks[0].limit, std::string("0.333 s"));
+        QCOMPARE(remarks[0].value, Detail(Amount{0.05, "s"}));
+        QCOMPARE(remarks[0].limit, Detail(Amount{0.333, "s"}));
     }
 
     void theExamplesHaveNoneToMake() {

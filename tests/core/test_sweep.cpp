@@ -9,6 +9,7 @@
 #include "tests/check_line.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -316,8 +317,8 @@ private slots:
         const Issues issues = checkSweep(project);
         QCOMPARE(issues.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(issues[0].path), path);
-        QCOMPARE(QString::fromStdString(issues[0].value), value);
-        QCOMPARE(QString::fromStdString(issues[0].limit), limit);
+        QCOMPARE(QString::fromStdString(Wording().detail(issues[0].value)), value);
+        QCOMPARE(QString::fromStdString(Wording().detail(issues[0].limit)), limit);
         QCOMPARE(pointsOf(project), std::int64_t{0});
         // A single cycle does not read them: it is only warned.
         const Issues warned = validate(project);

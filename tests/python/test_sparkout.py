@@ -136,6 +136,7 @@ class Projects(unittest.TestCase):
         fault = raised.exception.issues[0]
         self.assertEqual(fault.path, "/wheel/width_mm")
         self.assertTrue(fault.is_error)
+        self.assertEqual(fault.code, "out_of_range")
         self.assertIn("-1", fault.value)
         self.assertIn("mm", fault.limit)
         self.assertIn("/wheel/width_mm", str(raised.exception))

@@ -7,6 +7,7 @@
 #include "core/project/validate.h"
 
 #include "tests/registry.h"
+#include "words/issue_words.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -236,7 +237,7 @@ private slots:
     void newProjectsOfBothOperationsAreInOrder() {
         for (const Operation operation : {Operation::traverse, Operation::plunge}) {
             const Issues issues = validate(newProject(operation));
-            QVERIFY2(issues.empty(), issues.empty() ? "" : issueTemplate(issues.front().code));
+            QVERIFY2(issues.empty(), issues.empty() ? "" : issueSentence(issues.front()).c_str());
         }
     }
 
@@ -276,7 +277,7 @@ private slots:
         const auto describe = [](const Issues& issues) {
             std::string text;
             for (const Issue& issue : issues) {
-                text += issue.path + ": " + fillTemplate(issueTemplate(issue.code), issue) + "; ";
+                text += issue.path + ": " + issueSentence(issue) + "; ";
             }
             return text;
         };

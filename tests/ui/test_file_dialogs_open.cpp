@@ -163,8 +163,8 @@ private slots:
 
     void faultsNameTheFieldAndThePathInTheFile() {
         Bench bench;
-        const Issues issues{
-            {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "-1", "0.1 to 500 mm"}};
+        const Issues issues{{IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
+                             Amount{-1, "mm"}, Bounds{{0.1, 500}, "mm"}}};
         const QString line = FaultsDialog::lines(issues).first();
         QVERIFY2(line.startsWith(QStringLiteral("Wheel › ")), qPrintable(line));
         QVERIFY2(line.contains(QStringLiteral("(/wheel/width_mm): ")), qPrintable(line));

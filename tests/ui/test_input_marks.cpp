@@ -163,8 +163,8 @@ private slots:
         issue.code = IssueCode::unknownKey;
         issue.path = "/part";
         for (const char* key : {"diameter_mm", "spark_out", "stock_mm", "d_mm_x", "at_mm"}) {
-            issue.value = key;
-            issue.limit = key;
+            issue.value = Quoted{key};
+            issue.limit = Keys{{key}};
             const QString text = issueText(issue);
             QVERIFY2(text.contains(QString::fromLatin1(key)), qPrintable(text));
         }
@@ -175,8 +175,8 @@ private slots:
         const Issues issues = parseProject("{\n  \"part\": }").issues;
         QCOMPARE(issues.size(), std::size_t(1));
         QCOMPARE(issues[0].code, IssueCode::notJson);
-        QCOMPARE(issues[0].value, std::string("2"));
-        QCOMPARE(issues[0].limit, std::string("11"));
+        QCOMPARE(issues[0].value, Detail(Count{2}));
+        QCOMPARE(issues[0].limit, Detail(Count{11}));
         QVERIFY(issueText(issues[0]).endsWith(QStringLiteral("line 2, column 11")));
     }
 

@@ -72,19 +72,34 @@ private slots:
 
     void messagesShowPlainDecimalsToo() {
         QLocale::setDefault(locales[0]);
-        const Issue issue{
-            IssueCode::unusual, Severity::warning, {}, "2e-07 mm/N", "1e-06…0.001 mm/N"};
+        const Issue issue{IssueCode::unusual,
+                          Severity::warning,
+                          {},
+                          Amount{2e-7, "mm/N"},
+                          Bounds{{1e-6, 1e-3}, "mm/N"}};
         QCOMPARE(issueText(issue),
                  QStringLiteral("0.0000002 mm/N is unusual; usual: 0.000001…0.001 mm/N"));
     }
 
     void messagesShowAMinusAndKeepHyphens() {
         QLocale::setDefault(locales[0]);
-        const Issue issue{IssueCode::unusual, Severity::warning, {}, "-9000 mm", "-5000…-0.5 mm"};
+        const Issue issue{IssueCode::unusual,
+                          Severity::warning,
+                          {},
+                          Amount{-9000, "mm"},
+                          Bounds{{-5000, -0.5}, "mm"}};
         QCOMPARE(issueText(issue), QStringLiteral("−9000 mm is unusual; usual: −5000…−0.5 mm"));
-        const Issue tiny{IssueCode::unusual, Severity::warning, {}, "-2e-07 mm", "> -1 mm"};
+        const Issue tiny{IssueCode::unusual,
+                         Severity::warning,
+                         {},
+                         Amount{-2e-7, "mm"},
+                         Bounds{{.low = -1, .lowOpen = true}, "mm"}};
         QCOMPARE(issueText(tiny), QStringLiteral("−0.0000002 mm is unusual; usual: > −1 mm"));
-        const Issue quoted{IssueCode::unusual, Severity::warning, {}, "\"a -5\"", "F-80, 2026-11"};
+        const Issue quoted{IssueCode::unusual,
+                           Severity::warning,
+                           {},
+                           Quoted{"\"a -5\""},
+                           Keys{{"F-80", "2026-11"}}};
         QCOMPARE(issueText(quoted), QStringLiteral("\"a -5\" is unusual; usual: F-80, 2026-11"));
     }
 

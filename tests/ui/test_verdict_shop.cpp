@@ -176,8 +176,8 @@ private slots:
     void refusedInputsGreyTheNumbers() {
         Bench bench(m_traverse);
         auto refused = std::make_shared<Outcome>();
-        refused->issues.push_back(
-            {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "5000", "0.5…1000 mm"});
+        refused->issues.push_back({IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
+                                   Amount{5000, "mm"}, Bounds{{0.5, 1000}, "mm"}});
         const QString before = bench.cell(ShopRow::energy, 0);
         bench.show(refused);
         QCOMPARE(bench.cell(ShopRow::energy, 0), before);

@@ -26,8 +26,8 @@ inline OutcomePtr run(const Project& project) {
 
 inline OutcomePtr refused() {
     auto outcome = std::make_shared<Outcome>();
-    outcome->issues.push_back(
-        {IssueCode::outOfRange, Severity::error, "/wheel/width_mm", "5000", "0.5…1000 mm"});
+    outcome->issues.push_back({IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
+                               Amount{5000, "mm"}, Bounds{{0.5, 1000}, "mm"}});
     return outcome;
 }
 

@@ -5,6 +5,7 @@
 #include "core/project/member.h"
 #include "core/project/project.h"
 #include "ui/text/number_text.h"
+#include "words/issue_words.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -21,7 +22,8 @@ QString translated(const char* context, const char* text) {
     return *text ? QCoreApplication::translate(context, text) : QString();
 }
 
-constexpr std::array units{
+/// Units of the inputs and results, marked for translation.
+[[maybe_unused]] constexpr std::array units{
     QT_TRANSLATE_NOOP("Unit", "mm/dbl stroke"),
     QT_TRANSLATE_NOOP("Unit", "mm/min"),
     QT_TRANSLATE_NOOP("Unit", "mm/N"),
@@ -45,100 +47,55 @@ constexpr std::array units{
     QT_TRANSLATE_NOOP("Unit", "bytes"),
 };
 
-/// Words the core uses in the values and limits of its issues.
-constexpr std::array words{
-    QT_TRANSLATE_NOOP("Detail", "plunge"),
-    QT_TRANSLATE_NOOP("Detail", "traverse"),
-    QT_TRANSLATE_NOOP("Detail", "internal"),
-    QT_TRANSLATE_NOOP("Detail", "external"),
-};
-
-/// Patterns that find each of the texts in its surroundings, made once.
-template <std::size_t N>
-std::array<QRegularExpression, N> patterns(const std::array<const char*, N>& texts,
-                                           const QString& around) {
-    std::array<QRegularExpression, N> all;
-    for (std::size_t i = 0; i < N; ++i) {
-        all[i] =
-            QRegularExpression(around.arg(QRegularExpression::escape(QString::fromUtf8(texts[i]))),
-                               QRegularExpression::UseUnicodePropertiesOption);
-    }
-    return all;
-}
-
-/// "L_p" → "Lₚ", where there are signs for all of an index. A key, as diameter_mm, stays as typed.
+/// "L_p" → "Lₚ", where there are signs for all of an index.
 QString withSubscripts(QString text) {
     static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
     static const QString below = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
-    static const QRegularExpression index(
-        QStringLiteral("(?<=\\b\\w|\\bΔ\\w|\\b\\d\\w)_([^\\W_]+)\\b"),
-        QRegularExpression::UseUnicodePropertiesOption);
-    qsizetype from = 0;
-    for (auto found = index.match(text); found.hasMatch(); found = index.match(text, from)) {
-        QString written = found.captured(1);
-        for (QChar& sign : written) {
-            const qsizetype at = plain.indexOf(sign);
-            sign = at < 0 ? QChar() : below[at];
+    for (qsizetype from = text.indexOf(u'_'); from >= 0; from = text.indexOf(u'_', from + 1)) {
+        QString index;
+        qsizetype end = from + 1;
+        for (; end < text.size() && text[end].isLetterOrNumber(); ++end) {
+            const qsizetype at = plain.indexOf(text[end]);
+            index += at < 0 ? QString() : below[at];
         }
-        if (!written.contains(QChar())) {
-            text.replace(found.capturedStart(), found.capturedLength(), written);
+        if (index.size() == end - from - 1) {
+            text.replace(from, end - from, index);
         }
-        from = found.capturedStart() + written.size();
     }
     return text;
 }
 
-/// "(/part/length_mm)" → "(Ground length L_p)".
-QString withLabels(QString text) {
-    static const QRegularExpression pointer(QStringLiteral("(?<=\\()/[\\w/]+(?=\\))"));
-    for (auto found = pointer.match(text); found.hasMatch(); found = pointer.match(text)) {
-        const Field* field = nearestField(Project(), found.captured().toStdString());
-        const QString label = field ? QStringLiteral("%1 %2").arg(inputText(field->label),
-                                                                  QString::fromUtf8(field->symbol))
-                                    : locationText(found.captured().toStdString());
-        text.replace(found.capturedStart(), found.capturedLength(), label.trimmed());
+/// Issues in the present language, with the numbers and names of the window.
+class WindowWording : public Wording {
+protected:
+    std::string translated(const char* context, const std::string& text) const override {
+        return sparkout::translated(context, text.c_str()).toStdString();
     }
-    return text;
-}
+    std::string number(double value) const override {
+        return withMinus(showNumber(value, QLocale()));
+    }
+    std::string numeral(const std::string& digits) const override {
+        return withMinus(QString::fromStdString(digits).replace(u'.', QLocale().decimalPoint()));
+    }
+    std::string input(const std::string& path) const override {
+        const Field& field = *nearestField(Project(), path);
+        return QStringLiteral("%1 %2")
+            .arg(inputText(field.label), withSubscripts(QString::fromUtf8(field.symbol)))
+            .trimmed()
+            .toStdString();
+    }
+    std::string formula(const std::string& letters) const override {
+        return withSubscripts(QString::fromStdString(letters)).toStdString();
+    }
 
-/// "1e-05 mm" → "0.00001 mm": the core writes the shortest text of a number.
-QString withoutExponents(QString text) {
-    static const QRegularExpression number(QStringLiteral("\\d+(?:\\.\\d+)?e[-+]?\\d+"));
-    qsizetype from = 0;
-    for (auto found = number.match(text); found.hasMatch(); found = number.match(text, from)) {
-        const auto value = parseNumber(found.captured());
-        const QString shown = value ? showNumber(*value, QLocale::c()) : found.captured();
-        text.replace(found.capturedStart(), found.capturedLength(), shown);
-        from = found.capturedStart() + shown.size();
+private:
+    static std::string withMinus(QString number) {
+        if (number.startsWith(u'-')) {
+            number[0] = u'−';
+        }
+        return number.toStdString();
     }
-    return text;
-}
-
-/// A value or limit of an issue in the present language. What quotes the file stays as it is.
-std::string localised(const std::string& detail) {
-    QString text = QString::fromStdString(detail);
-    if (const QString whole = translated("Limit", detail.c_str()); whole != text) {
-        return whole.toStdString();
-    }
-    if (text.contains(u'"')) {
-        return detail;
-    }
-    static const auto wordPatterns = patterns(words, QStringLiteral("(?<![\\w])%1(?![\\w])"));
-    static const auto unitPatterns = patterns(units, QStringLiteral("(?<=[\\d\\w]) %1(?![\\w/²])"));
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        text.replace(wordPatterns[i], translated("Detail", words[i]));
-    }
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        text.replace(unitPatterns[i], u' ' + translated("Unit", units[i]));
-    }
-    static const QRegularExpression point(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
-    static const QRegularExpression minus(QStringLiteral("(?<![\\w./-])-(?=\\d)"),
-                                          QRegularExpression::UseUnicodePropertiesOption);
-    text = withoutExponents(text)
-               .replace(point, QLocale().decimalPoint())
-               .replace(minus, QStringLiteral("−"));
-    return withSubscripts(withLabels(text)).toStdString();
-}
+};
 
 } // namespace
 
@@ -202,11 +159,7 @@ QString rangeBrief(const Range& range, const char* unit) {
 }
 
 QString issueText(const Issue& issue) {
-    Issue shown = issue;
-    shown.value = localised(issue.value);
-    shown.limit = localised(issue.limit);
-    const QString sentence = translated("Issue", issueTemplate(issue.code));
-    return QString::fromStdString(fillTemplate(sentence.toStdString(), shown));
+    return QString::fromStdString(WindowWording().sentence(issue));
 }
 
 QString locationText(const std::string& path) {

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "words/issue_words.h"
+
+#include "core/project/validate.h"
+#include "core/text.h"
+
+namespace sparkout {
+
+namespace {
+
+std::string joined(const Keys& keys) {
+    const bool quoted = keys.kind == Keys::Kind::choices;
+    const char* const separator = keys.kind == Keys::Kind::alternatives ? " | " : ", ";
+    std::string text;
+    for (const std::string& key : keys.keys) {
+        text += (text.empty() ? "" : separator) + (quoted ? '"' + key + '"' : key);
+    }
+    return text;
+}
+
+/// Puts both into their places. Both places are looked for before either is filled: a value may
+/// itself hold "{limit}".
+std::string filled(const std::string& sentence, const std::string& value,
+                   const std::string& limit) {
+    std::string out;
+    for (std::size_t i = 0; i < sentence.size();) {
+        if (sentence.compare(i, 7, "{value}") == 0) {
+            out += value;
+            i += 7;
+        } else if (sentence.compare(i, 7, "{limit}") == 0) {
+            out += limit;
+            i += 7;
+        } else {
+            out += sentence[i++];
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+IssueWords wordsOf(IssueCode code) {
+    switch (code) {
+    case IssueCode::empty: return {"empty", SPARKOUT_NOOP("Issue", "the file is empty")};
+    case IssueCode::notJson:
+        return {"not_json",
+                SPARKOUT_NOOP("Issue",
+                              "the text is not valid JSON in UTF-8: line {value}, column {limit}")};
+    case IssueCode::tooLarge:
+        return {"too_large",
+                SPARKOUT_NOOP("Issue", "{value} is too large; allowed: at most {limit}")};
+    case IssueCode::tooDeep:
+        return {"too_deep",
+                SPARKOUT_NOOP("Issue", "values are nested too deeply; allowed: {limit} levels")};
+    case IssueCode::tooManyValues:
+        return {"too_many_values",
+                SPARKOUT_NOOP("Issue", "too many values; allowed: at most {limit}")};
+    case IssueCode::stringTooLong:
+        return {"string_too_long",
+                SPARKOUT_NOOP("Issue", "the text is {value} long; allowed: at most {limit}")};
+    case IssueCode::wrongFormat:
+        return {"wrong_format",
+                SPARKOUT_NOOP("Issue", "{value} is not a Sparkout project; expected {limit}")};
+    case IssueCode::newerVersion:
+        return {"newer_version",
+                SPARKOUT_NOOP("Issue", "version {value} was written by a newer Sparkout; this one "
+                                       "reads versions {limit}")};
+    case IssueCode::duplicateKey:
+        return {"duplicate_key", SPARKOUT_NOOP("Issue", "this key stands here twice")};
+    case IssueCode::unknownKey:
+        return {"unknown_key", SPARKOUT_NOOP("Issue", "unknown key {value}; allowed: {limit}")};
+    case IssueCode::missingKey:
+        return {"missing_key", SPARKOUT_NOOP("Issue", "this value is required; allowed: {limit}")};
+    case IssueCode::wrongType:
+        return {"wrong_type",
+                SPARKOUT_NOOP("Issue", "{value} is of the wrong type; expected: {limit}")};
+    case IssueCode::outOfRange:
+        return {"out_of_range",
+                SPARKOUT_NOOP("Issue", "{value} is out of range; allowed: {limit}")};
+    case IssueCode::notOneOf:
+        return {"not_one_of",
+                SPARKOUT_NOOP("Issue", "{value} is not one of the choices; allowed: {limit}")};
+    case IssueCode::unusual:
+        return {"unusual", SPARKOUT_NOOP("Issue", "{value} is unusual; usual: {limit}")};
+    case IssueCode::wrongCount:
+        return {"wrong_count",
+                SPARKOUT_NOOP("Issue", "there are {value} values; expected: {limit}")};
+    case IssueCode::notEven:
+        return {"not_even",
+                SPARKOUT_NOOP("Issue", "{value} is odd; allowed: an even number, {limit}")};
+    case IssueCode::fewRadii:
+        return {"few_radii",
+                SPARKOUT_NOOP("Issue", "{value} radii cannot tell a lobed form from eccentricity; "
+                                       "better: {limit}")};
+    case IssueCode::deviationsReversed:
+        return {"deviations_reversed",
+                SPARKOUT_NOOP("Issue", "the lower deviation {value} is not below the upper one; "
+                                       "allowed: below {limit}")};
+    case IssueCode::zoneTooShort:
+        return {"zone_too_short",
+                SPARKOUT_NOOP("Issue", "{value} leaves no zone between the reversal zones; "
+                                       "allowed: {limit}")};
+    case IssueCode::wheelTooNarrow:
+        return {"wheel_too_narrow",
+                SPARKOUT_NOOP("Issue", "{value} does not cover the ground length of a plunge "
+                                       "cycle; allowed: {limit}")};
+    case IssueCode::wheelTooLarge:
+        return {"wheel_too_large",
+                SPARKOUT_NOOP("Issue", "{value} does not fit into the hole; allowed: {limit}")};
+    case IssueCode::complianceMissing:
+        return {"compliance_missing",
+                SPARKOUT_NOOP("Issue", "no compliance is given and none can be computed; needed: "
+                                       "{limit}")};
+    case IssueCode::influenceUnknown:
+        return {"influence_unknown",
+                SPARKOUT_NOOP("Issue", "how a force in one section deflects the others does not "
+                                       "follow from compliances as given; needed: {limit}")};
+    case IssueCode::sparkOutNotLast:
+        return {"spark_out_not_last",
+                SPARKOUT_NOOP("Issue", "only the last stage may be a spark-out; this is stage "
+                                       "{value} of {limit}")};
+    case IssueCode::feedUnused:
+        return {"feed_unused",
+                SPARKOUT_NOOP("Issue", "a spark-out stage feeds nothing: {value} is not used")};
+    case IssueCode::feedMissing:
+        return {"feed_missing",
+                SPARKOUT_NOOP("Issue", "{value} would never reach size; allowed: {limit}")};
+    case IssueCode::stocksDoNotSumUp:
+        return {"stocks_do_not_sum_up",
+                SPARKOUT_NOOP("Issue", "the stages' stocks sum to {value}, the part's stock is "
+                                       "{limit}; the first stage takes what the later ones leave")};
+    case IssueCode::tooManyStages:
+        return {"too_many_stages",
+                SPARKOUT_NOOP("Issue", "{value} stages need more gauge commands than there are; "
+                                       "allowed: {limit}")};
+    case IssueCode::notUsedHere:
+        return {"not_used_here",
+                SPARKOUT_NOOP("Issue", "{value} is not used here; it applies to {limit}")};
+    case IssueCode::internalTraverse:
+        return {
+            "internal_traverse",
+            SPARKOUT_NOOP("Issue", "{value} surfaces are ground by plunge only; allowed: {limit}")};
+    case IssueCode::shaftTooShort:
+        return {"shaft_too_short",
+                SPARKOUT_NOOP("Issue", "the shaft is {value} long; needed: {limit}")};
+    case IssueCode::targetOutsideField:
+        return {
+            "target_outside_field",
+            SPARKOUT_NOOP("Issue", "the target {value} lies outside the tolerance field {limit}")};
+    case IssueCode::sparkOutLeaves:
+        return {"spark_out_leaves",
+                SPARKOUT_NOOP("Issue", "the part stays {value} above size: a spark-out feeds "
+                                       "nothing, and the deflection did not give back its stock of "
+                                       "{limit}")};
+    case IssueCode::stageIdle:
+        return {"stage_idle",
+                SPARKOUT_NOOP("Issue",
+                              "stage {value} of {limit} makes no step: those before it have "
+                              "already removed its stock")};
+    case IssueCode::dwellRounded:
+        return {
+            "dwell_rounded",
+            SPARKOUT_NOOP("Issue", "a dwell of {value} is made as {limit}, in whole revolutions")};
+    case IssueCode::noSuchNumber:
+        return {"no_such_number",
+                SPARKOUT_NOOP("Issue", "{value} is no number that this project reads; needed: "
+                                       "{limit}")};
+    case IssueCode::variedTwice:
+        return {"varied_twice", SPARKOUT_NOOP("Issue", "{value} is varied twice; needed: {limit}")};
+    case IssueCode::sourceMissing:
+        return {"source_missing",
+                SPARKOUT_NOOP("Issue", "{value} says neither where it comes from nor that it is an "
+                                       "estimate; needed: its line in {limit}")};
+    }
+    return {"", ""};
+}
+
+const char* wordsOf(Phrase phrase) {
+    switch (phrase) {
+    case Phrase::number: return SPARKOUT_NOOP("Limit", "number");
+    case Phrase::wholeNumber: return SPARKOUT_NOOP("Limit", "whole number");
+    case Phrase::text: return SPARKOUT_NOOP("Limit", "text");
+    case Phrase::trueOrFalse: return SPARKOUT_NOOP("Limit", "true or false");
+    case Phrase::object: return SPARKOUT_NOOP("Limit", "object");
+    case Phrase::anObject: return SPARKOUT_NOOP("Limit", "an object");
+    case Phrase::listOfNumbers: return SPARKOUT_NOOP("Limit", "list of numbers");
+    case Phrase::listOfObjects: return SPARKOUT_NOOP("Limit", "list of objects");
+    case Phrase::rowsOrNull: return SPARKOUT_NOOP("Limit", "list of rows of numbers, or null");
+    case Phrase::zonesOrListOrNull:
+        return SPARKOUT_NOOP("Limit", "object with rz1, nz, rz2, or list of numbers, or null");
+    case Phrase::numberOfZone: return SPARKOUT_NOOP("Limit", "number, mm/N");
+    case Phrase::listOrSteps:
+        return SPARKOUT_NOOP("Limit", "list of numbers, or object with from, to, step");
+    case Phrase::wholeNumberOrUntilSize:
+        return SPARKOUT_NOOP("Limit", "whole number or \"until_size\"");
+    case Phrase::computedCompliance:
+        return SPARKOUT_NOOP("Limit", "a compliance computed from stiffness and shaft");
+    case Phrase::valueForEachZone:
+        return SPARKOUT_NOOP("Limit", "a value for each zone: { rz1, nz, rz2 }");
+    case Phrase::anyCompliance:
+        return SPARKOUT_NOOP("Limit",
+                             "a compliance as given, or stiffness and shaft to compute it from");
+    case Phrase::quill: return SPARKOUT_NOOP("Limit", "length and diameter of the quill");
+    case Phrase::shaftSteps:
+        return SPARKOUT_NOOP("Limit", "length and diameter of each step of the shaft");
+    case Phrase::positiveDefinite: return SPARKOUT_NOOP("Limit", "a positive definite matrix");
+    case Phrase::anotherInput: return SPARKOUT_NOOP("Limit", "another input");
+    case Phrase::pathOfInput:
+        return SPARKOUT_NOOP("Limit", "the path of an input, as /wheel/dullness");
+    case Phrase::plunge: return SPARKOUT_NOOP("Limit", "plunge");
+    case Phrase::internal: return SPARKOUT_NOOP("Limit", "internal");
+    case Phrase::external: return SPARKOUT_NOOP("Limit", "external");
+    }
+    return "";
+}
+
+std::string Wording::sentence(const Issue& issue) const {
+    return filled(translated("Issue", wordsOf(issue.code).sentence), detail(issue.value),
+                  detail(issue.limit));
+}
+
+std::string Wording::detail(const Detail& detail) const {
+    return std::visit([this](const auto& each) { return text(each); }, detail);
+}
+
+std::string Wording::text(std::monostate) const {
+    return {};
+}
+std::string Wording::text(const Amount& amount) const {
+    return withUnit(number(amount.number), amount.unit) + inBrackets({}, amount.formula);
+}
+std::string Wording::text(const Count& count) const {
+    return withUnit(numeral(std::to_string(count.number)), count.unit)
+           + inBrackets(count.field, {});
+}
+std::string Wording::text(const Bounds& bounds) const {
+    const auto written = [this](double value) { return number(value); };
+    const std::string range =
+        bounds.highOpen ? "< " + number(bounds.range.high) : rangeText(bounds.range, "", written);
+    return range.empty() ? range
+                         : withUnit(range, bounds.unit) + inBrackets(bounds.field, bounds.formula);
+}
+std::string Wording::text(const Keys& keys) const {
+    return joined(keys);
+}
+std::string Wording::text(Phrase phrase) const {
+    return translated("Limit", wordsOf(phrase));
+}
+std::string Wording::text(const Numeral& value) const {
+    return numeral(value.digits);
+}
+std::string Wording::text(const Quoted& value) const {
+    return value.text;
+}
+
+std::string Wording::withUnit(const std::string& number, std::string_view unit) const {
+    return unit.empty() ? number : number + ' ' + translated("Unit", std::string(unit));
+}
+
+std::string Wording::inBrackets(std::string_view field, std::string_view letters) const {
+    return field.empty() && letters.empty() ? std::string()
+           : field.empty()                  ? " (" + formula(std::string(letters)) + ')'
+                                            : " (" + input(std::string(field)) + ')';
+}
+
+std::string Wording::translated(const char*, const std::string& text) const {
+    return text;
+}
+std::string Wording::number(double value) const {
+    return numberText(value);
+}
+std::string Wording::numeral(const std::string& digits) const {
+    return digits;
+}
+std::string Wording::input(const std::string& path) const {
+    return path;
+}
+std::string Wording::formula(const std::string& letters) const {
+    return letters;
+}
+
+} // namespace sparkout

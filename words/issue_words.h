@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/issue.h"
+
+#include <string>
+#include <string_view>
+
+/// Issues in words. The English ones stand here alone, marked for translation: the command line and
+/// the Python module print them, the window looks up what they are in its language.
+namespace sparkout {
+
+struct IssueWords {
+    const char* key;      ///< what the code is called by other programs
+    const char* sentence; ///< with the places {value} and {limit}; context "Issue"
+};
+
+[[nodiscard]] IssueWords wordsOf(IssueCode code);
+[[nodiscard]] const char* wordsOf(Phrase phrase); ///< context "Limit"
+
+/// Writes issues: by itself in English, with numbers and paths as the file has them.
+class Wording {
+public:
+    Wording() = default;
+    virtual ~Wording() = default;
+    Wording(const Wording&) = delete;
+    Wording& operator=(const Wording&) = delete;
+
+    /// The sentence of an issue with value and limit filled in.
+    [[nodiscard]] std::string sentence(const Issue& issue) const;
+    /// A value or limit; empty when there is none.
+    [[nodiscard]] std::string detail(const Detail& detail) const;
+
+protected:
+    [[nodiscard]] virtual std::string translated(const char* context,
+                                                 const std::string& text) const;
+    [[nodiscard]] virtual std::string number(double value) const;
+    [[nodiscard]] virtual std::string numeral(const std::string& digits) const;
+    [[nodiscard]] virtual std::string input(const std::string& path) const;
+    [[nodiscard]] virtual std::string formula(const std::string& letters) const;
+
+private:
+    [[nodiscard]] std::string text(std::monostate) const;
+    [[nodiscard]] std::string text(const Amount& amount) const;
+    [[nodiscard]] std::string text(const Count& count) const;
+    [[nodiscard]] std::string text(const Bounds& bounds) const;
+    [[nodiscard]] std::string text(const Keys& keys) const;
+    [[nodiscard]] std::string text(Phrase phrase) const;
+    [[nodiscard]] std::string text(const Numeral& value) const;
+    [[nodiscard]] std::string text(const Quoted& value) const;
+    [[nodiscard]] std::string withUnit(const std::string& number, std::string_view unit) const;
+    [[nodiscard]] std::string inBrackets(std::string_view field, std::string_view letters) const;
+};
+
+/// The sentence in English.
+[[nodiscard]] inline std::string issueSentence(const Issue& issue) {
+    return Wording().sentence(issue);
+}
+
+} // namespace sparkout
