@@ -85,8 +85,8 @@ std::string bindingText(const GridSearchReport& report) {
 
 std::string stageLine(const Stage& stage, std::size_t number) {
     std::string feeds;
-    if (stage.spark_out.mode == SparkOut::Mode::count) {
-        feeds = "spark-out, " + std::to_string(stage.spark_out.count)
+    if (const auto steps = stage.sparkOutSteps()) {
+        feeds = "spark-out, " + std::to_string(*steps)
                 + (stage.axial_feed_mm_min ? " double strokes" : " revolutions");
     } else {
         feeds = stage.radial_feed_mm ? fixed(*stage.radial_feed_mm, 4) + " mm per double stroke"
@@ -109,7 +109,6 @@ struct FreeSetting {
 std::vector<FreeSetting> freeSettings(const GridSearchReport& report) {
     const Optimisation& asked = *report.project.optimisation;
     const MachineSettings& found = report.search.machine;
-    const bool traverse = report.project.operation == Operation::traverse;
     std::vector<FreeSetting> settings;
     const auto add = [&settings](const Levels& levels, const FreeSetting& setting) {
         if (levelCount(levels) > 0) {
@@ -117,7 +116,7 @@ std::vector<FreeSetting> freeSettings(const GridSearchReport& report) {
         }
     };
     add(asked.work_speed_rpm, {"work_speed_rpm", found.work_speed_rpm, "work speed ", " rev/min"});
-    if (traverse) {
+    if (report.project.operation->travels) {
         add(asked.dwell_entry_s, {"dwell_entry_s", found.dwell_entry_s, "entry dwell ", " s"});
         add(asked.dwell_exit_s, {"dwell_exit_s", found.dwell_exit_s, "exit dwell ", " s"});
     }

@@ -19,10 +19,6 @@ namespace sparkout::cli {
 
 namespace {
 
-bool isTraverse(const SimulationResult& result) {
-    return result.project.operation == Operation::traverse;
-}
-
 std::string padded(std::string name) {
     constexpr std::size_t column = 21;
     name.resize(std::max(column, name.size() + 1), ' ');
@@ -136,7 +132,8 @@ std::string resultText(const SimulationResult& result,
     std::string text = printable(result.project.title) + '\n';
     text += "status               " + statusSentence(result) + '\n';
     text += "machining time       " + fixed(result.time_s / units::secondsPerMinute, 4) + " min\n";
-    text += isTraverse(result) ? "double strokes       " : "revolutions          ";
+    text +=
+        result.project.operation->countsStrokes ? "double strokes       " : "revolutions          ";
     text += std::to_string(result.cycleCount) + " (by stage:";
     for (const int count : result.countsByStage) {
         text += ' ' + std::to_string(count);
@@ -150,18 +147,21 @@ std::string resultText(const SimulationResult& result,
 }
 
 std::string traceCsv(const SimulationResult& result, const Trajectory& trajectory) {
-    const bool traverse = isTraverse(result);
-    std::string csv = traverse ? "time_min,double_stroke,stage,zone,step,revolution,radius,"
-                               : "time_min,revolution,stage,section,radius,";
+    const bool strokes = result.project.operation->countsStrokes;
+    const bool zones = result.project.operation->hasZones;
+    std::string csv = strokes ? "time_min,double_stroke,stage," : "time_min,revolution,stage,";
+    csv += zones ? "zone," : "section,";
+    csv += strokes ? "step,revolution,radius," : "radius,";
     csv += "programmed_mm,actual_mm,accumulated_mm,radius_um,normal_force_n\n";
     const double nominal = result.project.part.diameter_mm / 2;
     for (const Pass& pass : trajectory.passes) {
         const Place& place = pass.place;
         std::string where =
             ',' + std::to_string(place.cycleCount) + ',' + std::to_string(place.stage) + ',';
-        where += traverse ? csvCell(zoneKey(place.zone)) + ',' + csvCell(stepKey(place.step)) + ','
-                                + std::to_string(place.revolution)
-                          : std::to_string(place.section);
+        where += zones ? csvCell(zoneKey(place.zone)) : std::to_string(place.section);
+        if (strokes) {
+            where += ',' + csvCell(stepKey(place.step)) + ',' + std::to_string(place.revolution);
+        }
         for (int k = 0; k < trajectory.radii; ++k) {
             const Visit& visit = trajectory.visits[pass.firstVisit + static_cast<std::size_t>(k)];
             csv += numberText(visit.time_s / units::secondsPerMinute) + where + ','

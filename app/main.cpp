@@ -241,7 +241,7 @@ void openFirstExample(Document& document) {
     });
     const QString path = usual != paths.end() ? *usual : paths.value(0);
     if (path.isEmpty() || hasErrors(document.openCopy(ExamplesDialog::textOf(path)))) {
-        document.startUntitled(newProject(Operation::traverse));
+        document.startUntitled(newProject());
     }
 }
 

@@ -12,4 +12,19 @@ const Field* StructInfo::find(std::string_view key) const {
     return nullptr;
 }
 
+int* Field::wholeNumber(void* owner) const {
+    switch (kind) {
+    case Kind::integer: return &as<int>(owner);
+    case Kind::optionalInteger: {
+        auto& value = as<std::optional<int>>(owner);
+        return value ? &*value : nullptr;
+    }
+    case Kind::sparkOut: {
+        auto& value = as<SparkOut>(owner);
+        return value.mode == SparkOut::Mode::count ? &value.count : nullptr;
+    }
+    default: return nullptr;
+    }
+}
+
 } // namespace sparkout

@@ -132,6 +132,7 @@ struct Field : Row {
     const char* key = "";
     Kind kind = Kind::number;
     void* (*member)(void* owner) = nullptr;
+    bool (*same)(const void* a, const void* b) = nullptr; ///< of two owners; not of object kinds
     int (*getChoice)(const void* owner) = nullptr;
     void (*setChoice)(void* owner, int value) = nullptr;
     std::span<const Choice> choices;
@@ -155,6 +156,11 @@ struct Field : Row {
         const bool only =
             (relevant && !relevant(project, owner)) || (exempt && exempt(project, owner));
         return only ? hard : stated();
+    }
+    /// The whole number of the member; null where it is of another kind, or holds none.
+    [[nodiscard]] int* wholeNumber(void* owner) const;
+    [[nodiscard]] const int* wholeNumber(const void* owner) const {
+        return wholeNumber(const_cast<void*>(owner));
     }
     [[nodiscard]] const void* objectIn(const void* owner) const {
         return object(const_cast<void*>(owner), false);
@@ -192,6 +198,15 @@ template <class T>
 struct IsVector : std::false_type {};
 template <class T>
 struct IsVector<std::vector<T>> : std::true_type {};
+
+template <class T>
+concept Comparable = requires(const T& value) {
+    value == value;
+};
+/// Not an object or a list of objects.
+template <class T>
+inline constexpr bool
+    isValue = Comparable<T> && (!IsVector<T>::value || std::is_same_v<T, std::vector<double>>);
 
 template <auto Member>
 struct MemberOf;
@@ -256,14 +271,32 @@ void fillObject(Field& f) {
     f.object = [](void* owner, bool) -> void* { return &(static_cast<S*>(owner)->*Member); };
 }
 
+/// A variant of kinds, one for each choice.
+template <class T>
+concept Kinds = requires(const T& value) {
+    T::ofIndex(value.index());
+};
+
 template <auto Member, class S, class E>
 void fillChoice(Field& f) {
     f.kind = Kind::choice;
     f.choices = choicesOf<E>();
     f.getChoice = [](const void* owner) {
-        return static_cast<int>(static_cast<const S*>(owner)->*Member);
+        const E& value = static_cast<const S*>(owner)->*Member;
+        if constexpr (Kinds<E>) {
+            return static_cast<int>(value.index());
+        } else {
+            return static_cast<int>(value);
+        }
     };
-    f.setChoice = [](void* owner, int v) { static_cast<S*>(owner)->*Member = static_cast<E>(v); };
+    f.setChoice = [](void* owner, int v) {
+        E& value = static_cast<S*>(owner)->*Member;
+        if constexpr (Kinds<E>) {
+            value = E::ofIndex(static_cast<std::size_t>(v));
+        } else {
+            value = static_cast<E>(v);
+        }
+    };
 }
 
 } // namespace detail
@@ -277,6 +310,11 @@ Field makeField(const char* key, const Row& row) {
     static_cast<Row&>(f) = row;
     f.key = key;
     f.member = [](void* owner) -> void* { return &(static_cast<S*>(owner)->*Member); };
+    if constexpr (detail::isValue<T>) {
+        f.same = [](const void* a, const void* b) {
+            return static_cast<const S*>(a)->*Member == static_cast<const S*>(b)->*Member;
+        };
+    }
     if constexpr (std::is_same_v<T, double>) {
         f.kind = Kind::number;
     } else if constexpr (std::is_same_v<T, std::optional<double>>) {
@@ -289,7 +327,7 @@ Field makeField(const char* key, const Row& row) {
         f.kind = Kind::boolean;
     } else if constexpr (std::is_same_v<T, std::string>) {
         f.kind = Kind::text;
-    } else if constexpr (std::is_enum_v<T>) {
+    } else if constexpr (std::is_enum_v<T> || detail::Kinds<T>) {
         detail::fillChoice<Member, S, T>(f);
     } else if constexpr (std::is_same_v<T, std::vector<double>>) {
         f.kind = Kind::numberList;

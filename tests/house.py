@@ -12,11 +12,15 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # What is there today, never more; what is aimed at stands beside it.
 LIMITS = {
-    "files that know a kind of operation": (85, 30),
-    "files that know spark-out": (33, 10),
+    "files that know a kind of operation": (7, 30),
+    "files that know spark-out": (21, 10),
     "sources without a header of their name": (30, 0),
     "headers with their sources in the largest folder": (29, 25),
 }
+
+
+# A kind by its name: as a value, as a case of match(), as an alternative that is asked for.
+KIND = r"\bOperation::(traverse|plunge)\b|\b(Traverse|Plunge)\b *[{>)&]|conditions::(traverse|plunge)\b"
 
 
 def tracked(*folders):
@@ -38,7 +42,7 @@ def main():
         str(pathlib.PurePath(stem).parent) for stem in {f.rsplit(".", 1)[0] for f in files})
     full, most = folders.most_common(1)[0]
     found = {
-        "files that know a kind of operation": knowing(files, r"\bOperation::"),
+        "files that know a kind of operation": knowing(files, KIND),
         "files that know spark-out": knowing(files, r"\bSparkOut\b|\bspark_out\b"),
         "sources without a header of their name": alone,
         "headers with their sources in the largest folder": [full] * most,

@@ -37,11 +37,8 @@ public:
     explicit Lister(const Project& project) : m_project(project) {}
 
     std::vector<Characteristic> list() {
-        const bool traverse = m_project.operation == Operation::traverse;
-        const int sections = traverse ? 3 : m_project.sections;
-        constexpr std::array zones{Zone::rz1, Zone::nz, Zone::rz2};
-        for (int i = 0; i < sections; ++i) {
-            addSection(traverse ? zones[static_cast<std::size_t>(i)] : Zone::section, i);
+        for (int i = 0; i < placeCount(m_project); ++i) {
+            addSection(m_project.operation->hasZones ? static_cast<Zone>(i) : Zone::section, i);
         }
         const Tolerance& tolerance = m_project.part.tolerance;
         addUpper(ConstraintKind::cylindricity, tolerance.cylindricity_um);

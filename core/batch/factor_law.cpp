@@ -175,8 +175,7 @@ void putFactor(FactorKind kind, double value, Project& project) {
     case FactorKind::flowStress: project.material.flow_stress_mpa = value; break;
     case FactorKind::compliance: scaleCompliance(value, project); break;
     case FactorKind::contactWidth:
-        (project.operation == Operation::traverse ? project.wheel.width_mm
-                                                  : project.part.length_mm) = value;
+        (project.operation->travels ? project.wheel.width_mm : project.part.length_mm) = value;
         break;
     }
 }

@@ -30,9 +30,9 @@ CycleRunner::CycleRunner(const Project& project, const Grid& grid, const std::st
         start.project = std::make_unique<Project>(project);
         start.project->runs.clear();
         start.project->cycle.stages.assign(stages, {});
-        start.steps = project.operation == Operation::traverse
-                          ? traverseSteps(*start.project, Zone::nz, nullptr, stop)
-                          : plungeSteps(*start.project, nullptr, stop);
+        start.steps = project.operation.match(
+            [&](Traverse) { return traverseSteps(*start.project, Zone::nz, nullptr, stop); },
+            [&](Plunge) { return plungeSteps(*start.project, nullptr, stop); });
     }
 }
 

@@ -17,10 +17,10 @@ GridFault Grid::read(const Project& project) {
         return GridFault::notGiven;
     }
     const Optimisation& asked = *project.optimisation;
-    const bool traverse = m_operation == Operation::traverse;
-    const Levels& radial = traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min;
-    const double axialCount = traverse ? levelCount(asked.axial_feed_mm_min) : 1;
-    const double settings = levelCount(radial) * axialCount;
+    double settings = 1;
+    for (const StageFeed& feed : m_operation->feeds) {
+        settings *= levelCount(asked.*feed.levels);
+    }
     m_step_mm = asked.stock_step_mm;
     const std::vector<double> counts = levelCount(asked.spark_out) > mostVariants
                                            ? std::vector<double>{}
@@ -42,8 +42,9 @@ GridFault Grid::read(const Project& project) {
     m_steps = static_cast<int>(steps);
     m_nonIncreasing = asked.non_increasing;
     m_bounded = asked.stage_stock_mm
-                || (traverse ? asked.stage_radial_feed_mm || asked.stage_axial_feed_mm_min
-                             : asked.stage_radial_feed_mm_min.has_value());
+                || std::ranges::any_of(m_operation->feeds, [&asked](const StageFeed& feed) {
+                       return (asked.*feed.byStage).has_value();
+                   });
     readSettings(asked);
     for (const double number : asked.stages) {
         const std::size_t count = static_cast<std::size_t>(number) + (m_sparkOut > 0 ? 1 : 0);
@@ -57,11 +58,10 @@ GridFault Grid::read(const Project& project) {
 }
 
 void Grid::readSettings(const Optimisation& asked) {
-    const bool traverse = m_operation == Operation::traverse;
+    const StageFeed* const axialOf = m_operation->axial();
     const std::vector<double> axial =
-        traverse ? levelValues(asked.axial_feed_mm_min) : std::vector<double>{0};
-    for (const double radialFeed :
-         levelValues(traverse ? asked.radial_feed_mm : asked.radial_feed_mm_min)) {
+        axialOf ? levelValues(asked.*axialOf->levels) : std::vector<double>{0};
+    for (const double radialFeed : levelValues(asked.*m_operation->radial().levels)) {
         for (const double axialFeed : axial) {
             m_settings.push_back({radialFeed, axialFeed, 0});
         }
@@ -168,9 +168,8 @@ bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
         return !rows || z >= rows->size()
                || (value >= (*rows)[z][0] * (1 - slack) && value <= (*rows)[z][1] * (1 + slack));
     };
-    const bool traverse = m_operation == Operation::traverse;
-    const NumberRows& radial =
-        traverse ? asked.stage_radial_feed_mm : asked.stage_radial_feed_mm_min;
+    const NumberRows& radial = asked.*m_operation->radial().byStage;
+    const StageFeed* const axial = m_operation->axial();
     const std::size_t stages = shape.allowed.size();
     for (std::size_t z = stages; z-- > 0;) {
         bool any = false;
@@ -185,8 +184,7 @@ bool Grid::readFeeds(const Optimisation& asked, Shape& shape) const {
             const bool may =
                 goesOn[s] != 0 && sparks == (setting.sparkOut > 0)
                 && (sparks || within(radial, z, setting.radial))
-                && (!traverse
-                    || within(asked.stage_axial_feed_mm_min, z, setting.axialFeed_mm_min));
+                && (!axial || within(asked.*axial->byStage, z, setting.axialFeed_mm_min));
             shape.allowed[z][s] = may ? 1 : 0;
             any = any || may;
         }
@@ -389,15 +387,13 @@ Cycle Grid::cycle(const GridCycle& cycle) const {
     for (const GridStage& each : cycle) {
         const StageSetting& setting = m_settings[each.setting];
         Stage stage;
+        if (const StageFeed* const axial = m_operation->axial()) {
+            stage.*axial->value = setting.axialFeed_mm_min;
+        }
         if (setting.sparkOut > 0) {
             stage.spark_out = {SparkOut::Mode::count, setting.sparkOut};
-        }
-        if (m_operation == Operation::traverse) {
-            stage.axial_feed_mm_min = setting.axialFeed_mm_min;
-        }
-        if (setting.sparkOut == 0) {
-            (m_operation == Operation::traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min) =
-                setting.radial;
+        } else {
+            stage.*m_operation->radial().value = setting.radial;
         }
         const bool takesAll =
             stated.stages.size() + 1 == cycle.size() || remainder(taken + each.steps) <= 0;

@@ -25,17 +25,19 @@ constexpr int stockCells = 100, feedCells = 120;
 constexpr double slowestShare = 1e-3; ///< of the fastest axial feed: the cells' first upper end
 
 /// The greatest a feed can be: of the machine's range, or of what is set and searched.
-double greatest(const std::optional<std::vector<double>>& range, const Levels& levels,
-                const Project& project, std::optional<double> Stage::*feed) {
+double greatest(const Project& project, const StageFeed& feed) {
+    const auto& range = project.machine.limits.*feed.range;
     if (range && range->size() == 3) {
         return (*range)[1];
     }
     double most = 0;
-    for (const double level : levelValues(levels)) {
-        most = std::max(most, level);
+    if (project.optimisation) {
+        for (const double level : levelValues((*project.optimisation).*feed.levels)) {
+            most = std::max(most, level);
+        }
     }
     for (const Stage& stage : project.cycle.stages) {
-        most = std::max(most, (stage.*feed).value_or(0));
+        most = std::max(most, (stage.*feed.value).value_or(0));
     }
     return most;
 }
@@ -56,20 +58,13 @@ class StepTimes {
 public:
     explicit StepTimes(const Project& project)
         : m_project(project)
-        , m_traverse(project.operation == Operation::traverse)
         , m_revolution_s(units::secondsPerMinute / project.machine.work_speed_rpm) {
         const Machine& machine = project.machine;
-        const Optimisation grid = project.optimisation.value_or(Optimisation{});
-        if (!m_traverse) {
-            infeed_mm = greatest(machine.limits.plunge_feed_mm_min, grid.radial_feed_mm_min,
-                                 project, &Stage::radial_feed_mm_min)
-                        / machine.work_speed_rpm;
-            return;
+        infeed_mm = project.operation.infeed_mm(greatest(project, project.operation->radial()),
+                                                machine.work_speed_rpm);
+        if (const StageFeed* const axial = project.operation->axial()) {
+            m_fastest = greatest(project, *axial);
         }
-        infeed_mm = greatest(machine.limits.radial_feed_mm, grid.radial_feed_mm, project,
-                             &Stage::radial_feed_mm);
-        m_fastest = greatest(machine.limits.axial_feed_mm_min, grid.axial_feed_mm_min, project,
-                             &Stage::axial_feed_mm_min);
         m_dwells_s = m_revolution_s
                      * (2 * dwellRevolutions(machine.dwell_entry_s, machine.work_speed_rpm)
                         + dwellRevolutions(machine.dwell_exit_s, machine.work_speed_rpm));
@@ -80,11 +75,11 @@ public:
     double infeed_mm = 0; ///< the greatest of a step
 
     /// Least time of a step [s].
-    [[nodiscard]] double least_s() const { return m_traverse ? step_s(m_fastest) : m_revolution_s; }
+    [[nodiscard]] double least_s() const { return travels() ? step_s(m_fastest) : m_revolution_s; }
 
     /// ρ(s), or more [mm/s].
     [[nodiscard]] double rate(double stock_mm) const {
-        if (!m_traverse) {
+        if (!travels()) {
             const double slices = isCoupled(m_project) ? m_project.sections : 1;
             return leastLimit(m_project, m_project.part.length_mm / slices, stock_mm)
                    / m_revolution_s;
@@ -104,12 +99,12 @@ public:
     }
 
 private:
+    [[nodiscard]] bool travels() const { return m_project.operation->travels; }
     [[nodiscard]] double step_s(double axialFeed_mm_min) const {
         return m_dwells_s + 2 * m_travel_mm / axialFeed_mm_min * units::secondsPerMinute;
     }
 
     const Project& m_project;
-    bool m_traverse;
     double m_revolution_s, m_dwells_s = 0, m_travel_mm = 0;
     double m_fastest = 0; ///< S_ax [mm/min]
 };

@@ -10,14 +10,11 @@ namespace sparkout {
 
 namespace {
 constexpr double peakRounding = 1e-9;
-constexpr std::size_t traverseZones = 3;
 } // namespace
 
 // With sections coupled peak power is an integral over the length, which the passes do not keep.
 PassCuts::PassCuts(const Project& project)
-    : m_points(project.operation == Operation::traverse
-                   ? traverseZones
-                   : static_cast<std::size_t>(project.sections))
+    : m_points(static_cast<std::size_t>(placeCount(project)))
     , m_least_mm(project.part.lower_deviation_um / units::umPerMm - 2 * diameterSlack_mm)
     , m_most_mm(project.part.upper_deviation_um / units::umPerMm + 2 * diameterSlack_mm)
     , m_isBore(project.part.surface == Surface::internal) {

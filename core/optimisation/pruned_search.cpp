@@ -49,7 +49,7 @@ public:
                  / (prefixBytes(project)
                     + grid.settings().size() * sizeof(std::pair<double, std::size_t>))) {
         for (const StageSetting& setting : grid.settings()) {
-            m_strips.push_back(project.operation == Operation::traverse
+            m_strips.push_back(project.operation->axial()
                                && leavesStrips(overlapOf(project, setting.axialFeed_mm_min)));
         }
     }

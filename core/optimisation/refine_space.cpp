@@ -31,21 +31,15 @@ double RefineSpace::Setting::rounded(double value) const {
 }
 
 RefineSpace::RefineSpace(const Project& project, Cycle cycle)
-    : m_cycle(std::move(cycle))
+    : m_operation(project.operation)
+    , m_cycle(std::move(cycle))
     , m_stock_mm(project.part.stock_mm)
     , m_leastLast_mm(refinedStock_mm)
     , m_mostLast_mm(project.part.stock_mm)
     , m_nonIncreasing(project.optimisation->non_increasing) {
     const Optimisation& asked = *project.optimisation;
-    const MachineLimits& limits = project.machine.limits;
-    if (project.operation == Operation::traverse) {
-        addFeeds(&Stage::radial_feed_mm, asked.radial_feed_mm, limits.radial_feed_mm,
-                 asked.stage_radial_feed_mm);
-        addFeeds(&Stage::axial_feed_mm_min, asked.axial_feed_mm_min, limits.axial_feed_mm_min,
-                 asked.stage_axial_feed_mm_min);
-    } else {
-        addFeeds(&Stage::radial_feed_mm_min, asked.radial_feed_mm_min, limits.plunge_feed_mm_min,
-                 asked.stage_radial_feed_mm_min);
+    for (const StageFeed& feed : m_operation->feeds) {
+        addFeeds(feed, asked, project.machine.limits);
     }
     addStocks(asked);
 }
@@ -63,7 +57,7 @@ void RefineSpace::addStocks(const Optimisation& asked) {
             m_settings.push_back(stock);
         }
     }
-    if (m_cycle.stages.back().spark_out.mode != SparkOut::Mode::none) {
+    if (!m_cycle.stages.back().feeds()) {
         m_leastLast_mm = 0;
     }
     if (asked.last_stock_mm && stages > 1) {
@@ -77,13 +71,14 @@ void RefineSpace::addStocks(const Optimisation& asked) {
 }
 
 /// Between the levels of the grid, within the machine's range. What cannot be set otherwise stays.
-void RefineSpace::addFeeds(std::optional<double> Stage::*feed, const Levels& levels,
-                           const std::optional<std::vector<double>>& range,
-                           const NumberRows& byStage) {
-    const std::vector<double> values = levelValues(levels);
+void RefineSpace::addFeeds(const StageFeed& feed, const Optimisation& asked,
+                           const MachineLimits& limits) {
+    const auto& range = limits.*feed.range;
+    const NumberRows& byStage = asked.*feed.byStage;
+    const std::vector<double> values = levelValues(asked.*feed.levels);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     Setting setting;
-    setting.feed = feed;
+    setting.feed = feed.value;
     setting.low = *least;
     setting.high = *most;
     if (range && range->size() == 3) {
@@ -101,8 +96,8 @@ void RefineSpace::addFeeds(std::optional<double> Stage::*feed, const Levels& lev
         }
         const double middle = own.rounded((own.low + own.high) / 2);
         const double slack = refineSlack * own.high;
-        if ((m_cycle.stages[z].*feed).has_value() && own.low < own.high && middle >= own.low - slack
-            && middle <= own.high + slack) {
+        if ((m_cycle.stages[z].*feed.value).has_value() && own.low < own.high
+            && middle >= own.low - slack && middle <= own.high + slack) {
             m_settings.push_back(own);
         }
     }
@@ -139,10 +134,9 @@ std::optional<Cycle> RefineSpace::cycleOf(const std::vector<double>& values) con
         return std::nullopt;
     }
     for (std::size_t z = 1; m_nonIncreasing && z < cycle.stages.size(); ++z) {
-        for (const auto feed :
-             {&Stage::radial_feed_mm, &Stage::axial_feed_mm_min, &Stage::radial_feed_mm_min}) {
-            const std::optional<double>& own = cycle.stages[z].*feed;
-            if (own && *own > (cycle.stages[z - 1].*feed).value_or(*own)) {
+        for (const StageFeed& feed : m_operation->feeds) {
+            const std::optional<double>& own = cycle.stages[z].*feed.value;
+            if (own && *own > (cycle.stages[z - 1].*feed.value).value_or(*own)) {
                 return std::nullopt;
             }
         }

@@ -34,10 +34,10 @@ public:
     [[nodiscard]] std::vector<double> rounded(std::vector<double> values) const;
 
 private:
-    void addFeeds(std::optional<double> Stage::*feed, const Levels& levels,
-                  const std::optional<std::vector<double>>& range, const NumberRows& byStage);
+    void addFeeds(const StageFeed& feed, const Optimisation& asked, const MachineLimits& limits);
     void addStocks(const Optimisation& asked);
 
+    Operation m_operation;
     Cycle m_cycle;
     std::vector<Setting> m_settings;
     double m_stock_mm, m_leastLast_mm, m_mostLast_mm;

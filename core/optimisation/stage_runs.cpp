@@ -7,9 +7,9 @@ namespace sparkout {
 
 std::size_t prefixBytes(const Project& project) {
     constexpr std::size_t numbersPerLane = 12, rest = 4096;
-    const int sections = project.operation == Operation::traverse ? 3 : project.sections + 1;
-    const auto lanes = static_cast<std::size_t>(sections)
-                       * static_cast<std::size_t>(project.part.radii_per_section);
+    const int places = placeCount(project) + (project.operation->hasZones ? 0 : 1); // a free gauge
+    const auto lanes =
+        static_cast<std::size_t>(places) * static_cast<std::size_t>(project.part.radii_per_section);
     return lanes * numbersPerLane * sizeof(double) + rest;
 }
 

@@ -28,7 +28,7 @@ TimeBound::TimeBound(const Project& project, const Grid& grid, double totalInfee
     for (const StageSetting& setting : grid.settings()) {
         Rate rate;
         rate.infeed_mm = infeedOf(project, setting);
-        if (project.operation == Operation::traverse) {
+        if (project.operation->travels) {
             const double travel = project.part.length_mm - project.wheel.width_mm
                                   + machine.overrun_entry_mm + machine.overrun_exit_mm;
             const double dwells =
@@ -93,9 +93,7 @@ double TimeBound::rest_s(std::size_t setting, double fed_mm, double later_mm, bo
 }
 
 double infeedOf(const Project& project, const StageSetting& setting) {
-    return project.operation == Operation::traverse
-               ? setting.radial
-               : setting.radial / project.machine.work_speed_rpm;
+    return project.operation.infeed_mm(setting.radial, project.machine.work_speed_rpm);
 }
 
 double leastTime_s(const Project& project, const Grid& grid) {

@@ -23,13 +23,12 @@ Levels only(double value) {
     return std::vector<double>{value};
 }
 
-/// Work speeds, dwells of a traverse and counts of spark-outs: how many of each to choose from.
+/// Work speeds, dwells at the reversals and counts of spark-outs: how many of each to choose from.
 double combinations(const Project& project) {
     const Optimisation& asked = *project.optimisation;
     const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
-    const double dwells = project.operation == Operation::plunge
-                              ? 1
-                              : number(asked.dwell_entry_s) * number(asked.dwell_exit_s);
+    const double dwells =
+        project.operation->travels ? number(asked.dwell_entry_s) * number(asked.dwell_exit_s) : 1;
     return number(asked.work_speed_rpm) * dwells * number(asked.spark_out);
 }
 
@@ -77,7 +76,7 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
         return;
     }
     Optimisation& asked = *plain.optimisation;
-    if (project.operation == Operation::plunge) {
+    if (!project.operation->travels) {
         asked.dwell_entry_s = asked.dwell_exit_s = {};
     }
     if (combinations(project) > mostVariants) {

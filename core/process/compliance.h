@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/mounting.h"
+#include "core/project/part.h"
 
 #include <cstddef>
 #include <stop_token>

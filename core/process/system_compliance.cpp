@@ -46,7 +46,7 @@ bool isComputed(const Project& project) {
 std::vector<double> positions(const Project& project) {
     std::vector<double> middles;
     const double length = project.part.length_mm;
-    if (project.operation == Operation::plunge) {
+    if (!project.operation->hasZones) {
         for (int j = 0; j < project.sections; ++j) {
             middles.push_back(length * (j + 0.5) / project.sections);
         }
@@ -76,7 +76,7 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
         if (stop.stop_requested()) {
             break;
         }
-        gammas.push_back(project.operation == Operation::traverse
+        gammas.push_back(project.operation->travels
                              ? system.at(from + position)
                              : system.mean(from + position, from, from + project.part.length_mm));
     }
@@ -86,7 +86,7 @@ std::vector<double> computedGammas(const Project& project, const std::vector<dou
 
 /// What each zone or section stands for of the ground length.
 std::vector<double> lengths(const Project& project) {
-    if (project.operation == Operation::plunge) {
+    if (!project.operation->hasZones) {
         const auto sections = static_cast<std::size_t>(project.sections);
         return std::vector<double>(sections, project.part.length_mm / project.sections);
     }
@@ -150,7 +150,7 @@ std::vector<CompliantPlace> complianceAlong(const Project& project, int places,
 }
 
 int gaugeSection(const Project& project) {
-    if (project.operation == Operation::traverse) {
+    if (project.operation->hasZones) {
         return 1; // the middle of НЗ
     }
     if (project.gauge.position_mm) {

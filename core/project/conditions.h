@@ -3,17 +3,26 @@
 
 #include "core/project/project.h"
 
+#include <algorithm>
+
 /// When a field of the tables is required or relevant.
 namespace sparkout::conditions {
 
 inline bool always(const Project&, const void*) {
     return true;
 }
-inline bool traverse(const Project& p, const void*) {
-    return p.operation == Operation::traverse;
+/// Where the wheel travels along the part.
+inline bool travels(const Project& p, const void*) {
+    return p.operation->travels;
 }
-inline bool plunge(const Project& p, const void*) {
-    return p.operation == Operation::plunge;
+inline bool sections(const Project& p, const void*) {
+    return !p.operation->hasZones;
+}
+/// Where stages set this feed.
+template <auto Feed>
+bool setsFeed(const Project& p, const void*) {
+    return std::ranges::any_of(p.operation->feeds,
+                               [](const StageFeed& feed) { return feed.value == Feed; });
 }
 inline bool external(const Project& p, const void*) {
     return p.part.surface == Surface::external;

@@ -8,17 +8,12 @@ namespace sparkout {
 
 namespace {
 
-bool feeds(const void* stage) {
-    return static_cast<const Stage*>(stage)->spark_out.mode == SparkOut::Mode::none;
+bool feeds(const Project&, const void* stage) {
+    return static_cast<const Stage*>(stage)->feeds();
 }
-bool traverseFeeds(const Project& p, const void* stage) {
-    return conditions::traverse(p, stage) && feeds(stage);
-}
-bool plungeFeeds(const Project& p, const void* stage) {
-    return conditions::plunge(p, stage) && feeds(stage);
-}
-bool feedsAtAll(const Project&, const void* stage) {
-    return feeds(stage);
+template <auto Feed>
+bool feedsWith(const Project& p, const void* stage) {
+    return conditions::setsFeed<Feed>(p, stage) && feeds(p, stage);
 }
 bool retracts(const Project& p, const void* stage) {
     return mayRetract(p, *static_cast<const Stage*>(stage));
@@ -28,7 +23,7 @@ bool retracts(const Project& p, const void* stage) {
 
 bool mayRetract(const Project& project, const Stage& stage) {
     const auto& stages = project.cycle.stages;
-    return project.operation == Operation::plunge && project.gauge.control == Control::gauge
+    return project.operation->mayRetract && project.gauge.control == Control::gauge
            && stages.size() > 2 && &stage > &stages.front() && &stage < &stages.back();
 }
 
@@ -38,8 +33,10 @@ const StructInfo& tableOf<Stage>() {
         SPARKOUT_FIELD(
             Stage, radial_feed_mm, .label = SPARKOUT_NOOP("Input", "Radial feed per double stroke"),
             .symbol = "S_t", .unit = "mm/dbl stroke", .hard = {0, 1}, .soft = {0.0002, 0.05},
-            .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = traverseFeeds,
-            .relevant = traverseFeeds, .slider = true, .read = {1e-6, 1}, .page = Page::cycle,
+            .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
+            .required = feedsWith<&Stage::radial_feed_mm>,
+            .relevant = feedsWith<&Stage::radial_feed_mm>, .slider = true, .read = {1e-6, 1},
+            .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "Programmed infeed at the entry reversal of each double "
                                            "stroke."),
             .formula = "t_П ← t_П + S_t", .column = SPARKOUT_NOOP("Input", "Radial feed"),
@@ -47,17 +44,19 @@ const StructInfo& tableOf<Stage>() {
         SPARKOUT_FIELD(Stage, axial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Axial feed"),
                        .symbol = "S_ax", .unit = "mm/min", .hard = {0.01, 1e5}, .soft = {50, 6000},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
-                       .required = conditions::traverse, .relevant = conditions::traverse,
-                       .slider = true, .page = Page::cycle,
+                       .required = conditions::setsFeed<&Stage::axial_feed_mm_min>,
+                       .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .slider = true,
+                       .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Table speed; S_ax/n per revolution is the effective width of "
                                     "cut, at most the wheel width."),
                        .formula = "b = min(S_ax/n, B)", .source = "MODEL-5"),
         SPARKOUT_FIELD(Stage, radial_feed_mm_min, .label = SPARKOUT_NOOP("Input", "Radial feed"),
                        .symbol = "S_p", .unit = "mm/min", .hard = {-100, 100}, .soft = {0.01, 5},
-                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"), .required = plungeFeeds,
-                       .relevant = plungeFeeds, .slider = true, .read = {1e-6, 100},
-                       .exempt = retracts, .page = Page::cycle,
+                       .nullMeaning = SPARKOUT_NOOP("Input", "not used"),
+                       .required = feedsWith<&Stage::radial_feed_mm_min>,
+                       .relevant = feedsWith<&Stage::radial_feed_mm_min>, .slider = true,
+                       .read = {1e-6, 100}, .exempt = retracts, .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Programmed plunge feed; S_p/n per revolution of the part. "
                                     "Beyond the sources: a stage between others may retract "
@@ -65,7 +64,7 @@ const StructInfo& tableOf<Stage>() {
                        .formula = "t_П ← t_П + S_p/n", .source = "MODEL-6"),
         SPARKOUT_FIELD(Stage, stock_mm, .label = SPARKOUT_NOOP("Input", "Stage stock per side"),
                        .symbol = "Π_z", .unit = "mm", .hard = {0, 5}, .soft = {0, 0.6},
-                       .required = feedsAtAll, .slider = true, .page = Page::cycle,
+                       .required = feeds, .slider = true, .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Radial stock of the stage. It ends when what remains to size "
                                     "is the later stages' stock."),

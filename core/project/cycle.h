@@ -8,13 +8,24 @@
 
 namespace sparkout {
 
-/// One stage of the cycle: its feeds and the radial stock it removes.
+/// One stage of the cycle: its feeds and the radial stock it removes. As in the file, it has a
+/// place for the feeds of every kind of operation; those in use are in OperationTraits::feeds.
 struct Stage {
-    std::optional<double> radial_feed_mm;     ///< S_t, per double stroke (traverse) [mm]
-    std::optional<double> axial_feed_mm_min;  ///< S_ax (traverse) [mm/min]
-    std::optional<double> radial_feed_mm_min; ///< S_p (plunge) [mm/min]
+    std::optional<double> radial_feed_mm;     ///< S_t, per double stroke [mm]
+    std::optional<double> axial_feed_mm_min;  ///< S_ax [mm/min]
+    std::optional<double> radial_feed_mm_min; ///< S_p [mm/min]
     double stock_mm = 0;                      ///< Π_z, per side [mm]
     SparkOut spark_out;                       ///< last stage only: feed nothing
+
+    /// Whether it is fed radially; else it sparks out.
+    [[nodiscard]] bool feeds() const { return spark_out.mode == SparkOut::Mode::none; }
+    /// A spark-out until size, which may wait for ever.
+    [[nodiscard]] bool waitsForSize() const { return spark_out.mode == SparkOut::Mode::untilSize; }
+    /// Of a spark-out that has a number of them: double strokes or revolutions.
+    [[nodiscard]] std::optional<int> sparkOutSteps() const {
+        return spark_out.mode == SparkOut::Mode::count ? std::optional(spark_out.count)
+                                                       : std::nullopt;
+    }
 };
 
 struct Cycle {

@@ -7,41 +7,12 @@ namespace sparkout {
 
 namespace {
 
-template <class T>
-bool same(const Field& field, const void* a, const void* b) {
-    return field.as<T>(a) == field.as<T>(b);
-}
-
-/// Of a member that is a value.
-bool sameValue(const Field& field, const void* a, const void* b) {
-    switch (field.kind) {
-    case Kind::number: return same<double>(field, a, b);
-    case Kind::optionalNumber: return same<std::optional<double>>(field, a, b);
-    case Kind::integer: return same<int>(field, a, b);
-    case Kind::optionalInteger: return same<std::optional<int>>(field, a, b);
-    case Kind::boolean: return same<bool>(field, a, b);
-    case Kind::text: return same<std::string>(field, a, b);
-    case Kind::choice: return field.getChoice(a) == field.getChoice(b);
-    case Kind::numberList: return same<std::vector<double>>(field, a, b);
-    case Kind::optionalNumberList: return same<std::optional<std::vector<double>>>(field, a, b);
-    case Kind::sparkOut: return same<SparkOut>(field, a, b);
-    case Kind::compliance: return same<GivenCompliance>(field, a, b);
-    case Kind::levels: return same<Levels>(field, a, b);
-    case Kind::numberRows: return same<NumberRows>(field, a, b);
-    case Kind::jsonText: return same<JsonText>(field, a, b);
-    case Kind::object:
-    case Kind::optionalObject:
-    case Kind::objectList: break;
-    }
-    return true;
-}
-
 std::string difference(const StructInfo& table, const void* a, const void* b,
                        const std::string& path);
 
 std::string difference(const Field& field, const void* a, const void* b, const std::string& path) {
     if (!field.nested) {
-        return sameValue(field, a, b) ? std::string() : path;
+        return field.same(a, b) ? std::string() : path;
     }
     if (field.kind != Kind::objectList) {
         const void* const ofA = field.objectIn(a);

@@ -9,13 +9,13 @@ namespace sparkout {
 namespace {
 
 bool gaugeAtSection(const Project& p, const void*) {
-    return p.operation == Operation::plunge && !p.gauge.position_mm;
+    return !p.operation->hasZones && !p.gauge.position_mm;
 }
 bool byPosition(const Project& p, const void*) {
     return p.gauge.control == Control::position;
 }
 bool gaugeFree(const Project& p, const void*) {
-    return p.operation == Operation::plunge && p.gauge.position_mm;
+    return !p.operation->hasZones && p.gauge.position_mm;
 }
 
 } // namespace
@@ -64,7 +64,7 @@ const StructInfo& tableOf<Gauge>() {
         SPARKOUT_FIELD(
             Gauge, position_mm, .label = SPARKOUT_NOOP("Input", "Gauge at a free position"),
             .symbol = "x", .unit = "mm", .hard = {0, 10000},
-            .nullMeaning = SPARKOUT_NOOP("Input", "at a section"), .relevant = conditions::plunge,
+            .nullMeaning = SPARKOUT_NOOP("Input", "at a section"), .relevant = conditions::sections,
             .page = Page::gauge,
             .hint =
                 SPARKOUT_NOOP("Input", "Position along the ground length from its headstock end."),

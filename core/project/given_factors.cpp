@@ -15,8 +15,8 @@ Range allowedValues(FactorKind kind, Operation operation) {
     case FactorKind::wheelDiameter: return tableOf<Wheel>().find("diameter_mm")->hard;
     case FactorKind::flowStress: return tableOf<Material>().find("flow_stress_mpa")->hard;
     case FactorKind::contactWidth:
-        return operation == Operation::traverse ? tableOf<Wheel>().find("width_mm")->hard
-                                                : tableOf<Part>().find("length_mm")->hard;
+        return operation->travels ? tableOf<Wheel>().find("width_mm")->hard
+                                  : tableOf<Part>().find("length_mm")->hard;
     case FactorKind::compliance: break;
     }
     return {1e-3, 1e3}; // a factor on γ: between a thousandth and a thousand times

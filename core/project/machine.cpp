@@ -116,32 +116,30 @@ const StructInfo& tableOf<Machine>() {
         SPARKOUT_FIELD(Machine, plunge_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Plunge-in feed at reversal"),
                        .symbol = "S_rad", .unit = "mm/min", .hard = {1e-4, 1000},
-                       .soft = {0.05, 10}, .required = conditions::traverse,
-                       .relevant = conditions::traverse, .slider = true, .page = Page::machine,
+                       .soft = {0.05, 10}, .required = conditions::travels,
+                       .relevant = conditions::travels, .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Speed of the infeed at the entry reversal: "
                                                       "N_E1 = ⌈n·S_t/S_rad⌉ revolutions."),
                        .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, overrun_entry_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the entry"),
             .symbol = "o_1", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
-            .required = conditions::traverse, .relevant = conditions::traverse,
-            .page = Page::machine,
+            .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
             .hint = SPARKOUT_NOOP("Input", "How far the wheel runs past the entry end; the entry "
                                            "reversal zone is B − o1 long."),
             .source = "MODEL-5"),
-        SPARKOUT_FIELD(Machine, overrun_exit_mm,
-                       .label = SPARKOUT_NOOP("Input", "Overrun at the exit"), .symbol = "o_2",
-                       .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
-                       .required = conditions::traverse, .relevant = conditions::traverse,
-                       .page = Page::machine,
-                       .hint = SPARKOUT_NOOP(
-                           "Input", "How far the wheel runs past the exit end; the exit reversal "
-                                    "zone is B − o2 long."),
-                       .source = "MODEL-5"),
+        SPARKOUT_FIELD(
+            Machine, overrun_exit_mm, .label = SPARKOUT_NOOP("Input", "Overrun at the exit"),
+            .symbol = "o_2", .unit = "mm", .hard = {0, 1000}, .soft = {0, 100},
+            .required = conditions::travels, .relevant = conditions::travels, .page = Page::machine,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "How far the wheel runs past the exit end; the exit reversal "
+                                  "zone is B − o2 long."),
+            .source = "MODEL-5"),
         SPARKOUT_FIELD(
             Machine, dwell_entry_s, .label = SPARKOUT_NOOP("Input", "Dwell at the entry"),
             .symbol = "τ_1", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
-            .required = conditions::traverse, .relevant = conditions::traverse, .slider = true,
+            .required = conditions::travels, .relevant = conditions::travels, .slider = true,
             .page = Page::machine,
             .hint =
                 SPARKOUT_NOOP("Input", "Spark-out at the entry reversal, twice a double stroke, in "
@@ -149,7 +147,7 @@ const StructInfo& tableOf<Machine>() {
             .formula = "N_1 = ⌊n·τ_1 + 0.5⌋", .source = "MODEL-5"),
         SPARKOUT_FIELD(Machine, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Dwell at the exit"),
                        .symbol = "τ_2", .unit = "s", .hard = {0, 3600}, .soft = {0, 5},
-                       .required = conditions::traverse, .relevant = conditions::traverse,
+                       .required = conditions::travels, .relevant = conditions::travels,
                        .slider = true, .page = Page::machine,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Spark-out at the exit reversal, once a double stroke, in "
@@ -187,7 +185,7 @@ const StructInfo& tableOf<Machine>() {
                        .hint = SPARKOUT_NOOP("Input", "Power of the work drive."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Machine, entry_side, .label = SPARKOUT_NOOP("Input", "Entry zone is at the"),
-                       .relevant = conditions::traverse, .page = Page::machine,
+                       .relevant = conditions::travels, .page = Page::machine,
                        .hint = SPARKOUT_NOOP("Input", "Which end of the part the wheel enters at."),
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(

@@ -66,8 +66,8 @@ private:
             break;
         }
         case Kind::sparkOut:
-            if (const auto& end = field.as<SparkOut>(owner); end.mode == SparkOut::Mode::count) {
-                add(path, end.count, true);
+            if (const int* count = field.wholeNumber(owner)) {
+                add(path, *count, true);
             }
             break;
         case Kind::compliance: {
@@ -97,9 +97,9 @@ void store(const Field& field, void* owner, std::size_t part, double value) {
     switch (field.kind) {
     case Kind::number: field.as<double>(owner) = value; break;
     case Kind::optionalNumber: field.as<std::optional<double>>(owner) = value; break;
-    case Kind::integer: field.as<int>(owner) = whole; break;
+    case Kind::integer:
+    case Kind::sparkOut: *field.wholeNumber(owner) = whole; break;
     case Kind::optionalInteger: field.as<std::optional<int>>(owner) = whole; break;
-    case Kind::sparkOut: field.as<SparkOut>(owner).count = whole; break;
     case Kind::compliance: {
         auto& given = field.as<GivenCompliance>(owner);
         if (auto* const zones = std::get_if<ZoneCompliance>(&given)) {

@@ -81,20 +81,20 @@ const StructInfo& tableOf<Optimisation>() {
             Optimisation, radial_feed_mm,
             .label = SPARKOUT_NOOP("Input", "Levels of the radial feed"), .unit = "mm/dbl stroke",
             .hard = {0, 1, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-            .relevant = conditions::traverse, .page = Page::search,
+            .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "Per double stroke: a list, or from, to and step."),
             .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, axial_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Levels of the axial feed"), .unit = "mm/min",
             .hard = {0, 1e5, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-            .relevant = conditions::traverse, .page = Page::search,
+            .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, radial_feed_mm_min,
             .label = SPARKOUT_NOOP("Input", "Levels of the plunge feed"), .unit = "mm/min",
             .hard = {0, 100, true}, .nullMeaning = SPARKOUT_NOOP("Input", "not searched"),
-            .relevant = conditions::plunge, .page = Page::search,
+            .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .page = Page::search,
             .hint = SPARKOUT_NOOP("Input", "A list, or from, to and step."), .source = "MODEL-8"),
         SPARKOUT_FIELD(
             Optimisation, work_speed_rpm,
@@ -108,7 +108,7 @@ const StructInfo& tableOf<Optimisation>() {
             Optimisation, dwell_entry_s,
             .label = SPARKOUT_NOOP("Input", "Levels of the entry dwell"), .unit = "s",
             .hard = {0, 3600}, .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
-            .relevant = conditions::traverse, .page = Page::search,
+            .relevant = conditions::travels, .page = Page::search,
             .hint =
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
@@ -116,7 +116,7 @@ const StructInfo& tableOf<Optimisation>() {
             Optimisation, dwell_exit_s, .label = SPARKOUT_NOOP("Input", "Levels of the exit dwell"),
             .unit = "s", .hard = {0, 3600},
             .nullMeaning = SPARKOUT_NOOP("Input", "as the machine is set"),
-            .relevant = conditions::traverse, .page = Page::search,
+            .relevant = conditions::travels, .page = Page::search,
             .hint =
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
@@ -132,7 +132,8 @@ const StructInfo& tableOf<Optimisation>() {
                        .label = SPARKOUT_NOOP("Input", "Radial feed by stage"),
                        .unit = "mm/dbl stroke", .hard = {0, 1},
                        .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::traverse, .count = 2, .page = Page::search,
+                       .relevant = conditions::setsFeed<&Stage::radial_feed_mm>, .count = 2,
+                       .page = Page::search,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Least and most of the first stage, of the second and so on; "
                                     "twice the same fixes it."),
@@ -140,7 +141,8 @@ const StructInfo& tableOf<Optimisation>() {
         SPARKOUT_FIELD(Optimisation, stage_axial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Axial feed by stage"), .unit = "mm/min",
                        .hard = {0, 1e5}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::traverse, .count = 2, .page = Page::search,
+                       .relevant = conditions::setsFeed<&Stage::axial_feed_mm_min>, .count = 2,
+                       .page = Page::search,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Least and most of the first stage, of the second and so on; "
                                     "twice the same fixes it."),
@@ -148,7 +150,8 @@ const StructInfo& tableOf<Optimisation>() {
         SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm_min,
                        .label = SPARKOUT_NOOP("Input", "Plunge feed by stage"), .unit = "mm/min",
                        .hard = {0, 100}, .nullMeaning = SPARKOUT_NOOP("Input", "not limited"),
-                       .relevant = conditions::plunge, .count = 2, .page = Page::search,
+                       .relevant = conditions::setsFeed<&Stage::radial_feed_mm_min>, .count = 2,
+                       .page = Page::search,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Least and most of the first stage, of the second and so on; "
                                     "twice the same fixes it."),

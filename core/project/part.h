@@ -2,13 +2,16 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/project/mounting.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sparkout {
+
+/// How the part is held: between two centres, or overhanging from a chuck that clamps the end x =
+/// 0.
+enum class Mounting { centres, chuck };
 
 enum class Surface { external, internal };
 enum class ProfileForm { ellipse, eccentric, lobes, measured };

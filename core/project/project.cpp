@@ -6,12 +6,8 @@
 
 namespace sparkout {
 
-template <>
-std::span<const Choice> choicesOf<Operation>() {
-    static const std::array choices{
-        Choice{"traverse", SPARKOUT_NOOP("Choice", "traverse grinding")},
-        Choice{"plunge", SPARKOUT_NOOP("Choice", "plunge grinding")}};
-    return choices;
+int placeCount(const Project& project) {
+    return project.operation->hasZones ? 3 : project.sections;
 }
 
 template <>
@@ -66,7 +62,7 @@ const StructInfo& tableOf<Project>() {
                        .required = conditions::always),
         SPARKOUT_FIELD(Project, sections,
                        .label = SPARKOUT_NOOP("Input", "Sections along the length"), .symbol = "J",
-                       .hard = {1, 200}, .soft = {1, 50}, .relevant = conditions::plunge,
+                       .hard = {1, 200}, .soft = {1, 50}, .relevant = conditions::sections,
                        .page = Page::cycle,
                        .hint = SPARKOUT_NOOP(
                            "Input", "Sections at the middles of equal slices of the ground length, "
@@ -74,7 +70,7 @@ const StructInfo& tableOf<Project>() {
                        .source = "MODEL-6"),
         SPARKOUT_FIELD(
             Project, sections_coupled, .label = SPARKOUT_NOOP("Input", "Sections coupled"),
-            .relevant = conditions::plunge, .page = Page::cycle,
+            .relevant = conditions::sections, .page = Page::cycle,
             .hint = SPARKOUT_NOOP("Input", "Whether a force in one section deflects the others "
                                            "too; needs the compliance from stiffness and shaft."),
             .source = "MODEL-6"),

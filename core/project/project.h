@@ -3,18 +3,14 @@
 
 #include "core/field.h"
 #include "core/project/batch.h"
-#include "core/project/cycle.h"
 #include "core/project/gauge.h"
-#include "core/project/machine.h"
 #include "core/project/material.h"
-#include "core/project/optimisation.h"
+#include "core/project/operation.h"
 #include "core/project/part.h"
 #include "core/project/sweep.h"
 #include "core/project/wheel.h"
 
 namespace sparkout {
-
-enum class Operation { traverse, plunge };
 
 /// A kept run: what was run, when, by which engine, and its summary. Never changed again.
 struct KeptRun {
@@ -32,14 +28,14 @@ struct Project {
     std::string title;
     std::string author;
     std::string notes;
-    Operation operation = Operation::traverse;
+    Operation operation;
     Part part;
     Material material;
     Wheel wheel;
     Machine machine;
     Gauge gauge;
     Cycle cycle;
-    int sections = 4; ///< J, plunge
+    int sections = 4; ///< J, where the ground length has no zones
     bool sections_coupled = false;
     std::optional<Batch> batch;
     std::optional<Optimisation> optimisation;
@@ -47,8 +43,9 @@ struct Project {
     std::vector<KeptRun> runs;
 };
 
-template <>
-std::span<const Choice> choicesOf<Operation>();
+/// How many zones or sections the ground length has.
+[[nodiscard]] int placeCount(const Project& project);
+
 template <>
 const StructInfo& tableOf<KeptRun>();
 template <>

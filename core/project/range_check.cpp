@@ -106,10 +106,11 @@ private:
                 checkNumber(field, *value, path, relevant);
             }
             break;
-        case Kind::integer: checkNumber(field, field.as<int>(owner), path, relevant); break;
+        case Kind::integer:
         case Kind::optionalInteger:
-            if (const auto& value = field.as<std::optional<int>>(owner)) {
-                checkNumber(field, *value, path, relevant);
+        case Kind::sparkOut:
+            if (const int* number = field.wholeNumber(owner)) {
+                checkNumber(field, *number, path, relevant);
             }
             break;
         case Kind::numberList:
@@ -127,12 +128,6 @@ private:
             }
             break;
         case Kind::objectList: checkItems(field, owner, path); break;
-        case Kind::sparkOut:
-            if (const auto& sparkOut = field.as<SparkOut>(owner);
-                sparkOut.mode == SparkOut::Mode::count) {
-                checkNumber(field, sparkOut.count, path, relevant);
-            }
-            break;
         case Kind::compliance: checkCompliance(field, owner, path, relevant); break;
         case Kind::levels: checkLevels(field, owner, path); break;
         case Kind::numberRows: checkRows(field, owner, path); break;

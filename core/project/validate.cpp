@@ -25,7 +25,7 @@ public:
         checkPart();
         checkProfile();
         checkBlank();
-        project().operation == Operation::traverse ? checkTraverse() : checkPlunge();
+        project().operation->hasZones ? checkZones() : checkSections();
         checkCompliance();
         checkWheelContact();
         checkMachineLimits();
@@ -98,7 +98,7 @@ private:
             }
         }
         if (part.surface == Surface::internal) {
-            if (project().operation == Operation::traverse) {
+            if (project().operation->travels) {
                 add(IssueCode::internalTraverse, "/part/surface", Phrase::internal,
                     Phrase::external);
             }
@@ -175,7 +175,7 @@ private:
         }
     }
 
-    void checkTraverse() {
+    void checkZones() {
         const Wheel& wheel = project().wheel;
         const Machine& machine = project().machine;
         const double rz1 = wheel.width_mm - machine.overrun_entry_mm;
@@ -210,7 +210,7 @@ private:
         }
     }
 
-    void checkPlunge() {
+    void checkSections() {
         const Part& part = project().part;
         const Gauge& gauge = project().gauge;
         const bool lengthIsSound = sound({"/part/length_mm"});
@@ -249,11 +249,11 @@ private:
             checkStiffness();
             return;
         }
-        if (project().sections_coupled && project().operation == Operation::plunge) {
+        if (project().sections_coupled && !project().operation->hasZones) {
             add(IssueCode::influenceUnknown, "/sections_coupled", Quoted{"true"},
                 Phrase::computedCompliance);
         }
-        if (project().operation == Operation::traverse) {
+        if (project().operation->hasZones) {
             if (sections) {
                 add(IssueCode::wrongType, path, Quoted{"[…]"}, Phrase::valueForEachZone);
             }
@@ -357,14 +357,13 @@ private:
     }
 
     void checkStage(const Stage& stage, std::size_t index) {
-        const bool traverse = project().operation == Operation::traverse;
         const std::size_t count = project().cycle.stages.size();
         const std::string path = "/cycle/stages/" + std::to_string(index);
-        const char* const feedKey = traverse ? "radial_feed_mm" : "radial_feed_mm_min";
-        const std::string feedPath = path + "/" + feedKey;
-        const Field& row = *tableOf<Stage>().find(feedKey);
-        const auto& feed = traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min;
-        const bool sparks = stage.spark_out.mode != SparkOut::Mode::none;
+        const StageFeed& radial = project().operation->radial();
+        const std::string feedPath = path + "/" + radial.key;
+        const Field& row = *tableOf<Stage>().find(radial.key);
+        const auto& feed = stage.*radial.value;
+        const bool sparks = !stage.feeds();
         if (sparks && index + 1 < count) {
             add(IssueCode::sparkOutNotLast, path + "/spark_out", countOf(index + 1),
                 countOf(count));
@@ -379,10 +378,11 @@ private:
             add(IssueCode::feedMissing, feedPath, Amount{*feed, row.unit},
                 Bounds{row.read, row.unit});
         }
-        if (traverse && !stage.axial_feed_mm_min) {
-            const Field& axial = *tableOf<Stage>().find("axial_feed_mm_min");
-            add(IssueCode::missingKey, path + "/axial_feed_mm_min", {},
-                Bounds{axial.stated(), axial.unit});
+        if (const StageFeed* axial = project().operation->axial();
+            axial && !(stage.*axial->value)) {
+            const Field& axialRow = *tableOf<Stage>().find(axial->key);
+            add(IssueCode::missingKey, path + "/" + axial->key, {},
+                Bounds{axialRow.stated(), axialRow.unit});
         }
     }
 

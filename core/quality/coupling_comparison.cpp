@@ -8,7 +8,7 @@
 namespace sparkout {
 
 CouplingAnswer couplingOf(const Project& project) {
-    if (project.operation != Operation::plunge) {
+    if (project.operation->hasZones) {
         return CouplingAnswer::traverse;
     }
     const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);

@@ -54,7 +54,8 @@ bool wheelStands(const Place& place) {
 }
 
 double effectiveWidth(const Project& project, const Place& place) {
-    if (project.operation == Operation::plunge) {
+    const StageFeed* const axial = project.operation->axial();
+    if (!axial) {
         return project.part.length_mm;
     }
     if (wheelStands(place)) {
@@ -62,7 +63,7 @@ double effectiveWidth(const Project& project, const Place& place) {
         return place.zone == Zone::rz1 ? lengths.rz1 : lengths.rz2;
     }
     const Stage& stage = project.cycle.stages[static_cast<std::size_t>(place.stage - 1)];
-    return std::min(stage.axial_feed_mm_min.value_or(0) / project.machine.work_speed_rpm,
+    return std::min((stage.*axial->value).value_or(0) / project.machine.work_speed_rpm,
                     project.wheel.width_mm);
 }
 

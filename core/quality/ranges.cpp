@@ -51,22 +51,17 @@ private:
     std::vector<MachineRange> m_found;
 };
 
-bool feeds(const Stage& stage) {
-    return stage.spark_out.mode == SparkOut::Mode::none;
+RangeKind kindOf(const StageFeed& feed) {
+    return feed.range == &MachineLimits::radial_feed_mm      ? RangeKind::radialFeed
+           : feed.range == &MachineLimits::axial_feed_mm_min ? RangeKind::axialFeed
+                                                             : RangeKind::plungeFeed;
 }
 
-/// A retraction is set as fast as a feed is.
-std::optional<double> magnitude(std::optional<double> feed) {
-    return feed ? std::optional(std::abs(*feed)) : feed;
-}
-
-template <class Value>
-void addStages(Checks& checks, const Project& project, RangeKind kind, const Limits& limits,
-               const Value& value) {
-    int number = 0;
-    for (const Stage& stage : project.cycle.stages) {
-        checks.add(kind, limits, ++number, value(stage));
-    }
+/// A retraction is set as fast as a feed is. A spark-out has an axial feed only.
+std::optional<double> magnitude(const Project& project, const StageFeed& feed, const Stage& stage) {
+    const std::optional<double>& value = stage.*feed.value;
+    const bool set = stage.feeds() || &feed == project.operation->axial();
+    return set && value ? std::optional(std::abs(*value)) : std::nullopt;
 }
 
 } // namespace
@@ -74,19 +69,15 @@ void addStages(Checks& checks, const Project& project, RangeKind kind, const Lim
 std::vector<MachineRange> checkMachineRanges(const Project& project) {
     const MachineLimits& limits = project.machine.limits;
     Checks checks;
-    if (project.operation == Operation::traverse) {
-        addStages(
-            checks, project, RangeKind::radialFeed, limits.radial_feed_mm,
-            [](const Stage& stage) { return feeds(stage) ? stage.radial_feed_mm : std::nullopt; });
-        addStages(checks, project, RangeKind::axialFeed, limits.axial_feed_mm_min,
-                  [](const Stage& stage) { return stage.axial_feed_mm_min; });
+    for (const StageFeed& feed : project.operation->feeds) {
+        int number = 0;
+        for (const Stage& stage : project.cycle.stages) {
+            checks.add(kindOf(feed), limits.*feed.range, ++number, magnitude(project, feed, stage));
+        }
+    }
+    if (project.operation->travels) {
         checks.add(RangeKind::plungeFeed, limits.plunge_feed_mm_min, 0,
                    project.machine.plunge_feed_mm_min);
-    } else {
-        addStages(checks, project, RangeKind::plungeFeed, limits.plunge_feed_mm_min,
-                  [](const Stage& stage) {
-                      return feeds(stage) ? magnitude(stage.radial_feed_mm_min) : std::nullopt;
-                  });
     }
     checks.add(RangeKind::workSpeed, limits.work_speed_rpm, 0, project.machine.work_speed_rpm);
     return checks.take();
@@ -105,12 +96,12 @@ double overlapOf(const Project& project, double axialFeed_mm_min) {
 
 std::vector<OverlapCheck> checkOverlaps(const Project& project) {
     std::vector<OverlapCheck> found;
-    int number = 0;
-    for (const Stage& stage : project.cycle.stages) {
-        ++number;
-        const std::optional<double>& axialFeed = stage.axial_feed_mm_min;
-        if (project.operation == Operation::traverse && axialFeed && *axialFeed > 0) {
-            found.push_back({number, overlapOf(project, *axialFeed)});
+    const StageFeed* const axial = project.operation->axial();
+    const auto& stages = project.cycle.stages;
+    for (std::size_t z = 0; axial && z < stages.size(); ++z) {
+        const std::optional<double>& axialFeed = stages[z].*axial->value;
+        if (axialFeed && *axialFeed > 0) {
+            found.push_back({static_cast<int>(z) + 1, overlapOf(project, *axialFeed)});
         }
     }
     return found;

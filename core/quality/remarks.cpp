@@ -32,7 +32,7 @@ Amount shortMm(double value) {
 void addSparkOut(const SimulationResult& result, Issues& found) {
     const auto& stages = result.project.cycle.stages;
     const Stage& last = stages.back();
-    const bool leaves = last.spark_out.mode == SparkOut::Mode::count && last.stock_mm > 0;
+    const bool leaves = last.sparkOutSteps() && last.stock_mm > 0;
     if (leaves && endsOversize(result)) {
         found.push_back({IssueCode::sparkOutLeaves, Severity::warning,
                          "/cycle/stages/" + std::to_string(stages.size() - 1) + "/stock_mm",
@@ -43,7 +43,7 @@ void addSparkOut(const SimulationResult& result, Issues& found) {
 void addIdleStages(const SimulationResult& result, Issues& found) {
     const auto& stages = result.project.cycle.stages;
     for (std::size_t z = 0; z < stages.size(); ++z) {
-        if (result.countsByStage[z] == 0 && stages[z].spark_out.mode == SparkOut::Mode::none) {
+        if (result.countsByStage[z] == 0 && stages[z].feeds()) {
             found.push_back({IssueCode::stageIdle, Severity::warning,
                              "/cycle/stages/" + std::to_string(z) + "/stock_mm", countOf(z + 1),
                              countOf(stages.size())});
@@ -52,7 +52,7 @@ void addIdleStages(const SimulationResult& result, Issues& found) {
 }
 
 void addDwells(const Project& project, Issues& found) {
-    if (project.operation != Operation::traverse) {
+    if (!project.operation->travels) {
         return;
     }
     constexpr double noticed = 0.02; // of the dwell

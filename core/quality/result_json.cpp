@@ -15,10 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool isTraverse(const SimulationResult& result) {
-    return result.project.operation == Operation::traverse;
-}
-
 /// Of the finished surface: null where it is not whole.
 ordered_json statedJson(const FinishedSurface& surface, ordered_json value) {
     return surface.isWhole() ? std::move(value) : ordered_json(nullptr);
@@ -100,12 +96,12 @@ ordered_json constraintsJson(const std::vector<ConstraintResult>& constraints) {
 
 /// The zones as an object, or the sections as a list.
 ordered_json sectionsJson(const SimulationResult& result, const PartAccuracy& accuracy) {
-    ordered_json all = isTraverse(result) ? ordered_json::object() : ordered_json::array();
+    const bool zones = result.project.operation->hasZones;
+    ordered_json all = zones ? ordered_json::object() : ordered_json::array();
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& section = result.sections[i];
         ordered_json one = zoneJson(result, section, accuracy.sections[i]);
-        isTraverse(result) ? void(all[zoneKey(section.zone)] = std::move(one))
-                           : all.push_back(std::move(one));
+        zones ? void(all[zoneKey(section.zone)] = std::move(one)) : all.push_back(std::move(one));
     }
     return all;
 }
@@ -160,13 +156,14 @@ ordered_json shopJson(const ShopNumbers& shop) {
 
 std::string resultJson(const SimulationResult& result,
                        const std::vector<ConstraintResult>& constraints) {
+    const Operation operation = result.project.operation;
     ordered_json root;
     root["status"] = statusKey(result.status);
-    root["operation"] = isTraverse(result) ? "traverse" : "plunge";
+    root["operation"] = operation->choice.key;
     root["engine_version"] = result.engineVersion;
     root["cycle_time_min"] = result.time_s / units::secondsPerMinute;
-    root[isTraverse(result) ? "double_strokes" : "revolutions"] = result.cycleCount;
-    root[isTraverse(result) ? "double_strokes_by_stage" : "revolutions_by_stage"] =
+    root[operation->countsStrokes ? "double_strokes" : "revolutions"] = result.cycleCount;
+    root[operation->countsStrokes ? "double_strokes_by_stage" : "revolutions_by_stage"] =
         result.countsByStage;
     ordered_json stageTimes = ordered_json::array();
     for (const double time_s : result.timeByStage_s) {
@@ -180,7 +177,7 @@ std::string resultJson(const SimulationResult& result,
         root["strips_uncut"] = true;
     }
     const PartAccuracy accuracy = accuracyOf(result);
-    root[isTraverse(result) ? "zones" : "sections"] = sectionsJson(result, accuracy);
+    root[operation->hasZones ? "zones" : "sections"] = sectionsJson(result, accuracy);
     root["part"] = partJson(accuracy, surface);
     root["peak"] = {{"normal_force_n", result.peakNormalForce_n},
                     {"normal_force_where", placeText(result.peakNormalForceAt)},

@@ -80,11 +80,10 @@ private:
 };
 
 std::optional<double> overlap(const Project& project, std::size_t stage) {
-    const auto& axialFeed = project.cycle.stages[stage].axial_feed_mm_min;
-    if (project.operation != Operation::traverse || !axialFeed || *axialFeed <= 0) {
-        return std::nullopt;
-    }
-    return overlapOf(project, *axialFeed);
+    const StageFeed* const axial = project.operation->axial();
+    const auto axialFeed = axial ? project.cycle.stages[stage].*axial->value : std::nullopt;
+    return axialFeed && *axialFeed > 0 ? std::optional(overlapOf(project, *axialFeed))
+                                       : std::nullopt;
 }
 
 } // namespace

@@ -49,7 +49,7 @@ struct Question {
 const std::array<Question, 7>& questions() {
     static const std::array<Question, 7> all{{
         {{SPARKOUT_NOOP("Condition", "traverse"), SPARKOUT_NOOP("Condition", "plunge")},
-         [](Project& p, Stage&, std::size_t i) { p.operation = static_cast<Operation>(i); }},
+         [](Project& p, Stage&, std::size_t i) { p.operation = Operation::ofIndex(i); }},
         {{SPARKOUT_NOOP("Condition", "external"), SPARKOUT_NOOP("Condition", "internal")},
          [](Project& p, Stage&, std::size_t i) { p.part.surface = static_cast<Surface>(i); }},
         {{SPARKOUT_NOOP("Condition", "ellipse"), SPARKOUT_NOOP("Condition", "eccentric"),

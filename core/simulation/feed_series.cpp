@@ -17,11 +17,11 @@ namespace {
 
 std::vector<FeedColumn> emptyColumns(const SimulationResult& result) {
     std::vector<FeedColumn> columns;
-    const bool plunge = result.project.operation == Operation::plunge;
-    const int gauge = plunge ? gaugeSection(result.project) : -1;
+    const bool sections = !result.project.operation->hasZones;
+    const int gauge = sections ? gaugeSection(result.project) : -1;
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
-        const int section = plunge ? static_cast<int>(i) : 0;
-        columns.push_back({result.sections[i].zone, section, plunge && section == gauge, {}, {}});
+        const int section = sections ? static_cast<int>(i) : 0;
+        columns.push_back({result.sections[i].zone, section, sections && section == gauge, {}, {}});
     }
     return columns;
 }

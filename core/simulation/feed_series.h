@@ -58,7 +58,7 @@ struct StepSpan {
 
 /// All zones or sections of a run; the passes within a span of time are worked out when asked for.
 struct FeedSeries {
-    Operation operation = Operation::traverse;
+    Operation operation;
     double target_mm = 0;    ///< R_t
     double firstFeed_mm = 0; ///< t_П at the beginning
     double removalSign = 1;  ///< R_came = R_left + sign·a: +1 external, −1 internal

@@ -23,7 +23,7 @@ double wayDone(const Trajectory& trajectory, const Progress& moment) {
 /// Where the wheel is, the way done: from the entry's overrun to that of the exit.
 Stretch wheelAt(const Project& project, double way) {
     const double L = project.part.length_mm, B = project.wheel.width_mm;
-    if (project.operation == Operation::plunge) {
+    if (!project.operation->travels) {
         return {(L - B) / 2, (L + B) / 2};
     }
     const double first = -project.machine.overrun_entry_mm;
@@ -73,8 +73,7 @@ private:
         const Project& project = m_result.project;
         const double middle =
             m_result.sections[static_cast<std::size_t>(gaugeSection(project))].position_mm;
-        return project.operation == Operation::plunge ? project.gauge.position_mm.value_or(middle)
-                                                      : middle;
+        return project.operation->hasZones ? middle : project.gauge.position_mm.value_or(middle);
     }
 
     void addSurfaces() {
@@ -92,7 +91,7 @@ private:
 
     /// Every pass of the moment pushes what it cuts; in traverse one of them pushes the part.
     void cut() {
-        const bool plunge = m_scene.operation == Operation::plunge;
+        const bool travels = m_scene.operation->travels;
         if (m_moment.end - m_moment.open == 1) {
             m_scene.leading = sectionOf(m_trajectory.passes[m_moment.open].place);
         }
@@ -105,7 +104,7 @@ private:
             const double edge = m_first_mm - m_scene.removalSign * visit.programmed_mm;
             const double yield =
                 visit.actual_mm > 0 ? m_scene.removalSign * (visit.radius_mm - edge) : 0;
-            if (plunge) {
+            if (!travels) {
                 m_scene.surfaces[at].yield_mm = yield;
             }
             if (at == m_scene.leading) {
@@ -117,7 +116,7 @@ private:
             }
         }
         for (SceneSurface& surface : m_scene.surfaces) {
-            surface.yield_mm = plunge ? surface.yield_mm : push;
+            surface.yield_mm = travels ? push : surface.yield_mm;
         }
     }
 

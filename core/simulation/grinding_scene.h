@@ -25,7 +25,7 @@ struct SceneSurface {
 /// as one body, by the balance of the zone under the wheel's middle; in plunge each section by its
 /// own.
 struct GrindingScene {
-    Operation operation = Operation::traverse;
+    Operation operation;
     double removalSign = 1;   ///< +1 external, −1 internal
     Stretch wheel;            ///< what it covers, beyond the ends by the overruns
     double edge_mm = 0;       ///< radius at which its edge stands

@@ -323,8 +323,9 @@ SimulationResult simulate(const Project& project, Trajectory* trajectory,
 
 SimulationResult simulateUnchecked(const Project& project, Trajectory* trajectory,
                                    const std::stop_token& stop) {
-    return project.operation == Operation::traverse ? simulateTraverse(project, trajectory, stop)
-                                                    : simulatePlunge(project, trajectory, stop);
+    return project.operation.match(
+        [&](Traverse) { return simulateTraverse(project, trajectory, stop); },
+        [&](Plunge) { return simulatePlunge(project, trajectory, stop); });
 }
 
 } // namespace sparkout

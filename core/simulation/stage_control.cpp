@@ -8,10 +8,9 @@ namespace sparkout {
 std::vector<double> infeedsOfStages(const Project& project) {
     std::vector<double> feeds;
     for (const Stage& stage : project.cycle.stages) {
-        feeds.push_back(project.operation == Operation::traverse
-                            ? stage.radial_feed_mm.value_or(0)
-                            : stage.radial_feed_mm_min.value_or(0)
-                                  / project.machine.work_speed_rpm);
+        feeds.push_back(
+            project.operation.infeed_mm((stage.*project.operation->radial().value).value_or(0),
+                                        project.machine.work_speed_rpm));
     }
     return feeds;
 }
@@ -19,13 +18,11 @@ std::vector<double> infeedsOfStages(const Project& project) {
 StageControl::StageControl(const Project& project, std::vector<double> feeds_mm,
                            double totalInfeed_mm)
     : m_feeds(std::move(feeds_mm))
+    , m_stages(project.cycle.stages)
     , m_laterStock(m_feeds.size())
     , m_steps(m_feeds.size())
     , m_control(project.gauge.control)
     , m_totalInfeed(totalInfeed_mm) {
-    for (const Stage& stage : project.cycle.stages) {
-        m_sparkOut.push_back(stage.spark_out);
-    }
     double later = 0;
     for (std::size_t z = m_feeds.size(); z-- > 0;) {
         m_laterStock[z] = later;
@@ -38,7 +35,7 @@ double StageControl::stageEndInfeed() const {
 }
 
 double StageControl::nextInfeed(double fed_mm) const {
-    if (m_sparkOut[m_stage].mode != SparkOut::Mode::none) {
+    if (!m_stages[m_stage].feeds()) {
         return 0;
     }
     if (m_control == Control::position) {
@@ -48,19 +45,19 @@ double StageControl::nextInfeed(double fed_mm) const {
 }
 
 bool StageControl::waitsForSize() const {
-    return m_sparkOut[m_stage].mode == SparkOut::Mode::untilSize;
+    return m_stages[m_stage].waitsForSize();
 }
 
 bool StageControl::retracts() const {
-    return m_sparkOut[m_stage].mode == SparkOut::Mode::none && m_feeds[m_stage] < 0;
+    return m_stages[m_stage].feeds() && m_feeds[m_stage] < 0;
 }
 
 bool StageControl::stageEnded(double remainingStock_mm, double fed_mm) const {
-    const SparkOut& sparkOut = m_sparkOut[m_stage];
-    if (sparkOut.mode == SparkOut::Mode::count) {
-        return m_steps[m_stage] >= sparkOut.count;
+    const Stage& stage = m_stages[m_stage];
+    if (const auto steps = stage.sparkOutSteps()) {
+        return m_steps[m_stage] >= *steps;
     }
-    if (m_control == Control::position && sparkOut.mode == SparkOut::Mode::none) {
+    if (m_control == Control::position && stage.feeds()) {
         return fed_mm >= stageEndInfeed() - stageSlack_mm;
     }
     return remainingStock_mm <= m_laterStock[m_stage] + stageSlack_mm;

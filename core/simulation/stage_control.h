@@ -44,8 +44,8 @@ private:
     [[nodiscard]] double stageEndInfeed() const;
 
     std::vector<double> m_feeds;
+    std::vector<Stage> m_stages;
     std::vector<double> m_laterStock; ///< Σ_{j>z} Π_j
-    std::vector<SparkOut> m_sparkOut;
     std::vector<int> m_steps;
     Control m_control;
     double m_totalInfeed;

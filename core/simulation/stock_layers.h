@@ -32,7 +32,7 @@ struct LayerColumn {
 
 /// The layers of a run; no columns without a trajectory.
 struct LayerSeries {
-    Operation operation = Operation::traverse;
+    Operation operation;
     double removalSign = 1;    ///< radius = blank − sign·Σa: +1 external, −1 internal
     double length_mm = 0;      ///< L_p
     double target_mm = 0;      ///< R_t

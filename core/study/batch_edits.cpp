@@ -298,10 +298,9 @@ Factor usualFactor(FactorKind kind, const Project& project) {
     }
     case FactorKind::compliance: return uniformFactor({0.9, 1.1});
     case FactorKind::contactWidth:
-        return uniformFactor(times(project.operation == Operation::traverse
-                                       ? project.wheel.width_mm
-                                       : project.part.length_mm,
-                                   {0.96, 1}));
+        return uniformFactor(
+            times(project.operation->travels ? project.wheel.width_mm : project.part.length_mm,
+                  {0.96, 1}));
     }
     return {};
 }

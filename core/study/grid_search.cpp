@@ -75,8 +75,7 @@ GridSearchReport checked(const Project& project, const GridSearchOptions& option
     report.issues = validate(project);
     if (!hasErrors(report.issues)) {
         report.issues.clear();
-        report.isOtherOperation =
-            isHeuristic(options.method) && project.operation != Operation::plunge;
+        report.isOtherOperation = isHeuristic(options.method) && project.operation->axial();
         report.fault = Variants(project, options.stop).fault();
         if (report.ran() && asksForABatch(project)) {
             report.issues = checkBatch(project);

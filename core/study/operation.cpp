@@ -69,9 +69,18 @@ ZoneCompliance zoneCompliance(const Project& project) {
             rounded(complianceAt(project, turned ? 0 : 1))};
 }
 
+/// As an operation is given it: a value a zone, or one a section on the first `reach_mm`.
+GivenCompliance givenCompliance(const Project& project, const Operation& operation,
+                                double reach_mm) {
+    if (operation->hasZones) {
+        return zoneCompliance(project);
+    }
+    return sectionCompliance(project, project.sections, reach_mm);
+}
+
 void makePlunge(Project& project) {
     for (Stage& stage : project.cycle.stages) {
-        if (stage.radial_feed_mm && feeds(stage)) {
+        if (stage.radial_feed_mm && stage.feeds()) {
             stage.radial_feed_mm_min =
                 rounded(std::clamp(*stage.radial_feed_mm * plungePerTraverseFeed, 0.02, 5.0));
         }
@@ -103,7 +112,7 @@ void makeTraverse(Project& project) {
     auto& stages = project.cycle.stages;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         Stage& stage = stages[i];
-        if (stage.radial_feed_mm_min && feeds(stage)) {
+        if (stage.radial_feed_mm_min && stage.feeds()) {
             stage.radial_feed_mm = rounded(
                 std::clamp(*stage.radial_feed_mm_min / plungePerTraverseFeed, 0.0005, 0.02));
         }
@@ -155,11 +164,11 @@ bool complianceComputable(const Project& project) {
 }
 
 Project fitted(Project project, Operation operation) {
-    if (operation == Operation::traverse) {
-        fitZones(project);
-    } else { // a plunge grinds what the wheel that is there covers
-        project.part.length_mm = std::min(project.part.length_mm, project.wheel.width_mm);
-    }
+    operation.match([&](Traverse) { fitZones(project); },
+                    [&](Plunge) { // grinds what the wheel that is there covers
+                        Part& part = project.part;
+                        part.length_mm = std::min(part.length_mm, project.wheel.width_mm);
+                    });
     return project;
 }
 
@@ -167,20 +176,11 @@ Project withOperation(Project project, Operation operation) {
     if (project.operation == operation) {
         return project;
     }
-    const bool given = !std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
-    if (operation == Operation::plunge) {
-        if (given) {
-            const double reach_mm = fitted(project, operation).part.length_mm;
-            project.machine.compliance_mm_per_n =
-                sectionCompliance(project, project.sections, reach_mm);
-        }
-        makePlunge(project);
-    } else {
-        if (given) {
-            project.machine.compliance_mm_per_n = zoneCompliance(project);
-        }
-        makeTraverse(project);
+    if (!std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n)) {
+        const double reach_mm = fitted(project, operation).part.length_mm;
+        project.machine.compliance_mm_per_n = givenCompliance(project, operation, reach_mm);
     }
+    operation.match([&](Traverse) { makeTraverse(project); }, [&](Plunge) { makePlunge(project); });
     project.operation = operation;
     return withSearchFor(std::move(project));
 }
@@ -203,10 +203,8 @@ Project withGivenCompliance(Project project, bool given) {
     if (!given) {
         compliance = std::monostate{};
         project = withComputable(std::move(project));
-    } else if (project.operation == Operation::traverse) {
-        compliance = zoneCompliance(project);
     } else {
-        compliance = sectionCompliance(project, project.sections, project.part.length_mm);
+        compliance = givenCompliance(project, project.operation, project.part.length_mm);
     }
     return project;
 }
@@ -232,10 +230,6 @@ Project withRadii(Project project, std::vector<double> radii_um) {
     project.part.radii_um = std::move(radii_um);
     project.part.profile = ProfileForm::measured;
     return project;
-}
-
-bool feeds(const Stage& stage) {
-    return stage.spark_out.mode == SparkOut::Mode::none;
 }
 
 Project newProject(Operation operation) {

@@ -9,15 +9,12 @@
 namespace sparkout {
 
 /// A small complete cycle of each operation, to start from.
-[[nodiscard]] Project newProject(Operation operation);
+[[nodiscard]] Project newProject(Operation operation = {});
 
-/// The project under the other operation: feeds, compliance, wheel and gauge get values the new
+/// The project under another operation: feeds, compliance, wheel and gauge get values the new
 /// operation can run with; what it does not read is cleared. A search gets levels for the feeds of
 /// the new operation.
 [[nodiscard]] Project withOperation(Project project, Operation operation);
-
-/// Whether a stage feeds, which a spark-out does not.
-[[nodiscard]] bool feeds(const Stage& stage);
 
 /// The project with what suits an operation: for traverse wheel width and overruns that leave a
 /// zone between the reversals, for plunge a ground length that the wheel covers.

@@ -21,7 +21,7 @@ void giveBack(T& made, const T& now, const T& thence, const T& last) {
 
 bool sameFeeds(const Stage& a, const Stage& b) {
     return a.radial_feed_mm == b.radial_feed_mm && a.radial_feed_mm_min == b.radial_feed_mm_min
-           && feeds(a) == feeds(b);
+           && a.feeds() == b.feeds();
 }
 
 /// Which stage of the last time is stage i of now: the same number, or, where stages were added or
@@ -49,7 +49,7 @@ void giveBackFeeds(Project& made, const Project& now, const Project& thence, con
             continue;
         }
         stage.axial_feed_mm_min = was->axial_feed_mm_min;
-        if (feeds(stage) == feeds(*was)) {
+        if (stage.feeds() == was->feeds()) {
             stage.radial_feed_mm = was->radial_feed_mm;
             stage.radial_feed_mm_min = was->radial_feed_mm_min;
         }

@@ -2,7 +2,6 @@
 #include "core/study/search_edits.h"
 
 #include "core/optimisation/variants.h"
-#include "core/project/member.h"
 #include "core/project/project_file.h"
 
 #include <algorithm>
@@ -77,20 +76,9 @@ Project withUsualSearch(Project project) {
     }
     search.stock_step_mm = std::clamp(roundStep(project.part.stock_mm / stepsOfStock), 1e-4, 5.0);
     search.non_increasing = true;
-    const auto highest = [&](const char* levels) {
-        return findMember(std::as_const(project), levels).field->hard.high;
-    };
-    if (project.operation == Operation::traverse) {
-        search.radial_feed_mm =
-            usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm), limits.radial_feed_mm,
-                        highest("/optimisation/radial_feed_mm"));
-        search.axial_feed_mm_min =
-            usualLevels(feedsOf(project.cycle, &Stage::axial_feed_mm_min), limits.axial_feed_mm_min,
-                        highest("/optimisation/axial_feed_mm_min"));
-    } else {
-        search.radial_feed_mm_min =
-            usualLevels(feedsOf(project.cycle, &Stage::radial_feed_mm_min),
-                        limits.plunge_feed_mm_min, highest("/optimisation/radial_feed_mm_min"));
+    for (const StageFeed& feed : project.operation->feeds) {
+        search.*feed.levels = usualLevels(feedsOf(project.cycle, feed.value), limits.*feed.range,
+                                          tableOf<Optimisation>().find(feed.key)->hard.high);
     }
     project.optimisation = std::move(search);
     return project;
@@ -102,16 +90,10 @@ Project withSearchFor(Project project) {
     }
     const Optimisation usual = *withUsualSearch(project).optimisation;
     Optimisation& asked = *project.optimisation;
-    const auto give = [](Levels& levels, const Levels& usualLevels) {
-        if (levels == Levels()) {
-            levels = usualLevels;
+    for (const StageFeed& feed : project.operation->feeds) {
+        if (asked.*feed.levels == Levels()) {
+            asked.*feed.levels = usual.*feed.levels;
         }
-    };
-    if (project.operation == Operation::traverse) {
-        give(asked.radial_feed_mm, usual.radial_feed_mm);
-        give(asked.axial_feed_mm_min, usual.axial_feed_mm_min);
-    } else {
-        give(asked.radial_feed_mm_min, usual.radial_feed_mm_min);
     }
     return project;
 }

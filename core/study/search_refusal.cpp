@@ -8,6 +8,19 @@
 
 namespace sparkout {
 
+namespace {
+
+/// "radial_feed_mm and axial_feed_mm_min"
+std::string feedKeys(const Operation& operation) {
+    std::string keys;
+    for (const StageFeed& feed : operation->feeds) {
+        keys += (keys.empty() ? "" : " and ") + std::string(feed.key);
+    }
+    return keys;
+}
+
+} // namespace
+
 std::string searchRefusal(const GridSearchReport& report) {
     if (report.isOtherOperation) {
         return std::string("/operation: --method ") + searchMethodName(report.method)
@@ -17,11 +30,7 @@ std::string searchRefusal(const GridSearchReport& report) {
     case GridFault::none: break;
     case GridFault::notGiven: return "/optimisation: what to search is not given";
     case GridFault::noLevels:
-        return std::string("/optimisation: ")
-               + (report.project.operation == Operation::traverse
-                      ? "radial_feed_mm and axial_feed_mm_min"
-                      : "radial_feed_mm_min")
-               + " must be given";
+        return "/optimisation: " + feedKeys(report.project.operation) + " must be given";
     case GridFault::tooManyLevels:
         return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
                + " settings of a stage's feeds";

@@ -122,14 +122,14 @@ private slots:
 
     void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone_data() {
         QTest::addColumn<int>("operation");
-        QTest::newRow("traverse") << int(Operation::traverse);
-        QTest::newRow("plunge") << int(Operation::plunge);
+        QTest::newRow("traverse") << int(Operation::traverse.index());
+        QTest::newRow("plunge") << int(Operation::plunge.index());
     }
 
     void everyVisibleFieldOfEveryPageChangesTheProjectAndCanBeUndone() {
         QFETCH(int, operation);
         Document document;
-        Project project = newProject(static_cast<Operation>(operation));
+        Project project = newProject(Operation::ofIndex(std::size_t(operation)));
         project.machine.stiffness_n_um.emplace();
         project.machine.wheel_contact.emplace();
         document.startUntitled(project);

@@ -77,7 +77,7 @@ private slots:
     void everyStopOfEverySliderIsARoundValueThatIsAllowed_data() { operations(); }
     void everyStopOfEverySliderIsARoundValueThatIsAllowed() {
         QFETCH(int, operation);
-        const Project project = newProject(static_cast<Operation>(operation));
+        const Project project = newProject(Operation::ofIndex(std::size_t(operation)));
         for (const auto& [path, field] : sliders(project)) {
             const SliderScale scale = scaleOf(project, path);
             double before = -1;
@@ -97,7 +97,7 @@ private slots:
     void zeroIsReachedJustWhereTheRulesTakeIt_data() { operations(); }
     void zeroIsReachedJustWhereTheRulesTakeIt() {
         QFETCH(int, operation);
-        Project project = newProject(static_cast<Operation>(operation));
+        Project project = newProject(Operation::ofIndex(std::size_t(operation)));
         for (const auto& [path, field] : sliders(project)) {
             Project zero = project;
             const Member member = findMember(zero, path);
@@ -202,8 +202,8 @@ private slots:
 private:
     static void operations() {
         QTest::addColumn<int>("operation");
-        QTest::newRow("traverse") << int(Operation::traverse);
-        QTest::newRow("plunge") << int(Operation::plunge);
+        QTest::newRow("traverse") << int(Operation::traverse.index());
+        QTest::newRow("plunge") << int(Operation::plunge.index());
     }
 
     static std::set<std::string> pathsOf(const Project& project) {

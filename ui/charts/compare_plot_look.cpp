@@ -60,7 +60,7 @@ void ComparePlot::restyle() {
 QString ComparePlot::timeLabel() const {
     bool strokes = false, turns = false;
     for (const ComparedFeeds& run : m_runs) {
-        (run.feeds->operation == Operation::traverse ? strokes : turns) = true;
+        (run.feeds->operation->countsStrokes ? strokes : turns) = true;
     }
     switch (m_axis) {
     case CycleAxis::minutes: return tr("Time, min");
@@ -156,7 +156,7 @@ QString ComparePlot::values(std::size_t run, double x) const {
         return tr("%1: nothing is ground then").arg(name);
     }
     const QString stroke =
-        (of.feeds->operation == Operation::traverse ? tr("double stroke %1") : tr("revolution %1"))
+        (of.feeds->operation->countsStrokes ? tr("double stroke %1") : tr("revolution %1"))
             .arg(p->place.cycleCount);
     QString chosen;
     for (std::size_t row = 0; row < rowCount; ++row) {

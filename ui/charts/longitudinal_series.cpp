@@ -83,11 +83,11 @@ std::vector<ProfilePoint> lengthLine(const ProfileSeries& series, LengthLine lin
     for (std::size_t i = 0; i < count; ++i) {
         const Profile& p = series.profiles[backwards ? count - 1 - i : i];
         const double value = lengthValue(series, p, line, quantity);
-        if (series.operation == Operation::plunge) {
-            points.push_back({p.position_mm, value});
-        } else {
+        if (series.operation->hasZones) {
             points.push_back({p.from_mm, value});
             points.push_back({p.to_mm, value});
+        } else {
+            points.push_back({p.position_mm, value});
         }
     }
     return points;

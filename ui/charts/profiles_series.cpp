@@ -57,7 +57,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
     series.stroke = result.cycleCount;
     series.time_s = result.time_s;
     series.isWhole = FinishedSurface(result.project).isWhole();
-    const bool traverse = series.operation == Operation::traverse;
+    const bool zones = series.operation->hasZones;
     const int gauge = gaugeProfile(result);
     for (std::size_t i = 0; i < result.sections.size(); ++i) {
         const SectionResult& s = result.sections[i];
@@ -73,7 +73,7 @@ ProfileSeries endOfCycle(const SimulationResult& result) {
         series.profiles.push_back(std::move(p));
         if (i == static_cast<std::size_t>(gauge)) {
             series.gauge_mm =
-                traverse ? s.position_mm : result.project.gauge.position_mm.value_or(s.position_mm);
+                zones ? s.position_mm : result.project.gauge.position_mm.value_or(s.position_mm);
         }
     }
     setStretches(series, result.project);
@@ -143,7 +143,7 @@ void addMinimumZones(ProfileSeries& series, const std::vector<int>& shown) {
 
 int gaugeProfile(const SimulationResult& result) {
     const Project& project = result.project;
-    if (!project.gauge.position_mm || project.operation == Operation::traverse) {
+    if (!project.gauge.position_mm || project.operation->hasZones) {
         return gaugeSection(project);
     }
     const auto away = [&](const SectionResult& section) {

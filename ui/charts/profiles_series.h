@@ -42,7 +42,7 @@ struct Profile {
 
 /// All profiles of a run at one moment of its cycle.
 struct ProfileSeries {
-    Operation operation = Operation::traverse;
+    Operation operation;
     Surface surface = Surface::external;
     double nominal_mm = 0;        ///< d
     double target_mm = 0;         ///< R_t

@@ -86,8 +86,8 @@ constexpr const char* hints[] = {
 QString label(ShopRow row, Operation operation) {
     switch (row) {
     case ShopRow::count:
-        return operation == Operation::traverse ? ShopText::tr("Double strokes")
-                                                : ShopText::tr("Revolutions");
+        return operation->countsStrokes ? ShopText::tr("Double strokes")
+                                        : ShopText::tr("Revolutions");
     case ShopRow::time: return ShopText::tr("Time, min");
     case ShopRow::removalRate: return ShopText::tr("Q′w, mm³/(mm·s)");
     case ShopRow::meanRemovalRate: return ShopText::tr("   mean", "specific removal rate");

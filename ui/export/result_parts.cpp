@@ -84,8 +84,7 @@ QString partName(ResultPart part, Operation operation) {
     case ResultPart::cycle: return ResultParts::tr("Whole cycle");
     case ResultPart::stages: return ResultParts::tr("Stages");
     case ResultPart::zones:
-        return operation == Operation::traverse ? ResultParts::tr("Zones")
-                                                : ResultParts::tr("Sections");
+        return operation->hasZones ? ResultParts::tr("Zones") : ResultParts::tr("Sections");
     case ResultPart::profiles: return ResultParts::tr("Final profiles");
     case ResultPart::requirements: return ResultParts::tr("Requirements");
     case ResultPart::trace: return ResultParts::tr("Trace");

@@ -18,14 +18,16 @@ struct TraceSheet {
 
 constexpr int timeDecimals = 6, lengthDecimals = 7, umDecimals = 4, forceDecimals = 3;
 
-std::vector<SheetColumn> columnsFor(bool traverse) {
+std::vector<SheetColumn> columnsFor(const Operation& operation) {
     const QString mm = unitText("mm");
     std::vector<SheetColumn> columns{
         {TraceSheet::tr("Time"), unitText("min"), timeDecimals},
-        {traverse ? TraceSheet::tr("Double stroke") : TraceSheet::tr("Revolution"), {}, 0},
+        {operation->countsStrokes ? TraceSheet::tr("Double stroke") : TraceSheet::tr("Revolution"),
+         {},
+         0},
         {TraceSheet::tr("Stage"), {}, 0},
-        {traverse ? TraceSheet::tr("Zone") : TraceSheet::tr("Section")}};
-    if (traverse) {
+        {operation->hasZones ? TraceSheet::tr("Zone") : TraceSheet::tr("Section")}};
+    if (operation->countsStrokes) {
         columns.push_back({TraceSheet::tr("Step")});
         columns.push_back({TraceSheet::tr("Pass of the step"), {}, 0});
     }
@@ -66,7 +68,7 @@ void fillRow(const Outcome& outcome, const PassTexts& texts, const Pass& pass, s
     put(double(place.cycleCount));
     put(double(place.stage));
     put(texts.zones[sectionOf(place)]);
-    if (project.operation == Operation::traverse) {
+    if (project.operation->countsStrokes) {
         put(texts.steps[static_cast<std::size_t>(place.step)]);
         put(double(place.revolution));
     }
@@ -82,7 +84,7 @@ Sheet sheetOfPasses(const OutcomePtr& outcome, const QString& name,
                     std::vector<std::uint32_t> passes) {
     Sheet sheet;
     sheet.name = name;
-    sheet.columns = columnsFor(outcome->result.project.operation == Operation::traverse);
+    sheet.columns = columnsFor(outcome->result.project.operation);
     const auto radii = static_cast<std::size_t>(outcome->trajectory.radii);
     sheet.rows = passes.size() * radii;
     sheet.fill = [outcome, radii, texts = textsFor(outcome->result),

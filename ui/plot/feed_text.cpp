@@ -63,7 +63,7 @@ QString FeedText::where(const FeedPoint& p, double time_s, const FeedSeries& ser
     if (p.place.step != Step::none) {
         parts << Names::stepMeaning(p.place.zone, p.place.step);
     }
-    if (series.operation == Operation::traverse && p.place.revolution > 0) {
+    if (series.operation->countsStrokes && p.place.revolution > 0) {
         parts << tr("pass %1").arg(p.place.revolution);
     }
     if (p.radius >= 0) {
@@ -81,7 +81,7 @@ QString FeedText::values(const FeedPoint& p, const FeedSeries& series) {
                  .arg(spread(p.programmedSum_um, false), spread(p.actualSum_um, false));
     parts << tr("radius before %1, after %2 µm")
                  .arg(spread(p.came_um, true), spread(p.left_um, true));
-    if (series.operation == Operation::traverse && p.axialFeed_mm_min > 0) {
+    if (series.operation->axial() && p.axialFeed_mm_min > 0) {
         parts << tr("axial feed %1 mm/min").arg(Names::significant(p.axialFeed_mm_min));
     }
     parts << tr("force %1 N").arg(Names::significant(p.force_n.mean));

@@ -46,15 +46,7 @@ bool hasDefault(const Field& field) {
 }
 
 bool isDefault(const Field& field, const void* owner) {
-    if (!hasDefault(field)) {
-        return true;
-    }
-    const void* const defaults = defaultsOf(field);
-    switch (field.kind) {
-    case Kind::boolean: return field.as<bool>(owner) == field.as<bool>(defaults);
-    case Kind::choice: return field.getChoice(owner) == field.getChoice(defaults);
-    default: return numberIn(field, owner) == numberIn(field, defaults);
-    }
+    return !hasDefault(field) || field.same(owner, defaultsOf(field));
 }
 
 QString defaultText(const Field& field) {

@@ -96,11 +96,11 @@ QString Names::moment(Operation operation, int stroke, int count, bool strokeDon
     if (stroke == 0) {
         return tr("Before the first touch");
     }
-    const bool traverse = operation == Operation::traverse;
+    const bool strokes = operation->countsStrokes;
     const QString text =
         strokeDone
-            ? (traverse ? tr("After double stroke %1 of %2") : tr("After revolution %1 of %2"))
-            : (traverse ? tr("Within double stroke %1 of %2") : tr("Within revolution %1 of %2"));
+            ? (strokes ? tr("After double stroke %1 of %2") : tr("After revolution %1 of %2"))
+            : (strokes ? tr("Within double stroke %1 of %2") : tr("Within revolution %1 of %2"));
     return text.arg(stroke).arg(count);
 }
 
@@ -110,8 +110,8 @@ QString Names::place(const Place& place, Operation operation) {
         parts << step(place.step);
     }
     parts << tr("stage %1").arg(place.stage);
-    parts << (operation == Operation::traverse ? tr("double stroke %1").arg(place.cycleCount)
-                                               : tr("revolution %1").arg(place.cycleCount));
+    parts << (operation->countsStrokes ? tr("double stroke %1").arg(place.cycleCount)
+                                       : tr("revolution %1").arg(place.cycleCount));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -121,9 +121,8 @@ QString Names::moment(const Place& place, Operation operation) {
         parts << step(place.step);
     }
     parts << tr("stage %1").arg(place.stage);
-    parts << (operation == Operation::traverse
-                  ? tr("double stroke %1", "short").arg(place.cycleCount)
-                  : tr("revolution %1").arg(place.cycleCount));
+    parts << (operation->countsStrokes ? tr("double stroke %1", "short").arg(place.cycleCount)
+                                       : tr("revolution %1").arg(place.cycleCount));
     return parts.join(QStringLiteral(", "));
 }
 

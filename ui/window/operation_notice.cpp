@@ -15,7 +15,7 @@ const QString operationKey = QStringLiteral("operation");
 
 QString sentence(const Project& before, const Project& after) {
     const bool shortened = after.part.length_mm < before.part.length_mm;
-    return after.operation == Operation::plunge && shortened
+    return !after.operation->travels && shortened
                ? QCoreApplication::translate("OperationNotice",
                                              "A plunge grinds no more than the wheel covers. With "
                                              "the operation these inputs changed: %1.")

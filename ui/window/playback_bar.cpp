@@ -168,9 +168,9 @@ void PlaybackBar::follow() {
     for (QToolButton* button : {m_next, m_last}) {
         button->setEnabled(any && !m_cursor.atEnd());
     }
-    const bool plunge = any && m_cursor.outcome()->result.project.operation == Operation::plunge;
-    if (plunge != m_plunge) {
-        m_plunge = plunge;
+    const bool strokes = !any || m_cursor.outcome()->result.project.operation->countsStrokes;
+    if (strokes != m_strokes) {
+        m_strokes = strokes;
         fillUnits(unit());
     }
     const double share = any ? double(m_cursor.position()) / double(m_cursor.count()) : 0;
@@ -188,14 +188,14 @@ QString PlaybackBar::placeText() const {
         return tr("Blank, before the first touch");
     }
     const Outcome& outcome = *m_cursor.outcome();
-    const bool traverse = outcome.result.project.operation == Operation::traverse;
+    const bool strokes = outcome.result.project.operation->countsStrokes;
     const Place& at = pass->place;
     QStringList parts{
-        (traverse ? tr("Stage %1, double stroke %2 of %3") : tr("Stage %1, revolution %2 of %3"))
+        (strokes ? tr("Stage %1, double stroke %2 of %3") : tr("Stage %1, revolution %2 of %3"))
             .arg(at.stage)
             .arg(at.cycleCount)
             .arg(outcome.layers.strokeCount())};
-    if (traverse) {
+    if (strokes) {
         QStringList steps;
         const Progress done = m_cursor.progress();
         for (std::size_t i = done.open; i < done.end; ++i) {
@@ -237,7 +237,7 @@ void PlaybackBar::showPlay() {
                                    : tr("Let the cycle run, from the blank if it is at its end"));
 }
 
-/// A plunge's double stroke, step and revolution are one.
+/// Where revolutions are counted, stroke, step and revolution are one.
 void PlaybackBar::fillUnits(CursorUnit chosen) {
     const QSignalBlocker blocker(m_unit);
     m_unit->clear();
@@ -245,12 +245,12 @@ void PlaybackBar::fillUnits(CursorUnit chosen) {
         m_unit->addItem(name, static_cast<int>(unit));
     };
     add(CursorUnit::stage, tr("by stage"));
-    if (m_plunge) {
-        add(CursorUnit::stroke, tr("by revolution"));
-    } else {
+    if (m_strokes) {
         add(CursorUnit::stroke, tr("by double stroke"));
         add(CursorUnit::step, tr("by step"));
         add(CursorUnit::revolution, tr("by revolution"));
+    } else {
+        add(CursorUnit::stroke, tr("by revolution"));
     }
     add(CursorUnit::radius, tr("by radius"));
     const int index = m_unit->findData(static_cast<int>(chosen));

@@ -45,7 +45,7 @@ private:
 
     CycleCursor& m_cursor;
     QTimer m_timer;
-    bool m_plunge = false; ///< the units are those of a plunge
+    bool m_strokes = true; ///< double strokes are counted, which have steps of revolutions
     QToolButton *m_first, *m_previous, *m_play, *m_next, *m_last;
     QComboBox* m_unit;
     QComboBox* m_speed;

@@ -14,18 +14,18 @@
 
 namespace sparkout {
 
-SparkOutEditor::SparkOutEditor(const Field& field, bool traverse, QWidget* parent)
+SparkOutEditor::SparkOutEditor(const Field& field, const Operation& operation, QWidget* parent)
     : QWidget(parent), m_mode(new StillComboBox(this)) {
+    const bool strokes = operation->countsStrokes;
     NumberSpec spec;
     spec.hard = field.hard;
     spec.integer = true;
     m_count = new NumberField(spec, this);
     setTextWidth(*m_count, 56);
-    m_count->setAccessibleName(traverse ? tr("Double strokes of spark-out")
-                                        : tr("Revolutions of spark-out"));
+    m_count->setAccessibleName(strokes ? tr("Double strokes of spark-out")
+                                       : tr("Revolutions of spark-out"));
     m_mode->addItem(tr("none"), int(SparkOut::Mode::none));
-    m_mode->addItem(traverse ? tr("double strokes") : tr("revolutions"),
-                    int(SparkOut::Mode::count));
+    m_mode->addItem(strokes ? tr("double strokes") : tr("revolutions"), int(SparkOut::Mode::count));
     m_mode->addItem(tr("until size"), int(SparkOut::Mode::untilSize));
     m_mode->setAccessibleName(inputText(field.label));
     m_mode->installEventFilter(this);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/field.h"
+#include "core/project/operation.h"
 
 #include <QWidget>
 
@@ -16,7 +16,7 @@ class SparkOutEditor : public QWidget {
     Q_OBJECT
 
 public:
-    SparkOutEditor(const Field& field, bool traverse, QWidget* parent);
+    SparkOutEditor(const Field& field, const Operation& operation, QWidget* parent);
     ~SparkOutEditor() override;
 
     [[nodiscard]] SparkOut value() const; ///< with the last good count

@@ -63,8 +63,7 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
         return ListDelegate::createEditor(parent, option, index);
     }
     auto* self = const_cast<StageDelegate*>(this);
-    const bool traverse = document().project().operation == Operation::traverse;
-    auto* editor = new SparkOutEditor(field, traverse, parent);
+    auto* editor = new SparkOutEditor(field, document().project().operation, parent);
     setCell(*editor, index);
     connect(editor, &SparkOutEditor::edited, self, [self, editor] { self->commit(editor); });
     connect(editor, &SparkOutEditor::left, self, [self, editor] { self->close(editor); });

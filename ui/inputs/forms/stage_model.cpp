@@ -36,7 +36,7 @@ const Stage& StageModel::stage(const QModelIndex& index) const {
 
 bool StageModel::relevant(const QModelIndex& index) const {
     if (field(index).kind == Kind::sparkOut) {
-        return index.row() == rowCount() - 1 || stage(index).spark_out.mode != SparkOut::Mode::none;
+        return index.row() == rowCount() - 1 || !stage(index).feeds();
     }
     return ListModel::relevant(index);
 }
@@ -46,20 +46,18 @@ void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
     Stage& to = project.cycle.stages[std::size_t(index.row())];
     const Stage before = to;
     to.spark_out = sparkOut;
-    const bool feeds = sparkOut.mode == SparkOut::Mode::none;
-    if (!feeds) { // a spark-out feeds nothing
+    if (!to.feeds()) { // a spark-out feeds nothing
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
-    } else if (before.spark_out.mode != SparkOut::Mode::none) {
+    } else if (!before.feeds()) {
         const auto& started =
             document().beforeEditsOf(QString::fromStdString(path(index))).cycle.stages;
-        const bool traverse = project.operation == Operation::traverse;
         if (std::size_t(index.row()) < started.size()) { // what this edit took away
             to.radial_feed_mm = started[std::size_t(index.row())].radial_feed_mm;
             to.radial_feed_mm_min = started[std::size_t(index.row())].radial_feed_mm_min;
         }
-        auto& feed = traverse ? to.radial_feed_mm : to.radial_feed_mm_min;
-        feed = feed ? feed : std::optional(traverse ? 0.001 : 0.1);
+        auto& feed = to.*project.operation->radial().value;
+        feed = feed.value_or(project.operation->usualRadial);
     }
     document().edit(std::move(project), {"Input", field(index).label},
                     QString::fromStdString(path(index)));
@@ -72,7 +70,7 @@ QString StageModel::sparkOutShown(const QModelIndex& index) const {
     case SparkOut::Mode::untilSize: return tr("until size");
     case SparkOut::Mode::count: break;
     }
-    return document().project().operation == Operation::traverse
+    return document().project().operation->countsStrokes
                ? tr("%n double strokes", nullptr, sparkOut.count)
                : tr("%n revolutions", nullptr, sparkOut.count);
 }

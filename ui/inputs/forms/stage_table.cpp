@@ -22,10 +22,6 @@ double tidy(double stock_mm) {
     return std::round(stock_mm * 1e9) / 1e9;
 }
 
-bool sparksOut(const Stage& stage) {
-    return stage.spark_out.mode != SparkOut::Mode::none;
-}
-
 const Field& stagesField() {
     return *tableOf<Cycle>().find("stages");
 }
@@ -67,15 +63,15 @@ void StageTable::addRow() {
     }
     // The new stage shares the stock of the one it follows (or, for a spark-out, goes before it).
     auto at = static_cast<std::size_t>(std::max(0, currentRow()));
-    const bool beforeSparkOut = sparksOut(stages[at]);
+    const bool beforeSparkOut = !stages[at].feeds();
     if (beforeSparkOut && at > 0) {
         --at;
     }
     Stage added = stages[at];
     added.spark_out = {};
-    if (sparksOut(stages[at])) {
-        const bool traverse = document().project().operation == Operation::traverse;
-        (traverse ? added.radial_feed_mm : added.radial_feed_mm_min) = traverse ? 0.001 : 0.1;
+    if (!stages[at].feeds()) {
+        const Operation& operation = document().project().operation;
+        added.*operation->radial().value = operation->usualRadial;
         stages.insert(stages.begin(), added);
         applyStages(std::move(stages), {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a stage")}, 0);
         return;
@@ -118,8 +114,8 @@ bool StageTable::canMove(int by) const {
     const int from = currentRow();
     const int to = from + by;
     const int count = static_cast<int>(stages.size());
-    return from >= 0 && to >= 0 && to < count && !sparksOut(stages[std::size_t(from)])
-           && !sparksOut(stages[std::size_t(to)]);
+    return from >= 0 && to >= 0 && to < count && stages[std::size_t(from)].feeds()
+           && stages[std::size_t(to)].feeds();
 }
 
 void StageTable::moveRow(int by) {

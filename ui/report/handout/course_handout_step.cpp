@@ -150,18 +150,18 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
 std::optional<Figure> feedsAround(const OutcomePtr& outcome, const HandoutStep& step) {
     const Pass& pass = outcome->trajectory.passes[step.pass];
     const FeedSeries& feeds = outcome->feeds;
-    const bool traverse = feeds.operation == Operation::traverse;
-    const int around = traverse ? 0 : revolutionsAround;
+    const bool strokes = feeds.operation->countsStrokes;
+    const int around = strokes ? 0 : revolutionsAround;
     const int first = std::max(1, pass.place.cycleCount - around);
     const int last = std::min(feeds.strokeCount(), pass.place.cycleCount + around);
     const double start_s = feeds.strokeStart_s.at(static_cast<std::size_t>(first - 1));
     const double moment_s =
         pass.start_s + pass.duration_s * (step.radius + 1) / std::max(1, outcome->trajectory.radii);
     const QString caption =
-        traverse ? CourseHandout::tr("Feeds in double stroke %1; the line marks the step")
-                       .arg(pass.place.cycleCount)
-                 : CourseHandout::tr("Feeds around revolution %1; the line marks the step")
-                       .arg(pass.place.cycleCount);
+        strokes ? CourseHandout::tr("Feeds in double stroke %1; the line marks the step")
+                      .arg(pass.place.cycleCount)
+                : CourseHandout::tr("Feeds around revolution %1; the line marks the step")
+                      .arg(pass.place.cycleCount);
     return feedsFigure(outcome, start_s, feeds.strokeEnd_s(last), moment_s, caption);
 }
 
@@ -170,12 +170,12 @@ std::optional<Figure> feedsAround(const OutcomePtr& outcome, const HandoutStep& 
 Facts CourseHandout::stepFacts(const Outcome& outcome, const HandoutStep& step) {
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const Place& at = pass.place;
-    const bool traverse = outcome.result.project.operation == Operation::traverse;
+    const bool strokes = outcome.result.project.operation->countsStrokes;
     Facts facts{
         {{tr("Zone or section"), Names::zoneFull(at.zone, at.section)},
          {tr("Stage"), QString::number(at.stage)},
-         {traverse ? tr("Double stroke") : tr("Revolution"), QString::number(at.cycleCount)}}};
-    if (traverse) {
+         {strokes ? tr("Double stroke") : tr("Revolution"), QString::number(at.cycleCount)}}};
+    if (strokes) {
         facts.facts.emplace_back(
             tr("Step"), QStringLiteral("%1: %2").arg(Names::step(at.step),
                                                      Names::stepMeaning(at.zone, at.step)));

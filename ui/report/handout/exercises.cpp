@@ -84,10 +84,10 @@ MadeChange duller(const Project& project) {
 MadeChange softer(const Project& project) {
     Change change{project, {Asked::spread_um, Asked::peakForce_n, Asked::time_min}, {}};
     change.told =
-        (project.operation == Operation::plunge
-             ? ExerciseText::tr("The technological system is %1 times as compliant in every "
-                                "section.")
-             : ExerciseText::tr("The technological system is %1 times as compliant in every zone."))
+        (project.operation->hasZones
+             ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
+             : ExerciseText::tr("The technological system is %1 times as compliant in every "
+                                "section."))
             .arg(plainNumber(softening));
     change.why = {{Asked::spread_um, true,
                    ExerciseText::tr("a place differs in diameter from the one with the gauge by "
@@ -121,21 +121,22 @@ MadeChange softer(const Project& project) {
 /// The last stage that feeds, at half its feed.
 MadeChange slower(const Project& project) {
     Change change{project, {Asked::time_min, Asked::spread_um, Asked::runout_um}, {}};
-    const bool traverse = project.operation == Operation::traverse;
+    const bool strokes = project.operation->countsStrokes;
+    const StageFeed& radial = project.operation->radial();
     change.why = {{Asked::spread_um, false,
                    ExerciseText::tr("the force at the end is that of a smaller feed, so the "
                                     "deflections differ less from place to place")},
                   {Asked::runout_um, false,
-                   traverse ? ExerciseText::tr("after more and shallower cuts less of it is left")
-                            : ExerciseText::tr("the last revolution leaves a step as deep as its "
-                                               "cut, which is shallower now")}};
+                   strokes ? ExerciseText::tr("after more and shallower cuts less of it is left")
+                           : ExerciseText::tr("the last revolution leaves a step as deep as its "
+                                              "cut, which is shallower now")}};
     auto& stages = change.project.cycle.stages;
     for (std::size_t z = stages.size(); z-- > 0;) {
-        auto& feed = traverse ? stages[z].radial_feed_mm : stages[z].radial_feed_mm_min;
-        if (stages[z].spark_out.mode == SparkOut::Mode::none && feed && *feed > 0) {
+        auto& feed = stages[z].*radial.value;
+        if (stages[z].feeds() && feed && *feed > 0) {
             const double before = *feed;
             feed = before * slowing;
-            const char* const unit = traverse ? "mm/dbl stroke" : "mm/min";
+            const char* const unit = tableOf<Stage>().find(radial.key)->unit;
             change.told = ExerciseText::tr("The radial feed of stage %1 is halved, from %2 to %3.")
                               .arg(QString::number(z + 1), plainNumber(before),
                                    withUnit(plainNumber(*feed), unit));
@@ -169,8 +170,7 @@ MadeChange thicker(const Project& project) {
         {Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}};
     Project& changed = change.project;
     const double more = project.part.stock_mm * (moreStock - 1);
-    if (changed.cycle.stages.empty()
-        || changed.cycle.stages.front().spark_out.mode != SparkOut::Mode::none) {
+    if (changed.cycle.stages.empty() || !changed.cycle.stages.front().feeds()) {
         return {};
     }
     changed.part.stock_mm += more;
@@ -188,7 +188,7 @@ QString asksAt(const Place& at, const Place& wanted, const Outcome& outcome) {
     if (at.cycleCount == wanted.cycleCount) {
         return ExerciseText::tr("The step is at the place and the radius worked out above.");
     }
-    return (outcome.result.project.operation == Operation::traverse
+    return (outcome.result.project.operation->countsStrokes
                 ? ExerciseText::tr("The step is at the place and the radius worked out above; take "
                                    "double stroke %1, which both cycles have.")
                 : ExerciseText::tr("The step is at the place and the radius worked out above; take "
@@ -329,8 +329,8 @@ QString askedQuantity(Asked asked, Operation operation) {
     case Asked::stepForce_n: return ExerciseText::tr("Normal force Py of the step");
     case Asked::time_min: return ExerciseText::tr("Machining time");
     case Asked::count:
-        return operation == Operation::traverse ? ExerciseText::tr("Number of double strokes")
-                                                : ExerciseText::tr("Number of revolutions");
+        return operation->countsStrokes ? ExerciseText::tr("Number of double strokes")
+                                        : ExerciseText::tr("Number of revolutions");
     case Asked::spread_um: return ExerciseText::tr("Largest less smallest diameter along the part");
     case Asked::runout_um: return ExerciseText::tr("Largest radial runout");
     case Asked::peakForce_n: return ExerciseText::tr("Largest normal force Py");

@@ -17,11 +17,12 @@
 namespace sparkout::report {
 
 QString CycleCard::operation(const Project& project) {
-    if (project.operation == Operation::traverse) {
-        return tr("Cylindrical traverse grinding");
-    }
-    return project.part.surface == Surface::internal ? tr("Internal plunge grinding")
-                                                     : tr("Cylindrical plunge grinding");
+    return project.operation.match([](Traverse) { return tr("Cylindrical traverse grinding"); },
+                                   [&project](Plunge) {
+                                       return project.part.surface == Surface::internal
+                                                  ? tr("Internal plunge grinding")
+                                                  : tr("Cylindrical plunge grinding");
+                                   });
 }
 
 Facts CycleCard::header(const Project& project, const QDate& date) {
@@ -56,7 +57,7 @@ Facts CycleCard::settings(const Outcome& outcome) {
                       .arg(Names::significant(std::numbers::pi * project.part.diameter_mm
                                               * project.machine.work_speed_rpm / units::mmPerM))},
                  inputFact(project, "/part/initial_runout_mm")}};
-    if (project.operation == Operation::traverse) {
+    if (project.operation->travels) {
         for (const char* path :
              {"/machine/overrun_entry_mm", "/machine/overrun_exit_mm", "/machine/dwell_entry_s",
               "/machine/dwell_exit_s", "/machine/plunge_feed_mm_min"}) {
@@ -80,14 +81,16 @@ Facts CycleCard::settings(const Outcome& outcome) {
 
 Table CycleCard::stages(const Outcome& outcome) {
     const Project& project = outcome.result.project;
-    const bool traverse = project.operation == Operation::traverse;
+    const StageFeed& radial = project.operation->radial();
+    const StageFeed* const axial = project.operation->axial();
     Table table;
-    table.head = {tr("Stage"),
-                  traverse ? tr("Radial feed, mm/dbl stroke") : tr("Radial feed, mm/min")};
-    if (traverse) {
+    table.head = {tr("Stage"), project.operation->perMinute ? tr("Radial feed, mm/min")
+                                                            : tr("Radial feed, mm/dbl stroke")};
+    if (axial) {
         table.head << tr("Axial feed, mm/min");
     }
-    table.head << tr("Stock per side, mm") << (traverse ? tr("Double strokes") : tr("Revolutions"))
+    table.head << tr("Stock per side, mm")
+               << (project.operation->countsStrokes ? tr("Double strokes") : tr("Revolutions"))
                << tr("Machining time, min") << tr("Spark-out") << tr("Largest power, kW")
                << tr("Largest force Py, N");
     double stock = 0;
@@ -102,23 +105,21 @@ Table CycleCard::stages(const Outcome& outcome) {
     };
     for (std::size_t z = 0; z < count; ++z) {
         const Stage& stage = project.cycle.stages[z];
-        const bool feeds = stage.spark_out.mode == SparkOut::Mode::none;
+        const auto steps = stage.sparkOutSteps();
         QStringList row{QString::number(z + 1),
-                        feeds ? feed(traverse ? stage.radial_feed_mm : stage.radial_feed_mm_min)
-                              : plainNumber(0)};
-        if (traverse) {
-            row << feed(stage.axial_feed_mm_min);
+                        stage.feeds() ? feed(stage.*radial.value) : plainNumber(0)};
+        if (axial) {
+            row << feed(stage.*axial->value);
         }
         row << plainNumber(stage.stock_mm); // a spark-out removes its stock, too
         stock += stage.stock_mm;
         rest(row, outcome.shop.stages.at(z),
-             feeds ? cell({})
-             : stage.spark_out.mode == SparkOut::Mode::untilSize
-                 ? tr("until size")
-                 : plainNumber(stage.spark_out.count));
+             stage.feeds() ? cell({})
+             : steps       ? plainNumber(*steps)
+                           : tr("until size"));
     }
     QStringList sum{tr("Cycle"), cell({})};
-    if (traverse) {
+    if (axial) {
         sum << cell({});
     }
     sum << plainNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows

@@ -33,9 +33,8 @@ std::optional<Figure> feedsFigure(const OutcomePtr& outcome, double from_s, doub
     const auto count = static_cast<int>(outcome->feeds.columns.size());
     FeedsPlot plot;
     setUpForPaper(plot, feedsHeight);
-    plot.setRun(
-        outcome,
-        shownSections(count, project.operation == Operation::plunge ? gaugeSection(project) : 0));
+    plot.setRun(outcome,
+                shownSections(count, project.operation->hasZones ? 0 : gaugeSection(project)));
     plot.restyle();
     plot.setMoment(moment_s);
     plot.showTimes(from_s, to_s);

@@ -91,7 +91,7 @@ void CompliancePlot::setContent(ComplianceContent content) {
 double CompliancePlot::gaugePlace_mm() const {
     const SimulationResult& result = m_outcome->result;
     const Project& project = result.project;
-    if (project.operation == Operation::plunge && project.gauge.position_mm) {
+    if (!project.operation->hasZones && project.gauge.position_mm) {
         return *project.gauge.position_mm;
     }
     return result.sections.at(static_cast<std::size_t>(gaugeSection(project))).position_mm;
@@ -219,7 +219,7 @@ void CompliancePlot::fill() {
 void CompliancePlot::fillBands() {
     std::vector<Band> bands;
     const Project& project = m_outcome->result.project;
-    if (project.operation == Operation::traverse) {
+    if (project.operation->hasZones) {
         for (const CompliantPoint& point : compliantPoints(project)) {
             Band band;
             const auto index = bands.size();
@@ -374,10 +374,10 @@ LegendEntries CompliancePlot::complianceEntries() const {
                            has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ"),
                            sumKey, m_choice.shows(sumKey)});
     }
-    const bool traverse = m_outcome && m_outcome->result.project.operation == Operation::traverse;
+    const bool zones = m_outcome && m_outcome->result.project.operation->hasZones;
     entries.push_back(
         {colourOf(CompliancePart::rests), Qt::NoPen,
-         traverse ? tr("γ of the zones, as ground with") : tr("γ of the sections, as ground with"),
+         zones ? tr("γ of the zones, as ground with") : tr("γ of the sections, as ground with"),
          usedKey, m_choice.shows(usedKey)});
     return entries;
 }

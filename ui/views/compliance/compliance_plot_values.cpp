@@ -71,10 +71,10 @@ QString CompliancePlot::complianceAt(double x_mm) const {
 
 // --- cursors ------------------------------------------------------------------------------------
 
-/// In traverse grinding γ of the zone a place lies in; sections are points.
+/// γ of the zone a place lies in; sections are points.
 std::optional<double> CompliancePlot::groundWith(double x_mm) const {
     const Project& project = m_outcome->result.project;
-    if (project.operation != Operation::traverse) {
+    if (!project.operation->hasZones) {
         return std::nullopt;
     }
     std::size_t zone = 0;
@@ -111,8 +111,7 @@ ReadCurves CompliancePlot::complianceCurves() const {
                 along([part](const ComplianceParts& parts) { return valueOf(parts, part); }));
         }
     }
-    if (m_outcome && m_outcome->result.project.operation == Operation::traverse
-        && m_choice.shows(usedKey)) {
+    if (m_outcome && m_outcome->result.project.operation->hasZones && m_choice.shows(usedKey)) {
         add(tr("γ of the zones, as ground with"), [this](double x) { return groundWith(x); });
     }
     return curves;

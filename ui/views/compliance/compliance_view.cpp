@@ -141,7 +141,7 @@ bool ComplianceView::canPutGauge() const {
         return false;
     }
     const Project& project = m_good->result.project;
-    return project.operation == Operation::plunge && project.gauge.control == Control::gauge
+    return !project.operation->hasZones && project.gauge.control == Control::gauge
            && project.gauge.position_mm != m_plot->gauge().best()->position_mm;
 }
 
@@ -235,7 +235,7 @@ QString ComplianceView::notice() const {
             return tr("Stages end by the position of the wheel head: the gauge has no say, and all "
                       "its places are alike.");
         }
-        return project.operation == Operation::traverse
+        return project.operation->hasZones
                    ? tr("In traverse grinding the gauge stands in the middle of %1. The curves say "
                         "what it would do in another zone.")
                          .arg(Names::zone(Zone::nz))

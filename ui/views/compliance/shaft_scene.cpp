@@ -142,12 +142,12 @@ void ShaftScene::drawRests(QCPPainter* painter) {
     }
 }
 
-/// At the entry reversal in traverse grinding, over the middle in plunge grinding.
+/// At the entry reversal where it travels, else over the middle.
 void ShaftScene::drawWheel(QCPPainter* painter) {
     const Part& part = m_project.part;
     const double width = m_project.wheel.width_mm, radius = part.diameter_mm / 2;
     double from = (part.length_mm - width) / 2;
-    if (m_project.operation == Operation::traverse) {
+    if (m_project.operation->travels) {
         from = m_project.machine.entry_side == EntrySide::headstock
                    ? -m_project.machine.overrun_entry_mm
                    : part.length_mm + m_project.machine.overrun_entry_mm - width;

@@ -394,7 +394,7 @@ void ConstraintsPlot::restyle() {
 QString ConstraintsPlot::feedLabel() const {
     const LimitGroup* group = shownGroup();
     const bool stroke =
-        group && !group->standing && m_outcome->result.project.operation == Operation::traverse;
+        group && !group->standing && m_outcome->result.project.operation->countsStrokes;
     return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
 }
 

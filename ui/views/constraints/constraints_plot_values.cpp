@@ -130,8 +130,8 @@ CsvTable ConstraintsPlot::table() const {
     if (!group) {
         return table;
     }
-    const bool traverse = m_outcome->result.project.operation == Operation::traverse;
-    table.header << tr("stage") << (traverse ? tr("double stroke") : tr("revolution"))
+    const bool strokes = m_outcome->result.project.operation->countsStrokes;
+    table.header << tr("stage") << (strokes ? tr("double stroke") : tr("revolution"))
                  << tr("stock left, µm") << tr("actual feed, µm") << tr("width of cut, mm");
     const auto shows = [this](const DepthLimit& limit) {
         return m_choice.shows(static_cast<int>(limit.kind));

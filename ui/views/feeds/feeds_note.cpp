@@ -74,9 +74,9 @@ void FeedsNote::paintSteps() {
 }
 
 void FeedsNote::retranslate() {
-    const bool traverse = m_operation == Operation::traverse;
+    const bool strokes = m_operation->countsStrokes;
     setWindowTitle(tr("How to read the feeds"));
-    m_steps->setVisible(traverse);
+    m_steps->setVisible(strokes);
     m_steps->setAccessibleName(tr("Steps of a double stroke in each zone"));
     m_text->setAccessibleName(tr("Explanation"));
     for (int column = 0; column < int(std::size(zones)); ++column) {
@@ -88,7 +88,7 @@ void FeedsNote::retranslate() {
         }
     }
     QStringList text;
-    if (traverse) {
+    if (strokes) {
         text
             << tr("E1…E5 number the steps in which a zone is ground during one double stroke, so "
                   "the same number is another step in another zone. They are shown when a few "

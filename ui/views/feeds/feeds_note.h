@@ -27,7 +27,7 @@ private:
     [[nodiscard]] QLabel* cell(int row, int column);
     void paintSteps();
 
-    Operation m_operation = Operation::traverse;
+    Operation m_operation;
     QWidget* m_steps;
     QLabel* m_text;
     QPushButton* m_close;

@@ -136,7 +136,8 @@ private:
     [[nodiscard]] std::vector<Band> stepBands(const FeedColumn& column) const;
     [[nodiscard]] bool showsSteps() const;
     [[nodiscard]] std::vector<std::pair<Zone, Step>> stepsInSight() const;
-    [[nodiscard]] bool isTraverse() const { return series().operation == Operation::traverse; }
+    [[nodiscard]] bool countsStrokes() const { return series().operation->countsStrokes; }
+    [[nodiscard]] bool hasAxialFeed() const { return series().operation->axial() != nullptr; }
     void onMouse(QMouseEvent* event);
     [[nodiscard]] double visibleStrokes() const {
         return m_strokes.at(m_to_s) - m_strokes.at(m_from_s);

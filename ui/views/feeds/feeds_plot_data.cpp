@@ -46,9 +46,9 @@ void FeedsPlot::refresh() {
 
 void FeedsPlot::chooseDetail() {
     const double strokes = visibleStrokes();
-    if (strokes <= (isTraverse() ? mostStrokesByRadius : mostRevolutionsByRadius)) {
+    if (strokes <= (countsStrokes() ? mostStrokesByRadius : mostRevolutionsByRadius)) {
         m_detail = Detail::radius;
-    } else if (strokes <= (isTraverse() ? mostStrokesByPass : mostPassesDrawn)) {
+    } else if (strokes <= (countsStrokes() ? mostStrokesByPass : mostPassesDrawn)) {
         m_detail = Detail::pass;
     } else {
         m_detail = Detail::stroke;
@@ -56,7 +56,7 @@ void FeedsPlot::chooseDetail() {
 }
 
 bool FeedsPlot::showsSteps() const {
-    return isTraverse() && visibleStrokes() <= mostStrokesWithSteps;
+    return countsStrokes() && visibleStrokes() <= mostStrokesWithSteps;
 }
 
 std::vector<std::pair<Zone, Step>> FeedsPlot::stepsInSight() const {
@@ -204,7 +204,7 @@ void FeedsPlot::scaleValues() {
     const QCPRange radii = valuesOf({Quantity::came, Quantity::left});
     set(1, QCPAxis::atRight, radii.lower, radii.upper);
     const QCPRange force = valuesOf({Quantity::force});
-    if (isTraverse()) {
+    if (hasAxialFeed()) {
         set(2, QCPAxis::atLeft, 0, valuesOf({Quantity::axialFeed}).upper);
         set(2, QCPAxis::atRight, 0, force.upper);
     } else {

@@ -120,7 +120,7 @@ void FeedsPlot::setUpAxes(QCPAxisRect* rect, int row, bool first, bool last) {
         axis->setPadding(bottomPad);
         axis->ticker()->setTickCount(4);
     }
-    const bool rightValues = row == 1 || (row == 2 && isTraverse());
+    const bool rightValues = row == 1 || (row == 2 && hasAxialFeed());
     rect->axis(QCPAxis::atTop)->setVisible(true);
     rect->axis(QCPAxis::atTop)->setTicks(false);
     rect->axis(QCPAxis::atTop)->setTickLabels(false);
@@ -148,7 +148,7 @@ void FeedsPlot::addRow(Column& column, int row) {
         addCurves(column, Quantity::left, right, true);
         addCurves(column, Quantity::actualSum, left, true);
         addCurves(column, Quantity::programmedSum, left, false);
-    } else if (isTraverse()) {
+    } else if (hasAxialFeed()) {
         addCurves(column, Quantity::force, right, true);
         addCurves(column, Quantity::axialFeed, left, false);
     } else {
@@ -201,7 +201,7 @@ QString FeedsPlot::timeLabel() const {
     case CycleAxis::minutes: return tr("Time, min");
     case CycleAxis::seconds: return tr("Time, s");
     case CycleAxis::strokes:
-        return isTraverse() ? tr("Double strokes done") : tr("Revolutions done");
+        return countsStrokes() ? tr("Double strokes done") : tr("Revolutions done");
     case CycleAxis::revolutions: return tr("Revolutions done");
     }
     return {};
@@ -220,10 +220,10 @@ void FeedsPlot::labelAxes() {
 /// Full names in two lines, or brief ones where a plot is lower than those are long.
 void FeedsPlot::nameValueAxes(bool brief) {
     const bool stroke = m_detail == Detail::stroke;
-    const QString feed = brief           ? tr("Feed, µm")
-                         : !isTraverse() ? tr("Feed, µm\nper revolution")
-                         : stroke        ? tr("Feed, µm per\ndouble stroke")
-                                         : tr("Feed, µm\nper pass");
+    const QString feed = brief              ? tr("Feed, µm")
+                         : !countsStrokes() ? tr("Feed, µm\nper revolution")
+                         : stroke           ? tr("Feed, µm per\ndouble stroke")
+                                            : tr("Feed, µm\nper pass");
     const QString sum = brief ? tr("Σ feed,\nµm") : tr("Accumulated\nfeed, µm");
     const QString axial = brief ? tr("Axial,\nmm/min") : tr("Axial feed,\nmm/min");
     const QString force = brief ? tr("Force, N") : tr("Normal\nforce, N");
@@ -232,9 +232,9 @@ void FeedsPlot::nameValueAxes(bool brief) {
     const auto& right = m_columns.back().rects;
     left[0]->axis(QCPAxis::atLeft)->setLabel(feed);
     left[1]->axis(QCPAxis::atLeft)->setLabel(sum);
-    left[2]->axis(QCPAxis::atLeft)->setLabel(isTraverse() ? axial : force);
+    left[2]->axis(QCPAxis::atLeft)->setLabel(hasAxialFeed() ? axial : force);
     right[1]->axis(QCPAxis::atRight)->setLabel(radius);
-    right[2]->axis(QCPAxis::atRight)->setLabel(isTraverse() ? force : QString());
+    right[2]->axis(QCPAxis::atRight)->setLabel(hasAxialFeed() ? force : QString());
 }
 
 /// Height that the longest line of the value axes' names needs.

@@ -107,7 +107,7 @@ LegendEntries FeedsPlot::legendEntries() const {
     line(Quantity::actual, Qt::SolidLine);
     line(Quantity::came, Qt::DotLine);
     line(Quantity::left, Qt::SolidLine);
-    if (isTraverse()) {
+    if (hasAxialFeed()) {
         line(Quantity::axialFeed, Qt::SolidLine);
     }
     line(Quantity::force, Qt::SolidLine);

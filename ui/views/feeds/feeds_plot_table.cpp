@@ -61,9 +61,9 @@ CsvTable FeedsPlot::table() const {
     std::vector<Figure> figures;
     const bool byRadius = m_detail == Detail::radius;
     const bool spread = !byRadius && m_choice.shows(spreadKey);
-    table.header = {isTraverse() ? tr("zone") : tr("section"),
+    table.header = {series().operation->hasZones ? tr("zone") : tr("section"),
                     tr("stage"),
-                    isTraverse() ? tr("double stroke") : tr("revolution"),
+                    countsStrokes() ? tr("double stroke") : tr("revolution"),
                     tr("step"),
                     tr("pass of the step"),
                     tr("radius no."),

@@ -34,9 +34,9 @@ constexpr int wideView = 900;
 std::vector<int> FeedsView::shownColumns() const {
     const Project& project = m_good->result.project;
     const auto count = static_cast<int>(m_good->feeds.columns.size());
-    return project.operation == Operation::plunge
-               ? shownSections(count, gaugeSection(project), m_wantedSection)
-               : shownSections(count, 0);
+    return project.operation->hasZones
+               ? shownSections(count, 0)
+               : shownSections(count, gaugeSection(project), m_wantedSection);
 }
 
 void FeedsView::showOutcome() {
@@ -114,7 +114,7 @@ void FeedsView::showNote() {
     if (!m_noteDialog) {
         m_noteDialog = new FeedsNote(this);
     }
-    m_noteDialog->setOperation(m_good ? m_good->result.project.operation : Operation::traverse);
+    m_noteDialog->setOperation(m_good ? m_good->result.project.operation : Operation());
     m_noteDialog->show();
     m_noteDialog->raise();
     m_noteDialog->activateWindow();
@@ -124,7 +124,7 @@ void FeedsView::showNote() {
 
 void FeedsView::fillSpans() {
     const QSignalBlocker blocker(m_span);
-    const bool traverse = !m_good || m_good->result.project.operation == Operation::traverse;
+    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
     m_span->clear();
     m_span->addItem(tr("Whole cycle"), 0);
     if (m_good) {
@@ -132,9 +132,9 @@ void FeedsView::fillSpans() {
             m_span->addItem(tr("Stage %1").arg(stage.stage), stage.stage);
         }
     }
-    m_span->addItem(traverse ? tr("One double stroke") : tr("One revolution"), -1);
+    m_span->addItem(strokes ? tr("One double stroke") : tr("One revolution"), -1);
     const QString number =
-        traverse ? tr("Number of the double stroke") : tr("Number of the revolution");
+        strokes ? tr("Number of the double stroke") : tr("Number of the revolution");
     m_stroke->setAccessibleName(number);
     m_stroke->setToolTip(number);
     const QSignalBlocker strokeBlocker(m_stroke);
@@ -292,12 +292,12 @@ void FeedsView::onSectionChosen(int index) {
 
 void FeedsView::fillAxes() {
     const QSignalBlocker blocker(m_axis);
-    const bool traverse = !m_good || m_good->result.project.operation == Operation::traverse;
+    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
     m_axis->addItem(tr("Time, min"), static_cast<int>(CycleAxis::minutes));
     m_axis->addItem(tr("Time, s"), static_cast<int>(CycleAxis::seconds));
-    if (traverse) {
+    if (strokes) {
         m_axis->addItem(tr("Double strokes"), static_cast<int>(CycleAxis::strokes));
     }
     m_axis->addItem(tr("Revolutions"), static_cast<int>(CycleAxis::revolutions));
@@ -310,7 +310,7 @@ void FeedsView::fillSections() {
     const QSignalBlocker blocker(m_section);
     m_section->clear();
     const int count = static_cast<int>(m_good ? m_good->result.sections.size() : 0);
-    if (m_good && m_good->result.project.operation == Operation::plunge && count > 4) {
+    if (m_good && !m_good->result.project.operation->hasZones && count > 4) {
         m_section->addItem(tr("Evenly chosen"), -1);
         for (int i = 0; i < count; ++i) {
             m_section->addItem(Names::zone(Zone::section, i), i);

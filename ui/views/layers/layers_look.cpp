@@ -73,13 +73,13 @@ LegendEntries LayersLook::stages(const LayerSeries& series, const CurveChoice& c
 
 QString LayersLook::spanName(const LayerSeries& series, std::size_t span) {
     const LayerSpan& of = series.spans[span];
-    const bool traverse = series.operation == Operation::traverse;
+    const bool strokes = series.operation->countsStrokes;
     if (of.first == of.last) {
-        return (traverse ? tr("Double stroke %1, stage %2") : tr("Revolution %1, stage %2"))
+        return (strokes ? tr("Double stroke %1, stage %2") : tr("Revolution %1, stage %2"))
             .arg(of.first)
             .arg(of.stage);
     }
-    return (traverse ? tr("Double strokes %1…%2, stage %3") : tr("Revolutions %1…%2, stage %3"))
+    return (strokes ? tr("Double strokes %1…%2, stage %3") : tr("Revolutions %1…%2, stage %3"))
         .arg(of.first)
         .arg(of.last)
         .arg(of.stage);

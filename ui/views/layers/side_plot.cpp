@@ -65,9 +65,9 @@ void SidePlot::fit() {
     }
     const Project& project = m_outcome->result.project;
     const double L = project.part.length_mm, B = project.wheel.width_mm;
-    const bool plunge = project.operation == Operation::plunge;
-    double left = plunge ? (B - L) / 2 : project.machine.overrun_entry_mm;
-    double right = plunge ? left : project.machine.overrun_exit_mm;
+    const bool travels = project.operation->travels;
+    double left = travels ? project.machine.overrun_entry_mm : (B - L) / 2;
+    double right = travels ? project.machine.overrun_exit_mm : left;
     if (project.machine.entry_side == EntrySide::tailstock) {
         std::swap(left, right);
     }

@@ -118,13 +118,12 @@ SurfaceGrid makeSurfaceGrid(const LayerSeries& series, const LayersDone& done,
     const QColor text = palette.color(QPalette::Text);
     grid.wall = mixed(text, palette.color(QPalette::Base), wallAlpha / 255.0);
     grid.edge = mixed(text, grid.wall, boxAlpha / 255.0);
-    const bool traverse = series.operation == Operation::traverse;
-    grid.scales = {
-        {{LayersSurface::tr("Length, mm"), series.length_mm},
-         {traverse ? LayersSurface::tr("Double stroke") : LayersSurface::tr("Revolution"),
-          double(series.strokeCount())},
-         {LayersSurface::tr("Accumulated actual feed, µm"),
-          series.largestSum_mm() * units::umPerMm}}};
+    const bool strokes = series.operation->countsStrokes;
+    grid.scales = {{{LayersSurface::tr("Length, mm"), series.length_mm},
+                    {strokes ? LayersSurface::tr("Double stroke") : LayersSurface::tr("Revolution"),
+                     double(series.strokeCount())},
+                    {LayersSurface::tr("Accumulated actual feed, µm"),
+                     series.largestSum_mm() * units::umPerMm}}};
     const std::size_t together = (series.spans.size() + mostRows - 1) / mostRows;
     const SheetMaker maker(series, done, palette, dim);
     for (std::size_t i = 0; i < done.count && !series.columns.empty();) {

@@ -40,8 +40,8 @@ QString OptimiseText::cycle(const Cycle& cycle) {
                 numbers << showNumber(*feed, QLocale());
             }
         }
-        if (stage.spark_out.mode == SparkOut::Mode::count) {
-            numbers << tr("spark-out %1").arg(QLocale().toString(stage.spark_out.count));
+        if (const auto steps = stage.sparkOutSteps()) {
+            numbers << tr("spark-out %1").arg(QLocale().toString(*steps));
         }
         numbers << showNumber(stage.stock_mm, QLocale());
         stages << numbers.join(QStringLiteral(" · "));
@@ -65,7 +65,7 @@ QString OptimiseText::found(const FoundCycle& found, const Project& searched) {
 }
 
 QString OptimiseText::cycleHint(Operation operation) {
-    return operation == Operation::traverse
+    return operation->axial()
                ? tr("Of every stage: radial feed, mm per double stroke; axial feed, mm/min; stock "
                     "per side, mm")
                : tr("Of every stage: radial feed, mm/min; stock per side, mm");
@@ -105,7 +105,7 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
     case GridFault::none: break;
     case GridFault::notGiven: return tr("What is to be searched is not given.");
     case GridFault::noLevels:
-        return outcome.project.operation == Operation::traverse
+        return outcome.project.operation->axial()
                    ? tr("Both feeds need levels: page Search of the inputs.")
                    : tr("The plunge feed needs levels: page Search of the inputs.");
     case GridFault::tooManyLevels:

@@ -127,13 +127,13 @@ bool LongitudinalPlot::visible(LengthLine line) const {
 }
 
 void LongitudinalPlot::fill() {
-    const bool plunge = m_series.operation == Operation::plunge;
+    const bool sections = !m_series.operation->hasZones;
     for (const Curve& curve : m_curves) {
         const bool drawn = visible(curve.line) && (m_toScale || !curve.mirrored);
         curve.graph->setVisible(drawn);
         curve.graph->data()->set(
             toData(lengthLine(m_series, curve.line, quantity()), curve.mirrored ? -1 : 1), true);
-        const bool points = plunge && !m_toScale && m_series.profiles.size() <= 40;
+        const bool points = sections && !m_toScale && m_series.profiles.size() <= 40;
         const auto mark = [&](LengthLine line, QCPScatterStyle::ScatterShape shape, int size) {
             if (curve.line == line) {
                 curve.graph->setScatterStyle(points ? QCPScatterStyle(shape, size)

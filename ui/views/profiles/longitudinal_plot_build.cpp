@@ -93,10 +93,10 @@ void LongitudinalPlot::build() {
 
 void LongitudinalPlot::fillBands() {
     std::vector<Band> bands;
-    const bool plunge = m_series.operation == Operation::plunge;
+    const bool sections = !m_series.operation->hasZones;
     for (std::size_t i = 0; i < m_series.profiles.size(); ++i) {
         const Profile& p = m_series.profiles[i];
-        if (plunge && std::ranges::find(m_shown, static_cast<int>(i)) == m_shown.end()) {
+        if (sections && std::ranges::find(m_shown, static_cast<int>(i)) == m_shown.end()) {
             continue;
         }
         const bool middle = p.zone == Zone::nz;

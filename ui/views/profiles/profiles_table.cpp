@@ -82,8 +82,8 @@ CsvTable ProfilesTable::along(const ProfileSeries& series, LengthQuantity quanti
         {ProfileLine::field, LengthLine::upperLimit, tr("upper limit %1")},
     };
     CsvTable table;
-    table.header = {series.operation == Operation::traverse ? tr("zone") : tr("section"),
-                    tr("from, mm"), tr("middle, mm"), tr("to, mm")};
+    table.header = {series.operation->hasZones ? tr("zone") : tr("section"), tr("from, mm"),
+                    tr("middle, mm"), tr("to, mm")};
     for (const Column& column : columns) {
         if (on(column.line)) {
             table.header << column.name.arg(value);

@@ -177,8 +177,8 @@ void ProfilesView::showStroke() {
     const int number = stroke();
     m_slider->setValue(number);
     m_number->setValue(number);
-    const bool traverse = !m_good || m_good->result.project.operation == Operation::traverse;
-    m_strokeLabel->setText(traverse ? tr("Double stroke") : tr("Revolution"));
+    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
+    m_strokeLabel->setText(strokes ? tr("Double stroke") : tr("Revolution"));
     m_number->setSuffix(tr(" of %1").arg(m_slider->maximum()));
     const bool can = recorded();
     for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {

@@ -38,9 +38,9 @@ void ProfilesView::fillSections() {
         return;
     }
     const auto& sections = m_good->result.sections;
-    const bool traverse = m_good->result.project.operation == Operation::traverse;
+    const bool zones = m_good->result.project.operation->hasZones;
     const int count = static_cast<int>(sections.size());
-    m_section->addItem(traverse            ? tr("All zones")
+    m_section->addItem(zones               ? tr("All zones")
                        : count > mostCells ? tr("Evenly chosen")
                                            : tr("All sections"),
                        -1);

@@ -34,8 +34,8 @@ void ShopModel::setOutcome(OutcomePtr outcome) {
     m_rows.clear();
     if (m_outcome && !m_outcome->shop.stages.empty()) {
         for (int row = 0; row <= static_cast<int>(ShopRow::rotationRatio); ++row) {
-            const bool traverse = m_outcome->result.project.operation == Operation::traverse;
-            if (static_cast<ShopRow>(row) != ShopRow::overlap || traverse) {
+            const bool overlaps = m_outcome->result.project.operation->axial();
+            if (static_cast<ShopRow>(row) != ShopRow::overlap || overlaps) {
                 m_rows.push_back(static_cast<ShopRow>(row));
             }
         }

@@ -83,10 +83,9 @@ void ExamplesDialog::fill() {
         if (!read.project) {
             continue;
         }
-        const bool traverse = read.project->operation == Operation::traverse;
-        const Choice& choice = choicesOf<Operation>()[traverse ? 0 : 1];
+        const Choice& choice = read.project->operation->choice;
         new QListWidgetItem(
-            themeIcon(traverse ? u"traverse" : u"plunge"),
+            themeIcon(QString::fromLatin1(choice.key)),
             tr("%1\n%2").arg(exampleTitle(read.project->title), choiceText(choice.label)), m_list);
         m_entries.push_back({path, std::move(*read.project)});
     }
