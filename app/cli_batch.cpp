@@ -98,7 +98,7 @@ ordered_json characteristicJson(const CharacteristicSummary& summary, bool isSam
 ordered_json rejectsJson(const BatchSummary& summary) {
     ordered_json json = ordered_json::object();
     for (const RejectCause& cause : summary.causes) {
-        json[cause.kind ? constraintName(*cause.kind) : "size_not_reached"] = cause.count;
+        json[cause.kind ? requirementOf(*cause.kind).key : "size_not_reached"] = cause.count;
     }
     return json;
 }

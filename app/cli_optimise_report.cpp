@@ -30,9 +30,9 @@ double minutes(double time_s) {
 /// What cut, the most frequent first.
 std::vector<std::pair<long long, const char*>> cutsOf(const SearchSummary& search) {
     std::vector<std::pair<long long, const char*>> cuts;
-    for (int kind = 0; kind < constraintKinds; ++kind) {
-        if (const long long count = search.cuts[static_cast<std::size_t>(kind)]) {
-            cuts.emplace_back(count, constraintName(static_cast<ConstraintKind>(kind)));
+    for (const Requirement& row : requirementRows) {
+        if (const long long count = search.cuts[static_cast<std::size_t>(row.kind)]) {
+            cuts.emplace_back(count, row.key);
         }
     }
     std::stable_sort(cuts.begin(), cuts.end(),
@@ -58,7 +58,7 @@ std::string joined(const std::vector<const char*>& names) {
 std::vector<const char*> namesOf(const std::vector<ConstraintKind>& kinds) {
     std::vector<const char*> names;
     for (const ConstraintKind kind : kinds) {
-        names.push_back(constraintName(kind));
+        names.push_back(requirementOf(kind).key);
     }
     return names;
 }

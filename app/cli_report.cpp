@@ -53,18 +53,15 @@ std::string accuracyText(const SimulationResult& result, const PartAccuracy& acc
 }
 
 std::string constraintLine(const ConstraintResult& constraint) {
-    const std::string unit = constraintUnit(constraint.kind);
-    const int decimals = constraint.kind == ConstraintKind::gaugeCommands ? 0
-                         : unit == "mm"                                   ? 5
-                                                                          : 3;
+    const Requirement& row = requirementOf(constraint.kind);
+    const int decimals = row.digits.printed;
+    const std::string unit = row.unit, name = padded(std::string("  ") + row.key);
     if (!constraint.isWhole) {
-        return padded(std::string("  ") + constraintName(constraint.kind))
-               + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
+        return name + "not known: strips uncut, " + fixed(constraint.limit, decimals) + " " + unit
                + "  FAILS in " + whereText(constraint) + '\n';
     }
-    return padded(std::string("  ") + constraintName(constraint.kind))
-           + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals) + ", "
-           + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
+    return name + fixed(constraint.value, decimals) + ", " + fixed(constraint.limit, decimals)
+           + ", " + fixed(constraint.margin, decimals) + (unit.empty() ? "" : " ") + unit + "  "
            + (constraint.holds ? "holds" : "FAILS") + " in " + whereText(constraint) + '\n';
 }
 

@@ -78,8 +78,8 @@ py::list requirementsOf(const Evaluation& self) {
     using namespace py::literals;
     py::list list;
     for (const ConstraintResult& each : self.outcome->constraints) {
-        list.append(py::dict("name"_a = constraintName(each.kind), "where"_a = whereText(each),
-                             "unit"_a = constraintUnit(each.kind), "holds"_a = each.holds,
+        list.append(py::dict("name"_a = requirementOf(each.kind).key, "where"_a = whereText(each),
+                             "unit"_a = requirementOf(each.kind).unit, "holds"_a = each.holds,
                              "value"_a = each.isWhole ? each.value : none, "limit"_a = each.limit,
                              "margin"_a = each.isWhole ? each.margin : none));
     }
@@ -430,7 +430,7 @@ void bindSearch(py::module_& module) {
                 }
                 std::vector<std::string> names;
                 for (const ConstraintKind kind : *self.binding) {
-                    names.emplace_back(constraintName(kind));
+                    names.emplace_back(requirementOf(kind).key);
                 }
                 return names;
             },

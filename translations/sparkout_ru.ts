@@ -3662,26 +3662,6 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>LimitNames</name>
         <message>
-            <source>burn</source>
-            <translation>прижог</translation>
-        </message>
-        <message>
-            <source>self-sharpening</source>
-            <translation>самозатачивание круга</translation>
-        </message>
-        <message>
-            <source>wheel drive</source>
-            <translation>привод круга</translation>
-        </message>
-        <message>
-            <source>work drive</source>
-            <translation>привод детали</translation>
-        </message>
-        <message>
-            <source>roughness of the last cut</source>
-            <translation>шероховатость последнего прохода</translation>
-        </message>
-        <message>
             <source>%1, wheel standing</source>
             <translation>%1, круг стоит</translation>
         </message>
@@ -3795,10 +3775,6 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>Names</name>
         <message>
-            <source>Overlap of the turns</source>
-            <translation>Перекрытие витков</translation>
-        </message>
-        <message>
             <source>RZ1</source>
             <comment>entry reversal zone, short</comment>
             <translation>РЗ1</translation>
@@ -3883,18 +3859,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Остановлен</translation>
         </message>
         <message>
-            <source>Smallest diameter</source>
-            <translation>Мин. диаметр</translation>
-        </message>
-        <message>
-            <source>Largest diameter</source>
-            <translation>Макс. диаметр</translation>
-        </message>
-        <message>
-            <source>Radial runout</source>
-            <translation>Радиальное биение</translation>
-        </message>
-        <message>
             <source>and %1 more</source>
             <translation>и ещё %1</translation>
         </message>
@@ -3905,58 +3869,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>The inputs are refused</source>
             <translation>Исходные данные не приняты</translation>
-        </message>
-        <message>
-            <source>Roundness</source>
-            <translation>Отклонение от круглости</translation>
-        </message>
-        <message>
-            <source>Cylindricity</source>
-            <translation>Отклонение от цилиндричности</translation>
-        </message>
-        <message>
-            <source>Total runout</source>
-            <translation>Полное радиальное биение</translation>
-        </message>
-        <message>
-            <source>Roughness Ra</source>
-            <translation>Параметр Ra</translation>
-        </message>
-        <message>
-            <source>Depth of cut without burn</source>
-            <translation>Глубина резания без прижога</translation>
-        </message>
-        <message>
-            <source>Contact pressure on the wheel</source>
-            <translation>Давление на круг в контакте</translation>
-        </message>
-        <message>
-            <source>Wheel drive power</source>
-            <translation>Мощность привода круга</translation>
-        </message>
-        <message>
-            <source>Work drive power</source>
-            <translation>Мощность привода изделия</translation>
-        </message>
-        <message>
-            <source>Radial feed in range</source>
-            <translation>Радиальная подача в диапазоне</translation>
-        </message>
-        <message>
-            <source>Axial feed in range</source>
-            <translation>Осевая подача в диапазоне</translation>
-        </message>
-        <message>
-            <source>Plunge feed in range</source>
-            <translation>Врезная подача в диапазоне</translation>
-        </message>
-        <message>
-            <source>Work speed in range</source>
-            <translation>Частота вращения заготовки в диапазоне</translation>
-        </message>
-        <message>
-            <source>Gauge commands</source>
-            <translation>Число команд прибора</translation>
         </message>
         <message>
             <source>whole part</source>
@@ -4980,6 +4892,196 @@ target, µm</source>
         <message>
             <source>Course &amp;hand-out</source>
             <translation>&amp;Раздаточный материал</translation>
+        </message>
+    </context>
+    <context>
+        <name>Requirement</name>
+        <message>
+            <source>Smallest diameter</source>
+            <translation>Мин. диаметр</translation>
+        </message>
+        <message>
+            <source>diameter in %1 is %2 µm below the lower limit</source>
+            <translation>диаметр (%1) на %2 мкм меньше нижнего предела</translation>
+        </message>
+        <message>
+            <source>Largest diameter</source>
+            <translation>Макс. диаметр</translation>
+        </message>
+        <message>
+            <source>diameter in %1 is %2 µm above the upper limit</source>
+            <translation>диаметр (%1) на %2 мкм больше верхнего предела</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Радиальное биение</translation>
+        </message>
+        <message>
+            <source>radial runout in %1 is %2 µm above its limit</source>
+            <translation>радиальное биение (%1) на %2 мкм больше допуска</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Отклонение от круглости</translation>
+        </message>
+        <message>
+            <source>Between the circles of the minimum zone, MZCI (ISO 12181)</source>
+            <translation>По окружностям минимальной зоны (ISO 12181)</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Отклонение от цилиндричности</translation>
+        </message>
+        <message>
+            <source>Between the cylinders of the minimum zone, MZCY (ISO 12180)</source>
+            <translation>По цилиндрам минимальной зоны (ISO 12180)</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное радиальное биение</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Параметр Ra</translation>
+        </message>
+        <message>
+            <source>roughness of the last cut</source>
+            <translation>шероховатость последнего прохода</translation>
+        </message>
+        <message>
+            <source>Depth of cut without burn</source>
+            <translation>Глубина резания без прижога</translation>
+        </message>
+        <message>
+            <source>burn</source>
+            <translation>прижог</translation>
+        </message>
+        <message>
+            <source>Contact pressure on the wheel</source>
+            <translation>Давление на круг в контакте</translation>
+        </message>
+        <message>
+            <source>self-sharpening</source>
+            <translation>самозатачивание круга</translation>
+        </message>
+        <message>
+            <source>Wheel drive power</source>
+            <translation>Мощность привода круга</translation>
+        </message>
+        <message>
+            <source>wheel drive</source>
+            <translation>привод круга</translation>
+        </message>
+        <message>
+            <source>Work drive power</source>
+            <translation>Мощность привода изделия</translation>
+        </message>
+        <message>
+            <source>work drive</source>
+            <translation>привод детали</translation>
+        </message>
+        <message>
+            <source>Radial feed in range</source>
+            <translation>Радиальная подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Axial feed in range</source>
+            <translation>Осевая подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Plunge feed in range</source>
+            <translation>Врезная подача в диапазоне</translation>
+        </message>
+        <message>
+            <source>Work speed in range</source>
+            <translation>Частота вращения заготовки в диапазоне</translation>
+        </message>
+        <message>
+            <source>Gauge commands</source>
+            <translation>Число команд прибора</translation>
+        </message>
+        <message>
+            <source>the stages need %2 more gauge commands than there are</source>
+            <translation>ступеням не хватает команд прибора: %2</translation>
+        </message>
+        <message>
+            <source>Overlap of the turns</source>
+            <translation>Перекрытие витков</translation>
+        </message>
+        <message>
+            <source>overlap B/s in %1 is %3, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
+            <translation>перекрытие B/s (%1) равно %3, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
+        </message>
+    </context>
+    <context>
+        <name>RequirementBrief</name>
+        <message>
+            <source>Min. diameter</source>
+            <translation>d мин.</translation>
+        </message>
+        <message>
+            <source>Max. diameter</source>
+            <translation>d макс.</translation>
+        </message>
+        <message>
+            <source>Radial runout</source>
+            <translation>Рад. биение</translation>
+        </message>
+        <message>
+            <source>Roundness</source>
+            <translation>Круглость</translation>
+        </message>
+        <message>
+            <source>Cylindricity</source>
+            <translation>Цилиндричность</translation>
+        </message>
+        <message>
+            <source>Total runout</source>
+            <translation>Полное биение</translation>
+        </message>
+        <message>
+            <source>Roughness Ra</source>
+            <translation>Ra</translation>
+        </message>
+        <message>
+            <source>Depth, burn</source>
+            <translation>Глубина, прижог</translation>
+        </message>
+        <message>
+            <source>Pressure</source>
+            <translation>Давление</translation>
+        </message>
+        <message>
+            <source>Wheel power</source>
+            <translation>Привод круга</translation>
+        </message>
+        <message>
+            <source>Work power</source>
+            <translation>Привод изделия</translation>
+        </message>
+        <message>
+            <source>Radial feed</source>
+            <translation>Рад. подача</translation>
+        </message>
+        <message>
+            <source>Axial feed</source>
+            <translation>Ос. подача</translation>
+        </message>
+        <message>
+            <source>Plunge feed</source>
+            <translation>Врезание</translation>
+        </message>
+        <message>
+            <source>Work speed</source>
+            <translation>Частота n</translation>
+        </message>
+        <message>
+            <source>Gauge commands</source>
+            <translation>Команды ПАК</translation>
+        </message>
+        <message>
+            <source>Overlap</source>
+            <translation>Перекрытие</translation>
         </message>
     </context>
     <context>
@@ -6624,22 +6726,6 @@ target, µm</source>
     <context>
         <name>VerdictText</name>
         <message>
-            <source>overlap B/s in %1 is %2, below 1: strips stay uncut, so size, form and roughness are not known of the whole surface</source>
-            <translation>перекрытие B/s (%1) равно %2, меньше 1: остаются непрошлифованные полосы, поэтому размер, форма и шероховатость всей поверхности неизвестны</translation>
-        </message>
-        <message>
-            <source>diameter in %1 is %2 µm below the lower limit</source>
-            <translation>диаметр (%1) на %2 мкм меньше нижнего предела</translation>
-        </message>
-        <message>
-            <source>diameter in %1 is %2 µm above the upper limit</source>
-            <translation>диаметр (%1) на %2 мкм больше верхнего предела</translation>
-        </message>
-        <message>
-            <source>radial runout in %1 is %2 µm above its limit</source>
-            <translation>радиальное биение (%1) на %2 мкм больше допуска</translation>
-        </message>
-        <message>
             <source>%1 min</source>
             <translation>%1 мин</translation>
         </message>
@@ -6674,10 +6760,6 @@ target, µm</source>
         <message>
             <source>Holds the drawing</source>
             <translation>Требования чертежа выполнены</translation>
-        </message>
-        <message>
-            <source>the stages need %1 more gauge commands than there are</source>
-            <translation>ступеням не хватает команд прибора: %1</translation>
         </message>
         <message>
             <source>%1 (%2): %3 %4 outside</source>
@@ -11970,10 +12052,6 @@ target, µm</source>
             <translation>не известно: остались полосы</translation>
         </message>
         <message>
-            <source>Overlap</source>
-            <translation>Перекрытие</translation>
-        </message>
-        <message>
             <source>holds</source>
             <translation>выполнено</translation>
         </message>
@@ -12030,80 +12108,8 @@ target, µm</source>
             <translation>Единица</translation>
         </message>
         <message>
-            <source>Min. diameter</source>
-            <translation>d мин.</translation>
-        </message>
-        <message>
-            <source>Max. diameter</source>
-            <translation>d макс.</translation>
-        </message>
-        <message>
-            <source>Radial runout</source>
-            <translation>Рад. биение</translation>
-        </message>
-        <message>
-            <source>Roundness</source>
-            <translation>Круглость</translation>
-        </message>
-        <message>
-            <source>Cylindricity</source>
-            <translation>Цилиндричность</translation>
-        </message>
-        <message>
-            <source>Total runout</source>
-            <translation>Полное биение</translation>
-        </message>
-        <message>
-            <source>Roughness Ra</source>
-            <translation>Ra</translation>
-        </message>
-        <message>
-            <source>Depth, burn</source>
-            <translation>Глубина, прижог</translation>
-        </message>
-        <message>
-            <source>Pressure</source>
-            <translation>Давление</translation>
-        </message>
-        <message>
-            <source>Wheel power</source>
-            <translation>Привод круга</translation>
-        </message>
-        <message>
-            <source>Work power</source>
-            <translation>Привод изделия</translation>
-        </message>
-        <message>
-            <source>Radial feed</source>
-            <translation>Рад. подача</translation>
-        </message>
-        <message>
-            <source>Axial feed</source>
-            <translation>Ос. подача</translation>
-        </message>
-        <message>
-            <source>Plunge feed</source>
-            <translation>Врезание</translation>
-        </message>
-        <message>
-            <source>Work speed</source>
-            <translation>Частота n</translation>
-        </message>
-        <message>
-            <source>Gauge commands</source>
-            <translation>Команды ПАК</translation>
-        </message>
-        <message>
             <source>stage %1</source>
             <translation>ст. %1</translation>
-        </message>
-        <message>
-            <source>Between the circles of the minimum zone, MZCI (ISO 12181)</source>
-            <translation>По окружностям минимальной зоны (ISO 12181)</translation>
-        </message>
-        <message>
-            <source>Between the cylinders of the minimum zone, MZCY (ISO 12180)</source>
-            <translation>По цилиндрам минимальной зоны (ISO 12180)</translation>
         </message>
         <message>
             <source>Without a calibration of the wheel Ra comes out too small.</source>

@@ -3,7 +3,6 @@
 
 #include "core/quality/constraints.h"
 #include "core/quality/finished_surface.h"
-#include "core/quality/self_sharpening.h"
 #include "core/units.h"
 
 #include <algorithm>
@@ -11,20 +10,16 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <string_view>
 
 namespace sparkout {
 
 namespace {
 
-constexpr const char* diameterName = "diameter";
-constexpr const char* timeName = "time";
 constexpr double wholeLimit = 100; ///< [%]
 
-/// Whether the limit differs from part to part.
-bool isRelative(const char* name) {
-    return name == constraintName(ConstraintKind::burn)
-           || name == constraintName(ConstraintKind::selfSharpening);
+/// Whether the limit differs from part to part, so that values are in per cent of it.
+bool isRelative(const Requirement& row) {
+    return row.source == LimitSource::model;
 }
 
 /// The greatest power of two not above a thousandth of the width.
@@ -40,18 +35,14 @@ public:
         for (int i = 0; i < placeCount(m_project); ++i) {
             addSection(m_project.operation->hasZones ? static_cast<Zone>(i) : Zone::section, i);
         }
-        const Tolerance& tolerance = m_project.part.tolerance;
-        addUpper(ConstraintKind::cylindricity, tolerance.cylindricity_um);
-        addUpper(ConstraintKind::totalRunout, tolerance.total_runout_um);
-        if (m_project.material.burn_rise_k) {
-            addUpper(ConstraintKind::burn, wholeLimit);
+        m_zone = Zone::section;
+        m_section = -1;
+        for (const Requirement& row : requirementRows) {
+            if (row.scope == ConstraintScope::part || row.scope == ConstraintScope::pass) {
+                add(row);
+            }
         }
-        if (selfSharpening(m_project)) {
-            addUpper(ConstraintKind::selfSharpening, wholeLimit);
-        }
-        addUpper(ConstraintKind::wheelPower, m_project.machine.wheel_drive_kw);
-        addUpper(ConstraintKind::workPower, m_project.machine.work_drive_kw);
-        m_list.push_back({timeName, "s", Zone::section, -1, {}, {}, 0x1p-4});
+        m_list.push_back({"time", "s", Zone::section, -1, {}, {}, 0x1p-4});
         return std::move(m_list);
     }
 
@@ -59,36 +50,33 @@ private:
     void addSection(Zone zone, int section) {
         const Part& part = m_project.part;
         const double low = part.lower_deviation_um, high = part.upper_deviation_um;
-        const double fine = resolutionFor(high - low);
-        const auto name = [](ConstraintKind kind) { return constraintName(kind); };
         m_zone = zone;
         m_section = section;
-        m_list.push_back({diameterName, "µm", zone, section, low, high, fine});
-        m_list.push_back({name(ConstraintKind::diameterMin), "µm", zone, section, low, {}, fine});
-        m_list.push_back({name(ConstraintKind::diameterMax), "µm", zone, section, {}, high, fine});
-        m_list.push_back({name(ConstraintKind::radialRunout),
-                          "µm",
-                          zone,
-                          section,
-                          {},
-                          part.tolerance.radial_runout_um,
-                          resolutionFor(part.tolerance.radial_runout_um.value_or(high - low))});
-        addUpper(ConstraintKind::roundness, part.tolerance.roundness_um);
-        addUpper(ConstraintKind::roughness, part.tolerance.roughness_ra_um);
-        m_zone = Zone::section;
-        m_section = -1;
+        m_list.push_back({"diameter", "µm", zone, section, low, high, resolutionFor(high - low)});
+        for (const Requirement& row : requirementRows) {
+            if (row.scope == ConstraintScope::section) {
+                add(row);
+            }
+        }
     }
 
-    void addUpper(ConstraintKind kind, const std::optional<double>& limit) {
-        if (limit) {
-            m_list.push_back({constraintName(kind),
-                              isRelative(constraintName(kind)) ? "%" : constraintUnit(kind),
-                              m_zone,
-                              m_section,
-                              {},
-                              limit,
-                              resolutionFor(*limit)});
+    /// What is required, and the radial runout, which is there without any effort.
+    void add(const Requirement& row) {
+        const bool isOn = missingInput(row, m_project).empty();
+        if (!isOn && row.kind != ConstraintKind::radialRunout) {
+            return;
         }
+        std::optional<double> limit;
+        if (isOn) {
+            limit = isRelative(row) ? wholeLimit : statedLimit(row, m_project);
+        }
+        const Part& part = m_project.part;
+        const double width =
+            row.isDeviation || !limit ? part.upper_deviation_um - part.lower_deviation_um : *limit;
+        const std::optional<double> none;
+        m_list.push_back({row.key, isRelative(row) ? "%" : row.unit, m_zone, m_section,
+                          row.isLeast ? limit : none, row.isLeast ? none : limit,
+                          resolutionFor(width), &row});
     }
 
     const Project& m_project;
@@ -99,24 +87,23 @@ private:
 
 double valueOf(const Characteristic& characteristic, const SimulationResult& result,
                const std::vector<ConstraintResult>& constraints) {
-    const char* const name = characteristic.name;
-    if (name == timeName) {
+    const Requirement* const row = characteristic.requirement;
+    if (!row && characteristic.section < 0) {
         return result.time_s;
     }
-    if (name == diameterName) {
-        return meanDeviation_um(result.sections[static_cast<std::size_t>(characteristic.section)],
-                                result.project.part.diameter_mm);
+    const auto section = static_cast<std::size_t>(characteristic.section);
+    if (!row) {
+        return meanDeviation_um(result.sections[section], result.project.part.diameter_mm);
     }
-    if (name == constraintName(ConstraintKind::radialRunout)) {
-        return result.sections[static_cast<std::size_t>(characteristic.section)].radialRunout_mm
-               * units::umPerMm;
+    if (row->kind == ConstraintKind::radialRunout) {
+        return result.sections[section].radialRunout_mm * units::umPerMm;
     }
     double worst = std::numeric_limits<double>::quiet_NaN(); // of a drive's stages the greatest
     for (const ConstraintResult& constraint : constraints) {
-        if (constraintName(constraint.kind) == name
+        if (constraint.kind == row->kind
             && (characteristic.section < 0 || constraint.section == characteristic.section)) {
             const double value =
-                isRelative(name) ? wholeLimit * (1 - constraint.relativeMargin) : constraint.value;
+                isRelative(*row) ? wholeLimit * (1 - constraint.relativeMargin) : constraint.value;
             worst = std::isnan(worst) ? value : std::max(worst, value);
         }
     }
@@ -126,19 +113,13 @@ double valueOf(const Characteristic& characteristic, const SimulationResult& res
 } // namespace
 
 bool hasCapability(const Characteristic& characteristic) {
-    return (characteristic.low || characteristic.high)
-           && std::string_view(characteristic.unit) == "µm"
-           && std::string_view(characteristic.name) != constraintName(ConstraintKind::roughness);
+    const Requirement* const row = characteristic.requirement;
+    return (characteristic.low || characteristic.high) && (!row || row->isCapable);
 }
 
 bool isOfSurface(const Characteristic& characteristic) {
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (std::string_view(characteristic.name) == constraintName(kind)) {
-            return FinishedSurface::isMeantBy(kind);
-        }
-    }
-    return std::string_view(characteristic.name) == diameterName;
+    const Requirement* const row = characteristic.requirement;
+    return row ? row->isOfSurface() : characteristic.section >= 0;
 }
 
 double meanDeviation_um(const SectionResult& section, double nominal_mm) {
@@ -172,7 +153,7 @@ void measure(const SimulationResult& result, const std::vector<Characteristic>& 
             outcome.fails[static_cast<std::size_t>(constraint.kind)] = true;
         }
         const bool strips = constraint.kind == ConstraintKind::overlap && !constraint.holds;
-        if (scopeOf(constraint.kind) != ConstraintScope::setting || strips) {
+        if (requirementOf(constraint.kind).scope != ConstraintScope::setting || strips) {
             outcome.margin = std::min(outcome.margin, constraint.relativeMargin);
         }
     }

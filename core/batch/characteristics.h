@@ -21,6 +21,7 @@ struct Characteristic {
     int section = -1;                ///< index of the zone or section; −1: of the whole part
     std::optional<double> low, high; ///< limits
     double resolution = 0;           ///< width of the finest bins: a power of two
+    const Requirement* requirement = nullptr; ///< null: the mean diameter, or the time
 };
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);

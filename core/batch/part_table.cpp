@@ -3,23 +3,13 @@
 
 #include "core/printable.h"
 #include "core/project/validate.h"
-#include "core/quality/finished_surface.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 namespace sparkout {
-
-namespace {
-
-bool names(const Characteristic& characteristic, ConstraintKind kind) {
-    return std::string_view(characteristic.name) == constraintName(kind);
-}
-
-} // namespace
 
 PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token& stop) {
     PartColumns columns{source.factors(), characteristicsOf(source.nominal()), {}};
@@ -28,12 +18,11 @@ PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token&
          evaluateConstraints(simulateUnchecked(source.nominal(), nullptr, stop))) {
         asked[static_cast<std::size_t>(constraint.kind)] = true;
     }
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (asked[static_cast<std::size_t>(i)]
-            || std::ranges::any_of(columns.characteristics,
-                                   [kind](const auto& of) { return names(of, kind); })) {
-            columns.requirements.push_back(kind);
+    for (const Requirement& row : requirementRows) {
+        if (asked[static_cast<std::size_t>(row.kind)]
+            || std::ranges::find(columns.characteristics, &row, &Characteristic::requirement)
+                   != columns.characteristics.end()) {
+            columns.requirements.push_back(row.kind);
         }
     }
     return columns;
@@ -61,7 +50,7 @@ std::vector<std::string> PartTable::keys(const PartColumns& columns) {
         keys.push_back(std::string(of.name) + ' ' + placeKey(of) + " [" + of.unit + ']');
     }
     for (const ConstraintKind kind : columns.requirements) {
-        keys.push_back(std::string(constraintName(kind)) + " holds");
+        keys.push_back(std::string(requirementOf(kind).key) + " holds");
     }
     return keys;
 }
@@ -107,7 +96,7 @@ std::string PartTable::line(const PartRecord& record) const {
     for (const ConstraintKind kind : m_columns.requirements) {
         const auto at = static_cast<std::size_t>(kind);
         line += m_dialect.separator;
-        const bool known = whole || !FinishedSurface::isMeantBy(kind); // else it does not hold
+        const bool known = whole || !requirementOf(kind).isOfSurface(); // else it does not hold
         line += done && outcome.asked[at] ? word(known && !outcome.fails[at]) : std::string();
     }
     return line + m_dialect.lineEnd;

@@ -168,9 +168,9 @@ std::optional<std::vector<ConstraintKind>> brokenIn(const std::vector<Neighbour>
         }
     }
     std::vector<ConstraintKind> kinds;
-    for (std::size_t kind = 0; kind < binds.size(); ++kind) {
-        if (binds[kind]) {
-            kinds.push_back(static_cast<ConstraintKind>(kind));
+    for (const Requirement& row : requirementRows) {
+        if (binds[static_cast<std::size_t>(row.kind)]) {
+            kinds.push_back(row.kind);
         }
     }
     return kinds;

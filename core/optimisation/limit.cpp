@@ -46,7 +46,7 @@ double greatest(const Project& project, const StageFeed& feed) {
 double leastLimit(const Project& project, double b, double stock_mm) {
     double least = project.part.stock_mm;
     for (const DepthLimit& limit : depthLimits(project, b, stock_mm)) {
-        if (limit.kind != ConstraintKind::roughness) { // binds the last cut alone
+        if (requirementOf(limit.kind).bindsEveryPass()) {
             least = std::min(least, limit.depth_mm);
         }
     }

@@ -5,6 +5,8 @@
 #include "core/simulation/run.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -33,8 +35,7 @@ private:
     std::size_t m_points;         ///< whose diameters count
     double m_least_mm, m_most_mm; ///< of deviations
     bool m_isBore;
-    std::optional<double> m_wheelPower_w, m_workPower_w; ///< P_z·V_k allowed by the two drives
-    std::optional<double> m_depth_mm;                    ///< of self-sharpening
+    std::vector<std::pair<ConstraintKind, PassBound>> m_bounds;
 };
 
 } // namespace sparkout

@@ -1,59 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/constraints.h"
 
-#include "core/quality/cycle_constraints.h"
 #include "core/quality/drawing_constraints.h"
 #include "core/quality/finished_surface.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sparkout {
 
-namespace {
-
-struct KindInfo {
-    const char* name;
-    const char* unit;
-    ConstraintScope scope;
-};
-
-constexpr std::array<KindInfo, constraintKinds> kinds{{
-    {"diameter_min", "µm", ConstraintScope::section},
-    {"diameter_max", "µm", ConstraintScope::section},
-    {"radial_runout", "µm", ConstraintScope::section},
-    {"roundness", "µm", ConstraintScope::section},
-    {"cylindricity", "µm", ConstraintScope::part},
-    {"total_runout", "µm", ConstraintScope::part},
-    {"roughness", "µm", ConstraintScope::section},
-    {"burn", "µm", ConstraintScope::pass},
-    {"self_sharpening", "MPa", ConstraintScope::pass},
-    {"wheel_power", "kW", ConstraintScope::pass},
-    {"work_power", "kW", ConstraintScope::pass},
-    {"range_radial_feed", "mm", ConstraintScope::setting},
-    {"range_axial_feed", "mm/min", ConstraintScope::setting},
-    {"range_plunge_feed", "mm/min", ConstraintScope::setting},
-    {"range_work_speed", "rev/min", ConstraintScope::setting},
-    {"gauge_commands", "", ConstraintScope::setting},
-    {"overlap", "", ConstraintScope::setting},
-}};
-
-const KindInfo& infoOf(ConstraintKind kind) {
-    return kinds[static_cast<std::size_t>(kind)];
-}
-
-} // namespace
-
-const char* constraintName(ConstraintKind kind) {
-    return infoOf(kind).name;
-}
-
-const char* constraintUnit(ConstraintKind kind) {
-    return infoOf(kind).unit;
-}
-
-ConstraintScope scopeOf(ConstraintKind kind) {
-    return infoOf(kind).scope;
+ConstraintResult held(ConstraintKind kind, Side side, double limit, double value, double width) {
+    ConstraintResult result{kind};
+    result.section = -1;
+    result.limit = limit;
+    result.value = value;
+    result.isLeast = side == Side::atLeast;
+    result.margin = result.isLeast ? value - limit : limit - value;
+    result.relativeMargin = width > 0 ? result.margin / width : result.margin;
+    result.holds = result.margin >= 0;
+    return result;
 }
 
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result) {
@@ -62,14 +26,23 @@ std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result
 
 std::vector<ConstraintResult> evaluateConstraints(const SimulationResult& result,
                                                   const PartAccuracy& accuracy) {
-    std::vector<ConstraintResult> found = drawingConstraints(result, accuracy);
+    std::vector<ConstraintResult> found;
+    const auto evaluate = [&](bool ofSections, int section) {
+        for (const Requirement& row : requirementRows) {
+            if ((row.scope == ConstraintScope::section) == ofSections) {
+                row.evaluate(row.kind, {result, accuracy, section}, found);
+            }
+        }
+    };
+    for (std::size_t i = 0; i < result.sections.size(); ++i) {
+        evaluate(true, static_cast<int>(i));
+    }
+    evaluate(false, -1);
     const FinishedSurface surface(result.project);
     for (ConstraintResult& constraint : found) {
         constraint.isWhole = surface.tells(constraint.kind);
         constraint.holds = constraint.holds && constraint.isWhole;
     }
-    const std::vector<ConstraintResult> cycle = cycleConstraints(result);
-    found.insert(found.end(), cycle.begin(), cycle.end());
     return found;
 }
 

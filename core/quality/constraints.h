@@ -1,48 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/form/accuracy.h"
-#include "core/simulation/result.h"
+#include "core/quality/requirement.h"
 
 #include <optional>
 #include <vector>
 
 namespace sparkout {
 
-enum class ConstraintKind {
-    diameterMin,
-    diameterMax,
-    radialRunout,
-    roundness,
-    cylindricity,
-    totalRunout,
-    roughness,
-    burn,
-    selfSharpening,
-    wheelPower,
-    workPower,
-    rangeRadialFeed,
-    rangeAxialFeed,
-    rangePlungeFeed,
-    rangeWorkSpeed,
-    gaugeCommands,
-    overlap,
-};
-inline constexpr int constraintKinds = 17;
-
-/// What a requirement is held against.
-enum class ConstraintScope {
-    section, ///< each zone or section at the end of the cycle
-    part,    ///< the whole part at the end of the cycle
-    pass,    ///< every pass; kept is the worst
-    setting, ///< the settings of the machine and its cycle, for a stage or for all
-};
-[[nodiscard]] ConstraintScope scopeOf(ConstraintKind kind);
-
 /// Added to each diameter limit before comparing, so that a last bit fails nobody.
 inline constexpr double diameterSlack_mm = 1e-9;
 
-/// One requirement held against what it is about, in its unit (constraintUnit):
+/// One requirement held against what it is about, in the unit of its row. `limit` is the one that
+/// the value is compared with, so that always
+///
+///     margin = limit − value,  where the limit is the least that holds  margin = value − limit
 ///
 /// * burn: the depth of cut nearest to the greatest one whose damaged layer stays within the stock
 ///   left, and that depth;
@@ -64,15 +36,17 @@ struct ConstraintResult {
     bool isLeast = false;      ///< the limit is the least that holds, else the greatest
     std::optional<Place> at{}; ///< where in the cycle the value was reached, when in a pass
     int stage = 0;             ///< stage whose setting it is, from 1; 0: set for all, or no setting
-    std::optional<double> otherEnd{}; ///< of a range of the machine; `limit` is the nearer one
+    std::optional<double>
+        otherEnd{};      ///< of a range of the machine, where `limit` is the nearer one
     bool isWhole = true; ///< else strips stay uncut, and value and margin are of the rest alone
 };
 
-/// Name of a constraint in files and on the command line.
-[[nodiscard]] const char* constraintName(ConstraintKind kind);
+/// Which way a limit holds.
+enum class Side { atLeast, atMost };
 
-/// Unit of limit, value and margin; none for a number of commands.
-[[nodiscard]] const char* constraintUnit(ConstraintKind kind);
+/// A value held against its limit, of no section; the relative margin is a share of the width.
+[[nodiscard]] ConstraintResult held(ConstraintKind kind, Side side, double limit, double value,
+                                    double width);
 
 /// Form and position of what a cycle left, section by section and of the part [MODEL-7]. The
 /// longitudinal profile is read from the headstock on.

@@ -2,32 +2,29 @@
 #include "core/quality/cycle_constraints.h"
 
 #include "core/limits/burn.h"
+#include "core/process/coupled_sections.h"
+#include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
-#include "core/quality/ranges.h"
 #include "core/quality/self_sharpening.h"
 #include "core/units.h"
-
-#include <cmath>
 
 namespace sparkout {
 
 namespace {
 
-/// A requirement that holds up to its limit.
-ConstraintResult atMost(ConstraintKind kind, double limit, double value,
-                        std::optional<Place> at = std::nullopt) {
-    ConstraintResult result{kind};
-    result.section = -1;
-    result.limit = limit;
-    result.value = value;
-    result.margin = limit - value;
-    result.relativeMargin = limit > 0 ? result.margin / limit : result.margin;
-    result.holds = result.margin >= 0;
-    if (at && at->cycleCount > 0) { // 0: nothing was cut
+constexpr double wattsPerKilowatt = 1e3;
+constexpr double milliwattsPerWatt = 1e3;
+constexpr double milliwattsPerKilowatt = 1e6;
+
+/// A requirement that holds up to its limit, worst at a place.
+void add(ConstraintKind kind, double limit, double value, const Place& at,
+         ConstraintResults& found) {
+    ConstraintResult result = held(kind, Side::atMost, limit, value, limit);
+    if (at.cycleCount > 0) { // 0: nothing was cut
         result.at = at;
-        result.zone = at->zone;
+        result.zone = at.zone;
     }
-    return result;
+    found.push_back(result);
 }
 
 Peak largestDepth(const SimulationResult& result) {
@@ -38,71 +35,18 @@ Peak largestDepth(const SimulationResult& result) {
     return largest;
 }
 
-// P_y/(b·L) = load(a)·0.25·f_cr·n_g rises with a at every width, so the largest a is the worst.
-void addSelfSharpening(const SimulationResult& result, std::vector<ConstraintResult>& found) {
-    if (const auto model = selfSharpening(result.project)) {
-        const Peak depth = largestDepth(result);
-        const double allowed = model->allowedPressure_mpa;
-        const double pressure = depth.value > 0 ? model->load(depth.value) * allowed : 0;
-        found.push_back(atMost(ConstraintKind::selfSharpening, allowed, pressure, depth.at));
+/// The width and the depth of cut that took the largest P_z·V_k.
+struct PeakCut {
+    double b = 0, a = 0;
+};
+std::optional<PeakCut> peakCut(const SimulationResult& result) {
+    const Project& project = result.project;
+    if (isCoupled(project) || result.peakPower_w <= 0) {
+        return std::nullopt;
     }
-}
-
-// The drives' powers are P_z·V_k and P_z·V_d: the same pass is the worst for both.
-void addPowers(const SimulationResult& result, std::vector<ConstraintResult>& found) {
-    constexpr double wattsPerKilowatt = 1e3;
-    const Machine& machine = result.project.machine;
-    const double wheel_kw = result.peakPower_w / wattsPerKilowatt;
-    if (machine.wheel_drive_kw) {
-        found.push_back(atMost(ConstraintKind::wheelPower, *machine.wheel_drive_kw, wheel_kw,
-                               result.peakPowerAt));
-    }
-    if (machine.work_drive_kw) {
-        const Cutting cutting = cuttingOf(result.project);
-        found.push_back(atMost(ConstraintKind::workPower, *machine.work_drive_kw,
-                               wheel_kw * cutting.Vd_mm_s / cutting.Vk_mm_s, result.peakPowerAt));
-    }
-}
-
-ConstraintKind kindOf(RangeKind kind) {
-    switch (kind) {
-    case RangeKind::radialFeed: return ConstraintKind::rangeRadialFeed;
-    case RangeKind::axialFeed: return ConstraintKind::rangeAxialFeed;
-    case RangeKind::plungeFeed: return ConstraintKind::rangePlungeFeed;
-    case RangeKind::workSpeed: break;
-    }
-    return ConstraintKind::rangeWorkSpeed;
-}
-
-void addSettings(const Project& project, std::vector<ConstraintResult>& found) {
-    for (const MachineRange& check : checkMachineRanges(project)) {
-        ConstraintResult result{kindOf(check.kind)};
-        result.section = -1;
-        result.stage = check.stage;
-        result.value = check.value;
-        result.isLeast = check.value - check.low < check.high - check.value;
-        result.limit = result.isLeast ? check.low : check.high;
-        result.otherEnd = result.isLeast ? check.high : check.low;
-        result.margin = check.margin;
-        result.relativeMargin = check.relativeMargin;
-        result.holds = check.holds;
-        found.push_back(result);
-    }
-    if (const auto gauge = checkGaugeCommands(project)) {
-        found.push_back(atMost(ConstraintKind::gaugeCommands, gauge->commands, gauge->stages));
-    }
-    for (const OverlapCheck& check : checkOverlaps(project)) {
-        ConstraintResult result{ConstraintKind::overlap};
-        result.section = -1;
-        result.stage = check.stage;
-        result.value = check.overlap;
-        result.limit = leastOverlap;
-        result.isLeast = true;
-        result.margin = check.overlap - leastOverlap;
-        result.relativeMargin = result.margin / leastOverlap;
-        result.holds = check.holds();
-        found.push_back(result);
-    }
+    const double b = effectiveWidth(project, result.peakPowerAt);
+    return PeakCut{b,
+                   PowerModel(project).wheelLimitDepth(b, result.peakPower_w * milliwattsPerWatt)};
 }
 
 } // namespace
@@ -122,16 +66,104 @@ std::optional<BurnState> burnStateOf(const SimulationResult& result) {
     return state;
 }
 
-std::vector<ConstraintResult> cycleConstraints(const SimulationResult& result) {
-    std::vector<ConstraintResult> found;
-    if (const auto burn = burnStateOf(result)) {
-        found.push_back(atMost(ConstraintKind::burn, burn->limitDepth_mm * units::umPerMm,
-                               burn->visit.depth_mm * units::umPerMm, burn->visit.at));
+void evaluateBurn(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto burn = burnStateOf(of.result)) {
+        add(kind, burn->limitDepth_mm * units::umPerMm, burn->visit.depth_mm * units::umPerMm,
+            burn->visit.at, found);
     }
-    addSelfSharpening(result, found);
-    addPowers(result, found);
-    addSettings(result.project, found);
-    return found;
+}
+
+std::optional<FormulaSheet> sheetOfBurn(const Judged& of) {
+    const std::optional<BurnVisit>& burn = of.result.burn;
+    const Project& project = of.result.project;
+    return burn ? std::optional(
+               burnLimitSheet(project, *project.material.burn_rise_k, burn->stock_mm))
+                : std::nullopt;
+}
+
+std::optional<double> burnDepth(const Project& project, double /*b*/, double stock) {
+    const auto& U = project.material.burn_rise_k;
+    return U ? std::optional(BurnModel(project).limitDepth(*U, stock)) : std::nullopt;
+}
+
+// P_y/(b·L) = load(a)·0.25·f_cr·n_g rises with a at every width, so the largest a is the worst.
+void evaluateSelfSharpening(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto model = selfSharpening(of.result.project)) {
+        const Peak depth = largestDepth(of.result);
+        const double allowed = model->allowedPressure_mpa;
+        const double pressure = depth.value > 0 ? model->load(depth.value) * allowed : 0;
+        add(kind, allowed, pressure, depth.at, found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfSelfSharpening(const Judged& of) {
+    return selfSharpeningSheet(of.result.project);
+}
+
+std::optional<double> selfSharpeningDepth(const Project& project, double /*b*/, double /*stock*/) {
+    const auto model = selfSharpening(project);
+    return model ? std::optional(model->limitDepth().value_or(0)) : std::nullopt;
+}
+
+std::optional<PassBound> selfSharpeningBound(const Project& project) {
+    const auto model = selfSharpening(project);
+    const auto depth = model ? model->limitDepth() : std::nullopt;
+    return depth ? std::optional(PassBound{PassBound::Peak::depth_mm, *depth}) : std::nullopt;
+}
+
+// The drives' powers are P_z·V_k and P_z·V_d: the same pass is the worst for both.
+void evaluateWheelPower(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto& limit = of.result.project.machine.wheel_drive_kw) {
+        add(kind, *limit, of.result.peakPower_w / wattsPerKilowatt, of.result.peakPowerAt, found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfWheelPower(const Judged& of) {
+    const auto cut = peakCut(of.result);
+    return cut ? std::optional(wheelPowerSheet(of.result.project, cut->b, cut->a)) : std::nullopt;
+}
+
+std::optional<double> wheelPowerDepth(const Project& project, double b, double /*stock*/) {
+    const auto& N = project.machine.wheel_drive_kw;
+    return N ? std::optional(PowerModel(project).wheelLimitDepth(b, *N * milliwattsPerKilowatt))
+             : std::nullopt;
+}
+
+std::optional<PassBound> wheelPowerBound(const Project& project) {
+    const auto& limit = project.machine.wheel_drive_kw;
+    return limit && !isCoupled(project)
+               ? std::optional(PassBound{PassBound::Peak::power_w, *limit * wattsPerKilowatt})
+               : std::nullopt;
+}
+
+void evaluateWorkPower(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto& limit = of.result.project.machine.work_drive_kw) {
+        const Cutting cutting = cuttingOf(of.result.project);
+        add(kind, *limit,
+            of.result.peakPower_w / wattsPerKilowatt * cutting.Vd_mm_s / cutting.Vk_mm_s,
+            of.result.peakPowerAt, found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfWorkPower(const Judged& of) {
+    const auto cut = peakCut(of.result);
+    return cut ? std::optional(workPowerSheet(of.result.project, cut->b, cut->a)) : std::nullopt;
+}
+
+std::optional<double> workPowerDepth(const Project& project, double b, double /*stock*/) {
+    const auto& N = project.machine.work_drive_kw;
+    return N ? std::optional(PowerModel(project).workLimitDepth(b, *N * milliwattsPerKilowatt))
+             : std::nullopt;
+}
+
+std::optional<PassBound> workPowerBound(const Project& project) {
+    const auto& limit = project.machine.work_drive_kw;
+    if (!limit || isCoupled(project)) {
+        return std::nullopt;
+    }
+    const Cutting cutting = cuttingOf(project);
+    return PassBound{PassBound::Peak::power_w,
+                     *limit * wattsPerKilowatt * cutting.Vk_mm_s / cutting.Vd_mm_s};
 }
 
 } // namespace sparkout

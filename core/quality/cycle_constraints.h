@@ -3,6 +3,7 @@
 
 #include "core/quality/constraints.h"
 
+/// Burn, self-sharpening and power: what the passes of a cycle are held against [MODEL-8].
 namespace sparkout {
 
 /// The visit nearest to burning, with its numbers [MODEL-8].
@@ -16,8 +17,25 @@ struct BurnState {
 /// left.
 [[nodiscard]] std::optional<BurnState> burnStateOf(const SimulationResult& result);
 
-/// Burn, self-sharpening, power, the machine's ranges and the gauge's commands: what a cycle is
-/// held against beside the drawing [MODEL-8].
-[[nodiscard]] std::vector<ConstraintResult> cycleConstraints(const SimulationResult& result);
+void evaluateBurn(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfBurn(const Judged& of);
+[[nodiscard]] std::optional<double> burnDepth(const Project& project, double b, double stock);
+
+void evaluateSelfSharpening(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfSelfSharpening(const Judged& of);
+[[nodiscard]] std::optional<double> selfSharpeningDepth(const Project& project, double b,
+                                                        double stock);
+[[nodiscard]] std::optional<PassBound> selfSharpeningBound(const Project& project);
+
+/// Of coupled sections, whose power is an integral, there is neither a sheet nor a bound.
+void evaluateWheelPower(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfWheelPower(const Judged& of);
+[[nodiscard]] std::optional<double> wheelPowerDepth(const Project& project, double b, double stock);
+[[nodiscard]] std::optional<PassBound> wheelPowerBound(const Project& project);
+
+void evaluateWorkPower(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfWorkPower(const Judged& of);
+[[nodiscard]] std::optional<double> workPowerDepth(const Project& project, double b, double stock);
+[[nodiscard]] std::optional<PassBound> workPowerBound(const Project& project);
 
 } // namespace sparkout

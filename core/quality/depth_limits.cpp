@@ -1,45 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/depth_limits.h"
 
-#include "core/limits/burn.h"
 #include "core/process/system_compliance.h"
-#include "core/quality/power.h"
-#include "core/quality/roughness.h"
-#include "core/quality/self_sharpening.h"
-#include "core/units.h"
 
 #include <algorithm>
 
 namespace sparkout {
 
-namespace {
-
-constexpr double milliwattsPerKilowatt = 1e6;
-
-} // namespace
-
 std::vector<DepthLimit> depthLimits(const Project& project, double b, double stock) {
     std::vector<DepthLimit> limits;
-    if (const auto& Ra = project.part.tolerance.roughness_ra_um) {
-        limits.push_back(
-            {ConstraintKind::roughness, RoughnessModel(project).limitDepth(*Ra / units::umPerMm)});
-    }
-    if (const auto& U = project.material.burn_rise_k) {
-        limits.push_back({ConstraintKind::burn, BurnModel(project).limitDepth(*U, stock)});
-    }
-    if (const auto sharpening = selfSharpening(project)) {
-        limits.push_back({ConstraintKind::selfSharpening, sharpening->limitDepth().value_or(0)});
-    }
-    const PowerModel power(project);
-    if (const auto& N = project.machine.wheel_drive_kw) {
-        limits.push_back(
-            {ConstraintKind::wheelPower, power.wheelLimitDepth(b, *N * milliwattsPerKilowatt)});
-    }
-    if (const auto& N = project.machine.work_drive_kw) {
-        limits.push_back(
-            {ConstraintKind::workPower, power.workLimitDepth(b, *N * milliwattsPerKilowatt)});
+    for (const Requirement& row : requirementRows) {
+        const auto depth = row.depthLimit ? row.depthLimit(project, b, stock) : std::nullopt;
+        if (depth) {
+            limits.push_back({row.kind, *depth});
+        }
     }
     return limits;
+}
+
+std::vector<ConstraintKind> depthLimitKinds() {
+    std::vector<ConstraintKind> kinds;
+    for (const bool everyPass : {true, false}) {
+        for (const Requirement& row : requirementRows) {
+            if (row.depthLimit && row.bindsEveryPass() == everyPass) {
+                kinds.push_back(row.kind);
+            }
+        }
+    }
+    return kinds;
 }
 
 bool wheelStands(const Place& place) {

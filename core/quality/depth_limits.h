@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/constraints.h"
+#include "core/quality/requirement.h"
 
-#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -19,6 +18,9 @@ struct DepthLimit {
 /// S_lim = a·n [MODEL-8]. Roughness limits the last cut alone. The least of them is the stepless
 /// limit at this stock.
 [[nodiscard]] std::vector<DepthLimit> depthLimits(const Project& project, double b, double stock);
+
+/// The requirements that limit the depth of cut: of every pass, then those of the last cut alone.
+[[nodiscard]] std::vector<ConstraintKind> depthLimitKinds();
 
 /// Whether the wheel stands on its zone in this step: plunge-in and dwells [MODEL-5].
 [[nodiscard]] bool wheelStands(const Place& place);

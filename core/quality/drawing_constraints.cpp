@@ -10,88 +10,115 @@ namespace sparkout {
 
 namespace {
 
-/// Which way a limit holds.
-enum class Side { atLeast, atMost };
+using units::umPerMm;
 
-constexpr double slack_um = diameterSlack_mm * units::umPerMm;
+constexpr double slack_um = diameterSlack_mm * umPerMm;
 
-/// Requirements in µm, held against sections or the part.
-class DrawingConstraints {
-public:
-    DrawingConstraints(const SimulationResult& result, const PartAccuracy& accuracy)
-        : m_result(result), m_accuracy(accuracy) {}
+const SectionResult& judgedSection(const Judged& of) {
+    return of.result.sections[static_cast<std::size_t>(of.section)];
+}
 
-    std::vector<ConstraintResult> evaluate() {
-        for (m_index = 0; m_index < m_result.sections.size(); ++m_index) {
-            addSection(m_result.sections[m_index]);
-        }
-        const Tolerance& tolerance = m_result.project.part.tolerance;
-        addPart(ConstraintKind::cylindricity, tolerance.cylindricity_um,
-                m_accuracy.minimumZone.deviation());
-        addPart(ConstraintKind::totalRunout, tolerance.total_runout_um, m_accuracy.totalRunout_mm);
-        return std::move(m_found);
-    }
-
-private:
-    void addSection(const SectionResult& section) {
-        const Part& part = m_result.project.part;
-        const double low = part.lower_deviation_um, high = part.upper_deviation_um;
-        add(ConstraintKind::diameterMin, Side::atLeast, low,
-            section.diameterDeviationMin_mm * units::umPerMm, high - low);
-        add(ConstraintKind::diameterMax, Side::atMost, high,
-            section.diameterDeviationMax_mm * units::umPerMm, high - low);
-        const Tolerance& tolerance = part.tolerance;
-        addLimit(ConstraintKind::radialRunout, tolerance.radial_runout_um,
-                 section.radialRunout_mm * units::umPerMm);
-        if (tolerance.roundness_um) {
-            addLimit(ConstraintKind::roundness, tolerance.roundness_um,
-                     m_accuracy.sections[m_index].minimumZone.deviation() * units::umPerMm);
-        }
-        if (tolerance.roughness_ra_um && section.lastCut) {
-            const double Ra = RoughnessModel(m_result.project).roughness(section.lastCut->depth_mm);
-            addLimit(ConstraintKind::roughness, tolerance.roughness_ra_um, Ra * units::umPerMm);
-            m_found.back().at = section.lastCut->at;
-        }
-    }
-
-    void add(ConstraintKind kind, Side side, double limit, double value, double width) {
-        ConstraintResult result{kind};
-        result.zone = m_result.sections[m_index].zone;
-        result.section = static_cast<int>(m_index);
-        result.limit = limit;
-        result.value = value;
-        result.isLeast = side == Side::atLeast;
-        result.margin = result.isLeast ? value - limit : limit - value;
-        result.relativeMargin = result.margin / width;
-        result.holds = result.margin >= -slack_um;
-        m_found.push_back(result);
-    }
-
-    void addLimit(ConstraintKind kind, const std::optional<double>& limit, double value) {
-        if (limit) {
-            add(kind, Side::atMost, *limit, value, *limit);
-        }
-    }
-
-    void addPart(ConstraintKind kind, const std::optional<double>& limit, double value_mm) {
-        if (limit && !m_result.sections.empty()) {
-            m_index = 0;
-            addLimit(kind, limit, value_mm * units::umPerMm);
-            m_found.back().section = -1;
-        }
-    }
-
-    const SimulationResult& m_result;
-    const PartAccuracy& m_accuracy;
-    std::vector<ConstraintResult> m_found;
-    std::size_t m_index = 0;
-};
+const Tolerance& toleranceOf(const Judged& of) {
+    return of.result.project.part.tolerance;
+}
 
 double geometricRunout(const SimulationResult& result) {
-    return result.project.machine.geometric_runout_um / units::umPerMm;
+    return result.project.machine.geometric_runout_um / umPerMm;
+}
+
+/// A requirement in µm, held against a section or the part.
+void add(ConstraintKind kind, Side side, const Judged& of, double limit, double value, double width,
+         ConstraintResults& found) {
+    ConstraintResult result = held(kind, side, limit, value, width);
+    result.section = of.section;
+    result.zone = of.result.sections[static_cast<std::size_t>(std::max(of.section, 0))].zone;
+    result.holds = result.margin >= -slack_um;
+    found.push_back(result);
+}
+
+void addTolerance(ConstraintKind kind, const Judged& of, double limit, double value_mm,
+                  ConstraintResults& found) {
+    add(kind, Side::atMost, of, limit, value_mm * umPerMm, limit, found);
 }
 
 } // namespace
+
+void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const Part& part = of.result.project.part;
+    const double low = part.lower_deviation_um;
+    add(kind, Side::atLeast, of, low, judgedSection(of).diameterDeviationMin_mm * umPerMm,
+        part.upper_deviation_um - low, found);
+}
+
+void evaluateLargestDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const Part& part = of.result.project.part;
+    const double high = part.upper_deviation_um;
+    add(kind, Side::atMost, of, high, judgedSection(of).diameterDeviationMax_mm * umPerMm,
+        high - part.lower_deviation_um, found);
+}
+
+void evaluateRadialRunout(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto& limit = toleranceOf(of).radial_runout_um) {
+        addTolerance(kind, of, *limit, judgedSection(of).radialRunout_mm, found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfRadialRunout(const Judged& of) {
+    const SectionResult& section = judgedSection(of);
+    return radialRunoutSheet({section.position_mm, section.radii_mm}, geometricRunout(of.result));
+}
+
+void evaluateRoundness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    if (const auto& limit = toleranceOf(of).roundness_um) {
+        const auto index = static_cast<std::size_t>(of.section);
+        addTolerance(kind, of, *limit, of.accuracy.sections[index].minimumZone.deviation(), found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfRoundness(const Judged& of) {
+    return roundnessSheet(of.accuracy.sections[static_cast<std::size_t>(of.section)].minimumZone);
+}
+
+void evaluateCylindricity(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const auto& limit = toleranceOf(of).cylindricity_um;
+    if (limit && !of.result.sections.empty()) {
+        addTolerance(kind, of, *limit, of.accuracy.minimumZone.deviation(), found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfCylindricity(const Judged& of) {
+    return cylindricitySheet(of.accuracy.minimumZone);
+}
+
+void evaluateTotalRunout(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const auto& limit = toleranceOf(of).total_runout_um;
+    if (limit && !of.result.sections.empty()) {
+        addTolerance(kind, of, *limit, of.accuracy.totalRunout_mm, found);
+    }
+}
+
+std::optional<FormulaSheet> sheetOfTotalRunout(const Judged& of) {
+    return totalRunoutSheet(shapesOf(of.result), geometricRunout(of.result));
+}
+
+void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults& found) {
+    const auto& limit = toleranceOf(of).roughness_ra_um;
+    const std::optional<LastCut>& last = judgedSection(of).lastCut;
+    if (limit && last) {
+        addTolerance(kind, of, *limit, RoughnessModel(of.result.project).roughness(last->depth_mm),
+                     found);
+        found.back().at = last->at;
+    }
+}
+
+std::optional<FormulaSheet> sheetOfRoughness(const Judged& of) {
+    return roughnessSheet(of.result.project, judgedSection(of).lastCut->depth_mm);
+}
+
+std::optional<double> roughnessDepth(const Project& project, double /*b*/, double /*stock*/) {
+    const auto& Ra = project.part.tolerance.roughness_ra_um;
+    return Ra ? std::optional(RoughnessModel(project).limitDepth(*Ra / umPerMm)) : std::nullopt;
+}
 
 std::vector<SectionShape> shapesOf(const SimulationResult& result) {
     std::vector<SectionShape> shapes;
@@ -103,11 +130,6 @@ std::vector<SectionShape> shapesOf(const SimulationResult& result) {
 
 PartAccuracy accuracyOf(const SimulationResult& result) {
     return partAccuracy(shapesOf(result), geometricRunout(result));
-}
-
-std::vector<ConstraintResult> drawingConstraints(const SimulationResult& result,
-                                                 const PartAccuracy& accuracy) {
-    return DrawingConstraints(result, accuracy).evaluate();
 }
 
 PartAccuracy requiredAccuracy(const SimulationResult& result) {

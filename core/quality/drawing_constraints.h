@@ -3,16 +3,32 @@
 
 #include "core/quality/constraints.h"
 
+/// Diameters, runouts, form and roughness against the drawing: what their rows evaluate [MODEL-8].
 namespace sparkout {
 
 /// As much of accuracyOf() as the drawing's tolerances need.
 [[nodiscard]] PartAccuracy requiredAccuracy(const SimulationResult& result);
 
-/// Diameters, runouts, form and roughness against the drawing [MODEL-8].
-[[nodiscard]] std::vector<ConstraintResult> drawingConstraints(const SimulationResult& result,
-                                                               const PartAccuracy& accuracy);
-
 /// Places and radii of the sections, as the accuracy of the part takes them.
 [[nodiscard]] std::vector<SectionShape> shapesOf(const SimulationResult& result);
+
+void evaluateLeastDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+void evaluateLargestDiameter(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+
+void evaluateRadialRunout(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfRadialRunout(const Judged& of);
+
+void evaluateRoundness(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfRoundness(const Judged& of);
+
+void evaluateCylindricity(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfCylindricity(const Judged& of);
+
+void evaluateTotalRunout(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfTotalRunout(const Judged& of);
+
+void evaluateRoughness(ConstraintKind kind, const Judged& of, ConstraintResults& found);
+[[nodiscard]] std::optional<FormulaSheet> sheetOfRoughness(const Judged& of);
+[[nodiscard]] std::optional<double> roughnessDepth(const Project& project, double b, double stock);
 
 } // namespace sparkout

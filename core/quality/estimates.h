@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/field.h"
-#include "core/quality/constraints.h"
+#include "core/quality/requirement.h"
 
 #include <vector>
 

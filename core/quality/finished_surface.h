@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/constraints.h"
 #include "core/quality/ranges.h"
+#include "core/quality/requirement.h"
 
 #include <optional>
 #include <utility>
@@ -19,15 +19,12 @@ class FinishedSurface {
 public:
     explicit FinishedSurface(const Project& project) : m_whole(!leavesStrips(project)) {}
 
-    /// Whether a requirement is about the finished surface.
-    [[nodiscard]] static bool isMeantBy(ConstraintKind kind) {
-        return scopeOf(kind) == ConstraintScope::section || scopeOf(kind) == ConstraintScope::part;
-    }
-
     /// Else strips stay uncut.
     [[nodiscard]] bool isWhole() const { return m_whole; }
     /// Whether the value of a requirement can be stated.
-    [[nodiscard]] bool tells(ConstraintKind kind) const { return m_whole || !isMeantBy(kind); }
+    [[nodiscard]] bool tells(ConstraintKind kind) const {
+        return m_whole || !requirementOf(kind).isOfSurface();
+    }
     /// A quantity of the surface, where it can be stated.
     template <class Value>
     [[nodiscard]] std::optional<Value> stated(Value value) const {

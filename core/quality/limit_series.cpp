@@ -19,15 +19,11 @@ namespace {
 constexpr int burnPoints = 161;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-bool isPower(ConstraintKind kind) {
-    return kind == ConstraintKind::wheelPower || kind == ConstraintKind::workPower;
-}
-
 /// Of the limits that bind every cut the least; infinite without any.
 double leastOf(const std::vector<DepthLimit>& limits) {
     double least = infinite;
     for (const DepthLimit& limit : limits) {
-        if (limit.kind != ConstraintKind::roughness) {
+        if (requirementOf(limit.kind).bindsEveryPass()) {
             least = std::min(least, limit.depth_mm);
         }
     }
@@ -111,7 +107,8 @@ private:
             LimitedStage stage{pass.place.stage, pass.effectiveWidth_mm, m_series.deepest_mm, {}};
             const bool coupled = isCoupled(m_project);
             for (const DepthLimit& limit : depthLimits(m_project, stage.width_mm, 0)) {
-                if (limit.kind != ConstraintKind::burn && !(coupled && isPower(limit.kind))) {
+                if (limit.kind != ConstraintKind::burn
+                    && !(coupled && requirementOf(limit.kind).sharedBySections)) {
                     stage.fixed.push_back(limit);
                 }
             }

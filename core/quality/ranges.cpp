@@ -25,7 +25,7 @@ double nearestSetting(double value, double low, double high, double step) {
 
 class Checks {
 public:
-    void add(RangeKind kind, const Limits& limits, int stage, std::optional<double> value) {
+    void add(ConstraintKind kind, const Limits& limits, int stage, std::optional<double> value) {
         if (!limits || limits->size() != 3 || !value) {
             return;
         }
@@ -35,13 +35,8 @@ public:
         check.low = (*limits)[0];
         check.high = (*limits)[1];
         check.step = (*limits)[2];
-        check.margin = std::min(check.value - check.low, check.high - check.value);
-        const double width = check.high - check.low;
-        check.relativeMargin =
-            check.margin / (width > 0 ? width : std::max(std::abs(check.high), 1.0));
-        check.holds = check.margin >= 0;
         check.nearest = nearestSetting(check.value, check.low, check.high, check.step);
-        const double slack = stepSlack * (check.step > 0 ? check.step : width);
+        const double slack = stepSlack * (check.step > 0 ? check.step : check.high - check.low);
         check.onStep = std::abs(check.value - check.nearest) <= slack;
         m_found.push_back(check);
     }
@@ -51,10 +46,10 @@ private:
     std::vector<MachineRange> m_found;
 };
 
-RangeKind kindOf(const StageFeed& feed) {
-    return feed.range == &MachineLimits::radial_feed_mm      ? RangeKind::radialFeed
-           : feed.range == &MachineLimits::axial_feed_mm_min ? RangeKind::axialFeed
-                                                             : RangeKind::plungeFeed;
+ConstraintKind kindOf(const StageFeed& feed) {
+    return feed.range == &MachineLimits::radial_feed_mm      ? ConstraintKind::rangeRadialFeed
+           : feed.range == &MachineLimits::axial_feed_mm_min ? ConstraintKind::rangeAxialFeed
+                                                             : ConstraintKind::rangePlungeFeed;
 }
 
 /// A retraction is set as fast as a feed is. A spark-out has an axial feed only.
@@ -76,10 +71,11 @@ std::vector<MachineRange> checkMachineRanges(const Project& project) {
         }
     }
     if (project.operation->travels) {
-        checks.add(RangeKind::plungeFeed, limits.plunge_feed_mm_min, 0,
+        checks.add(ConstraintKind::rangePlungeFeed, limits.plunge_feed_mm_min, 0,
                    project.machine.plunge_feed_mm_min);
     }
-    checks.add(RangeKind::workSpeed, limits.work_speed_rpm, 0, project.machine.work_speed_rpm);
+    checks.add(ConstraintKind::rangeWorkSpeed, limits.work_speed_rpm, 0,
+               project.machine.work_speed_rpm);
     return checks.take();
 }
 

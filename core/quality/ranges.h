@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/project.h"
+#include "core/quality/requirement.h"
 
 #include <optional>
 #include <vector>
 
 namespace sparkout {
 
-enum class RangeKind { radialFeed, axialFeed, plungeFeed, workSpeed };
-
 /// One setting of the machine held against what the machine can be set to [MODEL-8], in the
 /// range's own unit: mm a double stroke, mm/min, mm/min, rev/min.
 struct MachineRange {
-    RangeKind kind;
+    ConstraintKind kind;
     int stage = 0; ///< stage of the cycle, from 1; 0: set once for the whole cycle
     double value = 0;
     double low = 0, high = 0, step = 0;
-    double margin = 0;         ///< distance to the nearer end, positive inside
-    double relativeMargin = 0; ///< margin over the width of the range
-    bool holds = false;
     double nearest = 0;  ///< the nearest value the machine can be set to
     bool onStep = false; ///< whether the value is it, to 1e-6 of a step
 };
@@ -33,8 +28,6 @@ struct MachineRange {
 struct GaugeCommands {
     int stages = 0;
     int commands = 0;
-    [[nodiscard]] int margin() const { return commands - stages; }
-    [[nodiscard]] bool holds() const { return stages <= commands; }
 };
 
 /// Nothing where the wheel head's position ends the stages.

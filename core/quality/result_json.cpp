@@ -56,8 +56,8 @@ ordered_json constraintJson(const ConstraintResult& constraint) {
     const auto whole = [&constraint](double value) {
         return constraint.isWhole ? ordered_json(value) : ordered_json(nullptr);
     };
-    return {{"name", constraintName(constraint.kind)},
-            {"unit", constraintUnit(constraint.kind)},
+    return {{"name", requirementOf(constraint.kind).key},
+            {"unit", requirementOf(constraint.kind).unit},
             {"limit", constraint.limit},
             {"value", whole(constraint.value)},
             {"margin", whole(constraint.margin)},

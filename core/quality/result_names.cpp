@@ -49,7 +49,7 @@ std::string whereText(const ConstraintResult& constraint) {
     if (constraint.at) {
         return placeText(*constraint.at);
     }
-    switch (scopeOf(constraint.kind)) {
+    switch (requirementOf(constraint.kind).scope) {
     case ConstraintScope::section: return sectionName(constraint.zone, constraint.section);
     case ConstraintScope::part: return "part";
     case ConstraintScope::pass:

@@ -111,7 +111,7 @@ std::string worstPlace(const ConstraintResult& constraint) {
         const int section = constraint.at ? constraint.at->section : constraint.section;
         return zone == Zone::section ? "section " + std::to_string(section) : zoneKeyOf(zone);
     }
-    if (scopeOf(constraint.kind) == ConstraintScope::part) {
+    if (requirementOf(constraint.kind).scope == ConstraintScope::part) {
         return "part";
     }
     return constraint.stage > 0 ? "stage " + std::to_string(constraint.stage) : "cycle";
@@ -205,7 +205,7 @@ RunSummary summarise(const SimulationResult& result, const PartAccuracy& accurac
     summary.peak_normal_force_n = result.peakNormalForce_n;
     summary.peak_power_w = result.peakPower_w;
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
-        summary.requirements.push_back({constraintName(constraint.kind), worstPlace(constraint),
+        summary.requirements.push_back({requirementOf(constraint.kind).key, worstPlace(constraint),
                                         constraint.limit, constraint.value, constraint.margin,
                                         constraint.relativeMargin, constraint.holds});
     }

@@ -30,7 +30,7 @@ struct ZoneSummary {
 
 /// A requirement at its worst place.
 struct RequirementSummary {
-    std::string name;  ///< constraintName()
+    std::string name;  ///< Requirement::key
     std::string where; ///< "rz1", "section 2" (from 0), "part", "stage 2", "cycle"
     double limit = 0;
     double value = 0;

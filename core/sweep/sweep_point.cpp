@@ -30,8 +30,8 @@ public:
             addSection(m_result.sections[i], static_cast<int>(i));
         }
         for (const ConstraintResult& constraint : worstByKind(m_constraints)) {
-            if (scopeOf(constraint.kind) != ConstraintScope::section) {
-                add(constraintName(constraint.kind), constraintUnit(constraint.kind),
+            if (requirementOf(constraint.kind).scope != ConstraintScope::section) {
+                add(requirementOf(constraint.kind).key, requirementOf(constraint.kind).unit,
                     valueOf(constraint));
             }
         }
@@ -64,7 +64,8 @@ private:
         std::optional<double> least;
         for (const ConstraintResult& constraint : m_constraints) {
             point.good = point.good && constraint.holds;
-            if (scopeOf(constraint.kind) != ConstraintScope::setting && constraint.isWhole) {
+            if (requirementOf(constraint.kind).scope != ConstraintScope::setting
+                && constraint.isWhole) {
                 least =
                     std::min(least.value_or(constraint.relativeMargin), constraint.relativeMargin);
             }
@@ -92,21 +93,21 @@ private:
         addHere("diameter", diameter);
         bool runout = false, roundness = false;
         for (const ConstraintResult& constraint : m_constraints) {
-            if (scopeOf(constraint.kind) == ConstraintScope::section
+            if (requirementOf(constraint.kind).scope == ConstraintScope::section
                 && constraint.section == index) {
-                addHere(constraintName(constraint.kind), valueOf(constraint));
+                addHere(requirementOf(constraint.kind).key, valueOf(constraint));
                 runout = runout || constraint.kind == ConstraintKind::radialRunout;
                 roundness = roundness || constraint.kind == ConstraintKind::roundness;
             }
         }
         if (!runout) {
-            addHere(constraintName(ConstraintKind::radialRunout),
+            addHere(requirementOf(ConstraintKind::radialRunout).key,
                     {section.radialRunout_mm * units::umPerMm});
         }
         if (!roundness) {
             const Directions directions(section.radii_mm.size());
             addHere(
-                constraintName(ConstraintKind::roundness),
+                requirementOf(ConstraintKind::roundness).key,
                 {minimumZoneCircles(section.radii_mm, directions).deviation() * units::umPerMm});
         }
     }

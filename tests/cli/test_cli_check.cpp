@@ -65,7 +65,7 @@ private slots:
         row("gauge_commands", "/gauge/commands", 5, 1);
         row("overlap", "/cycle/stages/0/axial_feed_mm_min", 900, 9100);
         for (int kind = 0; kind < constraintKinds; ++kind) {
-            QVERIFY(named.contains(constraintName(static_cast<ConstraintKind>(kind))));
+            QVERIFY(named.contains(requirementOf(static_cast<ConstraintKind>(kind)).key));
         }
     }
 

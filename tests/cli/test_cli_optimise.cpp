@@ -166,7 +166,7 @@ private slots:
         json binding = json::array();
         const auto kinds = bindingRequirements(project, *found.best);
         for (const ConstraintKind kind : kinds.value()) {
-            binding.push_back(constraintName(kind));
+            binding.push_back(requirementOf(kind).key);
         }
         QVERIFY(!binding.empty() && answer.at("binding") == binding);
         json file = shaft();
@@ -270,7 +270,7 @@ private slots:
         const auto kinds =
             bindingRequirements(found, found.cycle, std::llround(simulate(found).time_s * 1e6));
         for (const ConstraintKind kind : kinds.value()) {
-            binding.push_back(constraintName(kind));
+            binding.push_back(requirementOf(kind).key);
         }
         QVERIFY(answer.at("binding") == binding);
         const std::string text = optimize({saved, "--refine"}).out;

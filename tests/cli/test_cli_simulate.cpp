@@ -158,7 +158,7 @@ private:
                                  const std::vector<ConstraintResult>& expected) {
         QCOMPARE(answer.size(), expected.size());
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            QVERIFY(answer[i].at("name") == constraintName(expected[i].kind));
+            QVERIFY(answer[i].at("name") == requirementOf(expected[i].kind).key);
             QCOMPARE(answer[i].at("limit").get<double>(), expected[i].limit);
             QCOMPARE(answer[i].at("value").get<double>(), expected[i].value);
             QCOMPARE(answer[i].at("margin").get<double>(), expected[i].margin);

@@ -4,7 +4,6 @@
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/part_table.h"
-#include "core/quality/finished_surface.h"
 
 #include "tests/core/batch_fixtures.h"
 #include "tests/registry.h"
@@ -252,10 +251,10 @@ private slots:
             int failed = 0;
             for (const ConstraintKind kind : rows.columns.requirements) {
                 const auto at =
-                    std::ranges::find(keys, std::string(constraintName(kind)) + " holds");
+                    std::ranges::find(keys, std::string(requirementOf(kind).key) + " holds");
                 QVERIFY(at != keys.end());
                 const std::string& cell = cells[static_cast<std::size_t>(at - keys.begin())];
-                if (FinishedSurface::isMeantBy(kind) || kind == ConstraintKind::overlap) {
+                if (requirementOf(kind).isOfSurface() || kind == ConstraintKind::overlap) {
                     QVERIFY2(cell != "true", at->c_str()); // empty: not required of this part
                     failed += cell == "false" ? 1 : 0;
                 }

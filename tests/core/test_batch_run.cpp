@@ -375,9 +375,9 @@ private slots:
         const auto characteristics = characteristicsOf(source.nominal());
         for (const ConstraintResult& c : evaluateConstraints(
                  simulateUnchecked(source.project(result.statistics.rows[3].part)))) {
-            bool listed = scopeOf(c.kind) == ConstraintScope::setting;
+            bool listed = requirementOf(c.kind).scope == ConstraintScope::setting;
             for (std::size_t i = 0; i < characteristics.size(); ++i) {
-                if (std::string(characteristics[i].name) != constraintName(c.kind)) {
+                if (std::string(characteristics[i].name) != requirementOf(c.kind).key) {
                     continue;
                 }
                 listed = true;
@@ -387,7 +387,7 @@ private slots:
                         close(result.statistics.rows[3].values[i], 100 * c.value / c.limit, 1e-9));
                 }
             }
-            QVERIFY2(listed, constraintName(c.kind));
+            QVERIFY2(listed, requirementOf(c.kind).key);
         }
     }
 

@@ -68,7 +68,7 @@ private slots:
             const auto sheet = constraintSheet(result, accuracy, c);
             const bool readOff = c.kind == ConstraintKind::diameterMin
                                  || c.kind == ConstraintKind::diameterMax
-                                 || scopeOf(c.kind) == ConstraintScope::setting;
+                                 || requirementOf(c.kind).scope == ConstraintScope::setting;
             QCOMPARE(sheet.has_value(), !readOff);
             if (!sheet) {
                 continue;
@@ -81,7 +81,7 @@ private slots:
             if (c.kind == ConstraintKind::burn) {
                 QVERIFY(close(shown, c.limit, 1e-12));
             } else if (c.kind != ConstraintKind::selfSharpening) {
-                QVERIFY2(close(shown, c.value, 1e-9), constraintName(c.kind));
+                QVERIFY2(close(shown, c.value, 1e-9), requirementOf(c.kind).key);
             }
         }
         QVERIFY(stated >= 10);

@@ -186,7 +186,7 @@ private slots:
             "overlap"};
         QCOMPARE(std::size(names), static_cast<std::size_t>(constraintKinds));
         for (int kind = 0; kind < constraintKinds; ++kind) {
-            QCOMPARE(std::string(constraintName(static_cast<ConstraintKind>(kind))),
+            QCOMPARE(std::string(requirementOf(static_cast<ConstraintKind>(kind)).key),
                      std::string(names[kind]));
         }
     }
@@ -211,8 +211,9 @@ private slots:
                 QCOMPARE(std::ranges::count(all, ConstraintKind::overlap, &ConstraintResult::kind),
                          static_cast<std::ptrdiff_t>(q.cycle.stages.size()));
                 for (const ConstraintResult& each : all) {
-                    const bool ofTheSurface = scopeOf(each.kind) == ConstraintScope::section
-                                              || scopeOf(each.kind) == ConstraintScope::part;
+                    const bool ofTheSurface =
+                        requirementOf(each.kind).scope == ConstraintScope::section
+                        || requirementOf(each.kind).scope == ConstraintScope::part;
                     QCOMPARE(each.isWhole, !(strips && ofTheSurface));
                     QVERIFY(each.isWhole || !each.holds);
                     if (each.kind == ConstraintKind::overlap

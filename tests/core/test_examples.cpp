@@ -51,7 +51,7 @@ std::string namesOf(const std::vector<ConstraintResult>& constraints, bool holdi
     std::string names;
     for (const ConstraintResult& constraint : worstByKind(constraints)) {
         if (constraint.holds == holding) {
-            names += (names.empty() ? "" : ", ") + std::string(constraintName(constraint.kind));
+            names += (names.empty() ? "" : ", ") + std::string(requirementOf(constraint.kind).key);
         }
     }
     return names.empty() ? "none" : names;

@@ -120,7 +120,7 @@ private slots:
             const BurnState state = burnStateOf(drawn.result).value();
             QVERIFY(
                 close(worst->worst.usage, state.visit.depth_mm / state.limitDepth_mm, tableError));
-            const auto constraints = cycleConstraints(drawn.result);
+            const auto constraints = evaluateConstraints(drawn.result);
             const auto burn =
                 std::ranges::find(constraints, ConstraintKind::burn, &ConstraintResult::kind);
             const LimitedCut cut = limitedCutOf(drawn.result, drawn.trajectory, *burn).value();
@@ -138,7 +138,7 @@ private slots:
             for (const LimitGroup& group : drawn.series.groups) {
                 worst = group.worst.usage > worst->usage ? &group.worst : worst;
             }
-            const auto constraints = cycleConstraints(drawn.result);
+            const auto constraints = evaluateConstraints(drawn.result);
             const auto power =
                 std::ranges::find(constraints, ConstraintKind::wheelPower, &ConstraintResult::kind);
             const LimitedCut cut = limitedCutOf(drawn.result, drawn.trajectory, *power).value();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/ranges.h"
 
+#include "core/quality/constraints.h"
 #include "tests/core/project_fixtures.h"
 #include "tests/registry.h"
 
@@ -15,13 +16,22 @@ using fixtures::within;
 
 namespace {
 
-std::vector<MachineRange> ofKind(const Project& project, RangeKind kind) {
+std::vector<MachineRange> ofKind(const Project& project, ConstraintKind kind) {
     std::vector<MachineRange> found;
     for (const MachineRange& check : checkMachineRanges(project)) {
         if (check.kind == kind) {
             found.push_back(check);
         }
     }
+    return found;
+}
+
+/// What the settings are held against, by kind.
+std::vector<ConstraintResult> heldOf(const Project& project, ConstraintKind kind) {
+    SimulationResult result;
+    result.project = project;
+    std::vector<ConstraintResult> found;
+    requirementOf(kind).evaluate(kind, {result, {}}, found);
     return found;
 }
 
@@ -50,18 +60,21 @@ private slots:
     void everyFeedAndSpeedOfATraverseCycleIsLookedAt() {
         Project p = fixtures::traverse();
         limit(p);
-        const auto radial = ofKind(p, RangeKind::radialFeed);
+        const auto radial = ofKind(p, ConstraintKind::rangeRadialFeed);
         QCOMPARE(radial.size(), std::size_t(2));
         QCOMPARE(radial[0].stage, 1);
         QCOMPARE(radial[1].stage, 2);
         QCOMPARE(radial[1].value, 0.001);
-        QCOMPARE(ofKind(p, RangeKind::axialFeed).size(), std::size_t(2));
-        QCOMPARE(ofKind(p, RangeKind::plungeFeed).size(), std::size_t(1));
-        QCOMPARE(ofKind(p, RangeKind::plungeFeed)[0].value, p.machine.plunge_feed_mm_min);
-        QCOMPARE(ofKind(p, RangeKind::plungeFeed)[0].stage, 0);
-        QCOMPARE(ofKind(p, RangeKind::workSpeed).size(), std::size_t(1));
+        QCOMPARE(ofKind(p, ConstraintKind::rangeAxialFeed).size(), std::size_t(2));
+        QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed).size(), std::size_t(1));
+        QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed)[0].value, p.machine.plunge_feed_mm_min);
+        QCOMPARE(ofKind(p, ConstraintKind::rangePlungeFeed)[0].stage, 0);
+        QCOMPARE(ofKind(p, ConstraintKind::rangeWorkSpeed).size(), std::size_t(1));
         for (const MachineRange& check : checkMachineRanges(p)) {
-            QVERIFY(check.holds && check.onStep && check.margin > 0);
+            QVERIFY(check.onStep);
+            for (const ConstraintResult& found : heldOf(p, check.kind)) {
+                QVERIFY(found.holds && found.margin > 0);
+            }
         }
     }
 
@@ -69,9 +82,9 @@ private slots:
         Project p = fixtures::plunge();
         limit(p);
         p.cycle.stages = {fixtures::plungeStage(0.9, 0.15), fixtures::plungeStage(6, 0.05)};
-        QVERIFY(ofKind(p, RangeKind::radialFeed).empty());
-        QVERIFY(ofKind(p, RangeKind::axialFeed).empty());
-        const auto feeds = ofKind(p, RangeKind::plungeFeed);
+        QVERIFY(ofKind(p, ConstraintKind::rangeRadialFeed).empty());
+        QVERIFY(ofKind(p, ConstraintKind::rangeAxialFeed).empty());
+        const auto feeds = heldOf(p, ConstraintKind::rangePlungeFeed);
         QCOMPARE(feeds.size(), std::size_t(2));
         QVERIFY(feeds[0].holds && !feeds[1].holds);
         QVERIFY(within(feeds[1].margin, -1, 1e-15));
@@ -82,7 +95,7 @@ private slots:
         limit(p);
         p.cycle.stages = {fixtures::plungeStage(0.9, 0.2), fixtures::plungeStage(-1.5, 0),
                           fixtures::plungeStage(-6, 0)};
-        const auto feeds = ofKind(p, RangeKind::plungeFeed);
+        const auto feeds = heldOf(p, ConstraintKind::rangePlungeFeed);
         QCOMPARE(feeds.size(), std::size_t(3));
         QVERIFY(feeds[1].value == 1.5 && feeds[1].holds);
         QVERIFY(feeds[2].value == 6 && !feeds[2].holds);
@@ -92,8 +105,8 @@ private slots:
         Project p = fixtures::traverse();
         limit(p);
         p.cycle.stages.push_back(fixtures::sparkStage(fixtures::count(3), 0, 300));
-        QCOMPARE(ofKind(p, RangeKind::radialFeed).size(), std::size_t(2));
-        QCOMPARE(ofKind(p, RangeKind::axialFeed).size(), std::size_t(3));
+        QCOMPARE(ofKind(p, ConstraintKind::rangeRadialFeed).size(), std::size_t(2));
+        QCOMPARE(ofKind(p, ConstraintKind::rangeAxialFeed).size(), std::size_t(3));
     }
 
     void marginIsTheDistanceToTheNearerEnd_data() {
@@ -114,7 +127,7 @@ private slots:
         Project p = fixtures::traverse();
         limit(p);
         p.machine.work_speed_rpm = speed;
-        const MachineRange check = ofKind(p, RangeKind::workSpeed).front();
+        const ConstraintResult check = heldOf(p, ConstraintKind::rangeWorkSpeed).front();
         QCOMPARE(check.margin, margin);
         QCOMPARE(check.relativeMargin, margin / 450);
         QCOMPARE(check.holds, holds);
@@ -138,7 +151,7 @@ private slots:
         Project p = fixtures::traverse();
         limit(p);
         p.cycle.stages[0].radial_feed_mm = feed;
-        const MachineRange check = ofKind(p, RangeKind::radialFeed).front();
+        const MachineRange check = ofKind(p, ConstraintKind::rangeRadialFeed).front();
         QVERIFY(within(check.nearest, nearest, 1e-15));
         QCOMPARE(check.onStep, onStep);
     }
@@ -146,30 +159,31 @@ private slots:
         Project p = fixtures::traverse();
         p.machine.limits.work_speed_rpm = {50, 502, 5};
         p.machine.work_speed_rpm = 502;
-        const MachineRange check = ofKind(p, RangeKind::workSpeed).front();
-        QVERIFY(check.holds && !check.onStep);
+        const MachineRange check = ofKind(p, ConstraintKind::rangeWorkSpeed).front();
+        QVERIFY(heldOf(p, ConstraintKind::rangeWorkSpeed).front().holds && !check.onStep);
         QCOMPARE(check.nearest, 500.0);
         p.machine.limits.work_speed_rpm = {50, 503, 5}; // nearer to the step beyond
         p.machine.work_speed_rpm = 503;
-        QCOMPARE(ofKind(p, RangeKind::workSpeed).front().nearest, 500.0);
+        QCOMPARE(ofKind(p, ConstraintKind::rangeWorkSpeed).front().nearest, 500.0);
     }
     void rangeWithoutAStepCanBeSetAnywhere() {
         Project p = fixtures::traverse();
         p.machine.limits.work_speed_rpm = {50, 500, 0};
         p.machine.work_speed_rpm = 123.456;
-        QVERIFY(ofKind(p, RangeKind::workSpeed).front().onStep);
+        QVERIFY(ofKind(p, ConstraintKind::rangeWorkSpeed).front().onStep);
     }
 
     void stagesNeedAsManyCommands() {
         Project p = fixtures::traverse();
         p.gauge.commands = 2;
-        QVERIFY(checkGaugeCommands(p)->holds());
-        QCOMPARE(checkGaugeCommands(p)->margin(), 0);
+        const auto found = [&p] { return heldOf(p, ConstraintKind::gaugeCommands); };
+        QVERIFY(found().front().holds);
+        QCOMPARE(found().front().margin, 0.0);
         p.cycle.stages.push_back(p.cycle.stages.back());
-        QVERIFY(!checkGaugeCommands(p)->holds());
-        QCOMPARE(checkGaugeCommands(p)->margin(), -1);
+        QVERIFY(!found().front().holds);
+        QCOMPARE(found().front().margin, -1.0);
         p.gauge.control = Control::position;
-        QVERIFY(!checkGaugeCommands(p));
+        QVERIFY(!checkGaugeCommands(p) && found().empty());
     }
 };
 

@@ -332,7 +332,7 @@ private slots:
         const auto stroke = evaluateConstraints(simulateUnchecked(asking(fixtures::traverse())));
         for (int kind = 0; kind < constraintKinds; ++kind) {
             QVERIFY2(find(stroke, static_cast<ConstraintKind>(kind)),
-                     constraintName(static_cast<ConstraintKind>(kind)));
+                     requirementOf(static_cast<ConstraintKind>(kind)).key);
         }
         const auto plunge = evaluateConstraints(simulateUnchecked(asking(plungeOfThree())));
         QVERIFY(!find(plunge, ConstraintKind::rangeRadialFeed));

@@ -69,7 +69,7 @@ private slots:
             }
             for (const RequirementSummary& requirement : ran.summary.requirements) {
                 const auto kindOf = [&](const ConstraintResult& c) {
-                    return constraintName(c.kind) == requirement.name;
+                    return requirementOf(c.kind).key == requirement.name;
                 };
                 QVERIFY(std::ranges::any_of(ran.constraints, kindOf));
                 for (const ConstraintResult& c : ran.constraints) {

@@ -108,11 +108,11 @@ private slots:
             bool good = true;
             for (const ConstraintResult& constraint : evaluateConstraints(run)) {
                 good = good && constraint.holds;
-                if (scopeOf(constraint.kind) != ConstraintScope::section) {
+                if (requirementOf(constraint.kind).scope != ConstraintScope::section) {
                     continue;
                 }
                 const SweepValue at =
-                    valueOf(result, i, constraintName(constraint.kind), constraint.section);
+                    valueOf(result, i, requirementOf(constraint.kind).key, constraint.section);
                 QVERIFY(at.value == constraint.value);
                 QVERIFY(at.margin == constraint.margin);
                 QVERIFY((std::isnan(at.low) ? at.high : at.low) == constraint.limit);
@@ -145,7 +145,7 @@ private slots:
         const SimulationResult alone = simulateUnchecked(project);
         double least = HUGE_VAL;
         for (const ConstraintResult& constraint : evaluateConstraints(alone)) {
-            if (scopeOf(constraint.kind) != ConstraintScope::setting) {
+            if (requirementOf(constraint.kind).scope != ConstraintScope::setting) {
                 least = std::min(least, constraint.relativeMargin);
             }
         }

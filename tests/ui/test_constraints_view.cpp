@@ -44,7 +44,7 @@ private slots:
         for (int row = 1; row < model.rowCount(); ++row) {
             const ConstraintResult &above = model.at(row - 1), &here = model.at(row);
             const auto setting = [](const ConstraintResult& c) {
-                return scopeOf(c.kind) == ConstraintScope::setting;
+                return requirementOf(c.kind).scope == ConstraintScope::setting;
             };
             QVERIFY(above.holds < here.holds || setting(above) < setting(here)
                     || (above.holds == here.holds && usageOf(above) >= usageOf(here)));

@@ -182,7 +182,7 @@ private slots:
             const OutcomePtr outcome = evaluate(newProject(operation), {});
             QVERIFY(outcome->ran());
             for (const ConstraintResult& c : outcome->constraints) {
-                QVERIFY2(c.holds, constraintName(c.kind));
+                QVERIFY2(c.holds, requirementOf(c.kind).key);
             }
             QVERIFY2(outcome->result.time_s < 400,
                      qPrintable(QString::number(outcome->result.time_s)));

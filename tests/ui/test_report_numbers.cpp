@@ -192,7 +192,7 @@ private slots:
         report::Subject subject = subjectOf(project);
         auto worst = std::make_shared<Outcome>(*subject.worst);
         std::erase_if(worst->constraints, [](const ConstraintResult& c) {
-            return scopeOf(c.kind) == ConstraintScope::setting;
+            return requirementOf(c.kind).scope == ConstraintScope::setting;
         });
         subject.worst = worst;
         const auto tableOf = [&subject] {

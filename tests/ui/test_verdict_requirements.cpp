@@ -135,7 +135,7 @@ private slots:
             int settings = 0;
             for (const ConstraintResult& c : outcome->constraints) {
                 const std::string path = verdict::inputPath(c);
-                QCOMPARE(!path.empty(), scopeOf(c.kind) == ConstraintScope::setting);
+                QCOMPARE(!path.empty(), requirementOf(c.kind).scope == ConstraintScope::setting);
                 if (path.empty() || c.kind == ConstraintKind::gaugeCommands
                     || c.kind == ConstraintKind::overlap) {
                     continue; // its value is what the stages need, or follows from the feed

@@ -37,7 +37,7 @@ Tone toneOf(Light light) {
 
 /// What fails first; settings of the machine last, which hold up to the ends of their ranges.
 std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
-    return {!c.holds, scopeOf(c.kind) != ConstraintScope::setting, usageOf(c)};
+    return {!c.holds, requirementOf(c.kind).scope != ConstraintScope::setting, usageOf(c)};
 }
 
 } // namespace
@@ -69,7 +69,7 @@ QString rangeText(const ConstraintResult& c) {
     const auto [low, high] = std::minmax(c.limit, *c.otherEnd);
     return MarginModel::tr("%1, range %2…%3 %4")
         .arg(Names::inRange(c, false), Names::amount(c.kind, low, false),
-             Names::amount(c.kind, high, false), unitText(constraintUnit(c.kind)));
+             Names::amount(c.kind, high, false), unitText(requirementOf(c.kind).unit));
 }
 
 void MarginModel::setOutcome(OutcomePtr outcome) {
@@ -134,7 +134,7 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
                                       : QStringLiteral("–");
     case value:
         return QStringLiteral("%1 / %2 %3")
-            .arg(Names::value(c), Names::limit(c), unitText(constraintUnit(c.kind)))
+            .arg(Names::value(c), Names::limit(c), unitText(requirementOf(c.kind).unit))
             .trimmed();
     default: return {};
     }
@@ -202,7 +202,7 @@ QString MarginModel::asTsv() const {
                              c.isWhole ? number(c.value) : QString(),
                              Names::limit(c),
                              c.isWhole ? number(c.margin) : QString(),
-                             unitText(constraintUnit(c.kind)),
+                             unitText(requirementOf(c.kind).unit),
                              range && c.limit > 0 ? Names::significant(c.value / c.limit)
                                                   : QString(),
                              lightName(c)}

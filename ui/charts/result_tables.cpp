@@ -47,7 +47,7 @@ CsvTable requirementTable(const std::vector<ConstraintResult>& requirements, Ope
         const bool range = Names::isRange(c.kind);
         table.rows.push_back(
             {Names::constraint(c.kind), Names::where(c), known(c.value), c.limit, known(c.margin),
-             unitText(constraintUnit(c.kind)), range ? CsvCell() : known(100 * usageOf(c)),
+             unitText(requirementOf(c.kind).unit), range ? CsvCell() : known(100 * usageOf(c)),
              range && c.limit > 0 ? CsvCell(c.value / c.limit) : CsvCell(), lightName(c),
              c.at ? CsvCell(Names::place(*c.at, operation)) : CsvCell()});
     }

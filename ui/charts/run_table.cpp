@@ -113,32 +113,29 @@ QString numberShown(const Field& field, double value) {
 /// As the verdict has it; nothing of a requirement this version does not know.
 std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
                                              bool strips = false) {
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (requirement.name != constraintName(kind)) {
-            continue;
-        }
-        ConstraintResult constraint{kind};
-        const QStringList where = QString::fromStdString(requirement.where).split(u' ');
-        const int number = where.value(1).toInt();
-        constraint.section = -1;
-        if (where[0] == u"section") {
-            constraint.section = number;
-        } else if (where[0] == u"stage") {
-            constraint.stage = number;
-        } else if (where[0] == u"rz1" || where[0] == u"nz" || where[0] == u"rz2") {
-            constraint.section = where[0] == u"rz1" ? 0 : where[0] == u"nz" ? 1 : 2;
-            constraint.zone = static_cast<Zone>(constraint.section);
-        }
-        constraint.limit = requirement.limit;
-        constraint.value = requirement.value;
-        constraint.margin = requirement.margin;
-        constraint.relativeMargin = requirement.relative_margin;
-        constraint.holds = requirement.ok;
-        constraint.isWhole = !strips || !FinishedSurface::isMeantBy(kind);
-        return constraint;
+    const Requirement* const row = requirementNamed(requirement.name);
+    if (!row) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    ConstraintResult constraint{row->kind};
+    const QStringList where = QString::fromStdString(requirement.where).split(u' ');
+    const int number = where.value(1).toInt();
+    constraint.section = -1;
+    if (where[0] == u"section") {
+        constraint.section = number;
+    } else if (where[0] == u"stage") {
+        constraint.stage = number;
+    } else if (where[0] == u"rz1" || where[0] == u"nz" || where[0] == u"rz2") {
+        constraint.section = where[0] == u"rz1" ? 0 : where[0] == u"nz" ? 1 : 2;
+        constraint.zone = static_cast<Zone>(constraint.section);
+    }
+    constraint.limit = requirement.limit;
+    constraint.value = requirement.value;
+    constraint.margin = requirement.margin;
+    constraint.relativeMargin = requirement.relative_margin;
+    constraint.holds = requirement.ok;
+    constraint.isWhole = !strips || !row->isOfSurface();
+    return constraint;
 }
 
 QString percentShown(double share) {
@@ -148,7 +145,7 @@ QString percentShown(double share) {
 
 bool leftStrips(const RunSummary& summary) {
     return std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {
-        return requirement.name == constraintName(ConstraintKind::overlap) && !requirement.ok;
+        return requirement.name == requirementOf(ConstraintKind::overlap).key && !requirement.ok;
     });
 }
 
@@ -169,7 +166,7 @@ void addRequirements(const RunSummary& summary, RunValues& values) {
         }
         values.push_back({"/requirements/" + requirement.name + "/margin",
                           RunTable::tr("Margin › %1").arg(Names::constraint(constraint->kind)),
-                          unitText(constraintUnit(constraint->kind)),
+                          unitText(requirementOf(constraint->kind).unit),
                           Names::amount(constraint->kind, requirement.margin, true),
                           requirement.margin});
         if (!worst || requirement.relative_margin < worst->relative_margin) {

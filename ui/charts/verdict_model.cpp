@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/verdict_model.h"
 
-#include "core/quality/roughness.h"
 #include "ui/charts/margin_model.h"
 #include "ui/charts/result_tables.h"
 #include "ui/text/estimate_names.h"
+#include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
@@ -24,7 +24,7 @@ Light lightOf(const ConstraintResult& constraint) {
         return Light::fails;
     }
     const bool close = constraint.relativeMargin < closeMargin
-                       && scopeOf(constraint.kind) != ConstraintScope::setting;
+                       && requirementOf(constraint.kind).scope != ConstraintScope::setting;
     return close ? Light::close : Light::holds;
 }
 
@@ -44,50 +44,15 @@ QString lightName(const ConstraintResult& constraint) {
 
 namespace {
 
-/// Short enough for one line of the table.
-QString briefName(ConstraintKind kind) {
-    switch (kind) {
-    case ConstraintKind::diameterMin: return VerdictModel::tr("Min. diameter");
-    case ConstraintKind::diameterMax: return VerdictModel::tr("Max. diameter");
-    case ConstraintKind::radialRunout: return VerdictModel::tr("Radial runout");
-    case ConstraintKind::roundness: return VerdictModel::tr("Roundness");
-    case ConstraintKind::cylindricity: return VerdictModel::tr("Cylindricity");
-    case ConstraintKind::totalRunout: return VerdictModel::tr("Total runout");
-    case ConstraintKind::roughness: return VerdictModel::tr("Roughness Ra");
-    case ConstraintKind::burn: return VerdictModel::tr("Depth, burn");
-    case ConstraintKind::selfSharpening: return VerdictModel::tr("Pressure");
-    case ConstraintKind::wheelPower: return VerdictModel::tr("Wheel power");
-    case ConstraintKind::workPower: return VerdictModel::tr("Work power");
-    case ConstraintKind::rangeRadialFeed: return VerdictModel::tr("Radial feed");
-    case ConstraintKind::rangeAxialFeed: return VerdictModel::tr("Axial feed");
-    case ConstraintKind::rangePlungeFeed: return VerdictModel::tr("Plunge feed");
-    case ConstraintKind::rangeWorkSpeed: return VerdictModel::tr("Work speed");
-    case ConstraintKind::gaugeCommands: return VerdictModel::tr("Gauge commands");
-    case ConstraintKind::overlap: return VerdictModel::tr("Overlap");
-    }
-    return {};
-}
-
-/// The reference of a deviation of form, where there are several.
-QString measuredBy(ConstraintKind kind) {
-    switch (kind) {
-    case ConstraintKind::roundness:
-        return VerdictModel::tr("Between the circles of the minimum zone, MZCI (ISO 12181)");
-    case ConstraintKind::cylindricity:
-        return VerdictModel::tr("Between the cylinders of the minimum zone, MZCY (ISO 12180)");
-    default: return {};
-    }
-}
-
 /// A name with what its group does not say: the stage and the unit.
 QString requirementName(const ConstraintResult& c, const QString& name, const QString& where) {
     QStringList parts{name};
-    if (c.section < 0 && scopeOf(c.kind) != ConstraintScope::part) {
+    if (c.section < 0 && requirementOf(c.kind).scope != ConstraintScope::part) {
         if (c.stage > 0) {
             parts << where;
         }
-        if (*constraintUnit(c.kind)) {
-            parts << unitText(constraintUnit(c.kind));
+        if (*requirementOf(c.kind).unit) {
+            parts << unitText(requirementOf(c.kind).unit);
         }
     }
     return parts.join(QStringLiteral(", "));
@@ -123,7 +88,7 @@ void VerdictModel::setOutcome(OutcomePtr outcome) {
 
 int VerdictModel::groupOf(const ConstraintResult& constraint) {
     return constraint.section >= 0 ? constraint.section
-                                   : -1 - static_cast<int>(scopeOf(constraint.kind));
+                                   : -1 - static_cast<int>(requirementOf(constraint.kind).scope);
 }
 
 QString VerdictModel::groupName(const Row& row) {
@@ -217,9 +182,8 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     const bool first = column == requirement;
     const Light light = lightOf(*row.constraint);
     const ConstraintKind kind = row.constraint->kind;
-    const bool guessed =
-        kind == ConstraintKind::roughness && !isRoughnessCalibrated(m_outcome->result.project);
-    const QString name = guessed ? tr("Ra, estimate") : briefName(kind);
+    const bool guessed = LimitNames::isGuess(kind, m_outcome->result.project);
+    const QString name = guessed ? tr("Ra, estimate") : Names::constraintBrief(kind);
     const QString shown =
         first ? requirementName(*row.constraint, name, tr("stage %1").arg(row.constraint->stage))
               : text(*row.constraint, column);
@@ -239,8 +203,9 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         if (role == Qt::AccessibleTextRole) {
             return told;
         }
+        const char* const by = requirementOf(kind).measuredBy;
         QStringList lines{told, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
-                          measuredBy(kind), EstimateNames::behind(kind),
+                          by ? requirementText(by) : QString(), EstimateNames::behind(kind),
                           guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
                                   : QString()};
         lines.removeAll(QString());
@@ -290,7 +255,7 @@ QString VerdictModel::asTsv() const {
         for (int c = 0; c < columnCount_; ++c) {
             cells << text(*row.constraint, c);
         }
-        cells << unitText(constraintUnit(row.constraint->kind));
+        cells << unitText(requirementOf(row.constraint->kind).unit);
         lines << (cells << lightName(*row.constraint)).join(QLatin1Char('\t'));
     }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');

@@ -135,18 +135,11 @@ QString why(const Outcome& outcome, const ConstraintResult& requirement) {
 }
 
 std::string inputPath(const ConstraintResult& requirement) {
-    const bool ofStage = requirement.stage > 0;
-    const std::string stage = "/cycle/stages/" + std::to_string(requirement.stage - 1);
-    switch (requirement.kind) {
-    case ConstraintKind::rangeRadialFeed: return stage + "/radial_feed_mm";
-    case ConstraintKind::rangePlungeFeed:
-        return ofStage ? stage + "/radial_feed_mm_min" : "/machine/plunge_feed_mm_min";
-    case ConstraintKind::rangeAxialFeed: return stage + "/axial_feed_mm_min";
-    case ConstraintKind::rangeWorkSpeed: return "/machine/work_speed_rpm";
-    case ConstraintKind::gaugeCommands: return "/gauge/commands";
-    case ConstraintKind::overlap: return stage + "/axial_feed_mm_min";
-    default: return {};
+    const Requirement& row = requirementOf(requirement.kind);
+    if (requirement.stage > 0 && row.settingOfStage) {
+        return "/cycle/stages/" + std::to_string(requirement.stage - 1) + '/' + row.settingOfStage;
     }
+    return row.setting ? row.setting : "";
 }
 
 const ConstraintResult* worst(const Outcome& outcome) {

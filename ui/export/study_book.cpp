@@ -284,16 +284,16 @@ CsvTable bindingTable(const SearchOutcome& outcome) {
     table.header << StudyBook::tr("Requirement") << StudyBook::tr("Binds")
                  << StudyBook::tr("Times it cut");
     const auto cuts = outcome.cuts();
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
+    for (const Requirement& row : requirementRows) {
         const bool binds =
-            outcome.binding && std::ranges::find(*outcome.binding, kind) != outcome.binding->end();
-        const auto count = static_cast<double>(cuts[static_cast<std::size_t>(i)]);
+            outcome.binding
+            && std::ranges::find(*outcome.binding, row.kind) != outcome.binding->end();
+        const auto count = static_cast<double>(cuts[static_cast<std::size_t>(row.kind)]);
         if (binds || count > 0) {
             const QString word = !outcome.binding ? StudyBook::tr("not known, it was stopped")
                                  : binds          ? StudyBook::tr("yes")
                                                   : StudyBook::tr("no");
-            table.rows.push_back({Names::constraint(kind), word, count});
+            table.rows.push_back({Names::constraint(row.kind), word, count});
         }
     }
     return table;

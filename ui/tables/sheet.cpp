@@ -51,8 +51,8 @@ QSet<QString> knownUnits() {
     QSet<QString> units;
     addUnits(tableOf<Project>(), units);
     addUnits(tableOf<RunSummary>(), units);
-    for (int kind = 0; kind < constraintKinds; ++kind) {
-        units << unitText(constraintUnit(static_cast<ConstraintKind>(kind)));
+    for (const Requirement& row : requirementRows) {
+        units << unitText(row.unit);
     }
     for (const char* unit : otherUnits) {
         units << unitText(unit);

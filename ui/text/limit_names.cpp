@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/limit_names.h"
 
+#include "core/project/member.h"
 #include "core/quality/roughness.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -17,34 +19,11 @@ namespace {
 
 constexpr double mostPercent = 999;
 
-/// The first strength of grain or bond that is missing; empty: all are given.
-std::string missingStrength(const Wheel& wheel) {
-    const std::pair<bool, const char*> strengths[] = {
-        {wheel.grain_surface_energy_j_m2.has_value(), "/wheel/grain_surface_energy_j_m2"},
-        {wheel.grain_modulus_gpa.has_value(), "/wheel/grain_modulus_gpa"},
-        {wheel.bond_surface_energy_j_m2.has_value(), "/wheel/bond_surface_energy_j_m2"},
-        {wheel.bond_modulus_gpa.has_value(), "/wheel/bond_modulus_gpa"},
-    };
-    for (const auto& [given, path] : strengths) {
-        if (!given) {
-            return path;
-        }
-    }
-    return {};
-}
-
 } // namespace
 
 QString LimitNames::limit(ConstraintKind kind) {
-    switch (kind) {
-    case ConstraintKind::burn: return tr("burn");
-    case ConstraintKind::selfSharpening: return tr("self-sharpening");
-    case ConstraintKind::wheelPower: return tr("wheel drive");
-    case ConstraintKind::workPower: return tr("work drive");
-    case ConstraintKind::roughness: return tr("roughness of the last cut");
-    default: break;
-    }
-    return Names::inSentence(Names::constraint(kind));
+    const char* const name = requirementOf(kind).limitName;
+    return name ? requirementText(name) : Names::inSentence(Names::constraint(kind));
 }
 
 QString LimitNames::group(const LimitGroup& group) {
@@ -65,26 +44,19 @@ QString LimitNames::percent(double share) {
 }
 
 std::vector<OffLimit> LimitNames::off(const Project& project) {
-    using enum ConstraintKind;
-    const Tolerance& tolerance = project.part.tolerance;
-    const std::string strength = missingStrength(project.wheel);
-    const std::tuple<bool, ConstraintKind, std::string> all[] = {
-        {project.material.burn_rise_k.has_value(), burn, "/material/burn_rise_k"},
-        {strength.empty(), selfSharpening, strength},
-        {project.machine.wheel_drive_kw.has_value(), wheelPower, "/machine/wheel_drive_kw"},
-        {project.machine.work_drive_kw.has_value(), workPower, "/machine/work_drive_kw"},
-        {tolerance.roughness_ra_um.has_value(), roughness, "/part/tolerance/roughness_ra_um"},
-        {tolerance.roundness_um.has_value(), roundness, "/part/tolerance/roundness_um"},
-        {tolerance.radial_runout_um.has_value(), radialRunout, "/part/tolerance/radial_runout_um"},
-        {tolerance.cylindricity_um.has_value(), cylindricity, "/part/tolerance/cylindricity_um"},
-        {tolerance.total_runout_um.has_value(), totalRunout, "/part/tolerance/total_runout_um"},
-    };
     std::vector<OffLimit> off;
-    for (const auto& [on, kind, path] : all) {
-        if (!on) {
-            off.push_back({kind, path});
+    for (const Requirement& row : requirementRows) {
+        std::string path = missingInput(row, project);
+        if (!path.empty() && row.source != LimitSource::range) {
+            off.push_back({row.kind, std::move(path)});
         }
     }
+    std::ranges::sort(off, {}, [&project](const OffLimit& each) {
+        const Requirement& row = requirementOf(each.kind);
+        const int group = row.bindsEveryPass() ? 0 : row.depthLimit ? 1 : 2;
+        return std::tuple(group, group > 0 ? findMember(project, each.path).field : nullptr,
+                          each.kind);
+    });
     return off;
 }
 

@@ -25,7 +25,8 @@ public:
     static QString limit(ConstraintKind kind);     ///< of the feed: "burn", "wheel drive"
     static QString group(const LimitGroup& group); ///< "RZ1, wheel standing"
     static QString percent(double share);          ///< "87 %"; ">999 %"
-    /// What is off of the limits of the feed and of the drawing's tolerances.
+    /// What is off of the limits of the feed, every cut's first, and of the drawing's tolerances in
+    /// the order of their inputs.
     static std::vector<OffLimit> off(const Project& project);
     /// What is off in a sentence, plain, and as rich text whose links are the inputs' paths. Empty:
     /// nothing is off.

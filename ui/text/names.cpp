@@ -139,26 +139,11 @@ QString Names::status(RunStatus status) {
 }
 
 QString Names::constraint(ConstraintKind kind) {
-    switch (kind) {
-    case ConstraintKind::diameterMin: return tr("Smallest diameter");
-    case ConstraintKind::diameterMax: return tr("Largest diameter");
-    case ConstraintKind::radialRunout: return tr("Radial runout");
-    case ConstraintKind::roundness: return tr("Roundness");
-    case ConstraintKind::cylindricity: return tr("Cylindricity");
-    case ConstraintKind::totalRunout: return tr("Total runout");
-    case ConstraintKind::roughness: return tr("Roughness Ra");
-    case ConstraintKind::burn: return tr("Depth of cut without burn");
-    case ConstraintKind::selfSharpening: return tr("Contact pressure on the wheel");
-    case ConstraintKind::wheelPower: return tr("Wheel drive power");
-    case ConstraintKind::workPower: return tr("Work drive power");
-    case ConstraintKind::rangeRadialFeed: return tr("Radial feed in range");
-    case ConstraintKind::rangeAxialFeed: return tr("Axial feed in range");
-    case ConstraintKind::rangePlungeFeed: return tr("Plunge feed in range");
-    case ConstraintKind::rangeWorkSpeed: return tr("Work speed in range");
-    case ConstraintKind::gaugeCommands: return tr("Gauge commands");
-    case ConstraintKind::overlap: return tr("Overlap of the turns");
-    }
-    return {};
+    return requirementText(requirementOf(kind).label);
+}
+
+QString Names::constraintBrief(ConstraintKind kind) {
+    return QCoreApplication::translate("RequirementBrief", requirementOf(kind).brief);
 }
 
 QString Names::inSentence(QString name) {
@@ -172,19 +157,17 @@ QString Names::where(const ConstraintResult& constraint) {
     if (constraint.at || constraint.section >= 0) {
         return zone(constraint.zone, constraint.at ? constraint.at->section : constraint.section);
     }
-    if (scopeOf(constraint.kind) == ConstraintScope::part) {
+    if (requirementOf(constraint.kind).scope == ConstraintScope::part) {
         return tr("whole part");
     }
     return constraint.stage > 0 ? tr("stage %1").arg(constraint.stage) : tr("cycle");
 }
 
 QString Names::amount(ConstraintKind kind, double value, bool withSign) {
-    const QString unit = QString::fromUtf8(constraintUnit(kind));
-    if (unit == QStringLiteral("µm")) {
-        return withSign ? signedMicrometres(value) : micrometres(value);
-    }
-    if (kind == ConstraintKind::gaugeCommands) {
-        return fixed(value, 0);
+    const int decimals = requirementOf(kind).digits.shown;
+    if (decimals != RequirementDigits::significant) {
+        const bool plus = decimals > 0 && value >= 0.5 * std::pow(10.0, -decimals); // no count's
+        return (withSign && plus ? QStringLiteral("+") : QString()) + fixed(value, decimals);
     }
     QString text = significant(value);
     while (text.contains(numbers().decimalPoint())
@@ -195,15 +178,13 @@ QString Names::amount(ConstraintKind kind, double value, bool withSign) {
 }
 
 bool Names::isRange(ConstraintKind kind) {
-    return kind == ConstraintKind::rangeRadialFeed || kind == ConstraintKind::rangeAxialFeed
-           || kind == ConstraintKind::rangePlungeFeed || kind == ConstraintKind::rangeWorkSpeed;
+    return requirementOf(kind).source == LimitSource::range;
 }
 
 QString Names::limit(const ConstraintResult& c) {
-    const bool deviation =
-        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-    const QString text = amount(c.kind, c.limit, deviation);
-    const bool marked = isRange(c.kind) || c.kind == ConstraintKind::overlap;
+    const Requirement& row = requirementOf(c.kind);
+    const QString text = amount(c.kind, c.limit, row.isDeviation);
+    const bool marked = row.scope == ConstraintScope::setting && row.source != LimitSource::input;
     return marked ? (c.isLeast ? QStringLiteral("≥") : QStringLiteral("≤")) + text : text;
 }
 
@@ -233,9 +214,8 @@ QString Names::besideLimit(const ConstraintResult& c) {
 }
 
 QString Names::value(const ConstraintResult& c) {
-    const bool deviation =
-        c.kind == ConstraintKind::diameterMin || c.kind == ConstraintKind::diameterMax;
-    return c.isWhole ? amount(c.kind, c.value, deviation) : QStringLiteral("–");
+    return c.isWhole ? amount(c.kind, c.value, requirementOf(c.kind).isDeviation)
+                     : QStringLiteral("–");
 }
 
 QString Names::uncutStrips(const Project& project) {

@@ -26,12 +26,13 @@ public:
     /// The same without the zone or section, for a table that names it already.
     static QString moment(const Place& place, Operation operation);
     static QString status(RunStatus status);
-    static QString constraint(ConstraintKind kind); ///< "Largest diameter"
+    static QString constraint(ConstraintKind kind);      ///< "Largest diameter"
+    static QString constraintBrief(ConstraintKind kind); ///< "Max. diameter"
     /// A name as it stands within a sentence; a symbol, as Ra, stays.
     static QString inSentence(QString name);
     /// What it is held against: "RZ1", "whole part", "stage 2", "cycle".
     static QString where(const ConstraintResult& constraint);
-    /// A value, limit or margin in the unit of its kind, which constraintUnit() names.
+    /// A value, limit or margin in the unit of its kind, which its row names.
     static QString amount(ConstraintKind kind, double value, bool withSign);
     static QString limit(const ConstraintResult& c); ///< of a range "≥50" or "≤500"
     static bool isRange(ConstraintKind kind);        ///< of the machine: with two ends

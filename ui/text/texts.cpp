@@ -105,6 +105,9 @@ QString inputText(const char* text) {
 QString choiceText(const char* text) {
     return translated("Choice", text);
 }
+QString requirementText(const char* text) {
+    return translated("Requirement", text);
+}
 QString structText(const char* text) {
     return translated("Struct", text);
 }

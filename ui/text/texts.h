@@ -9,11 +9,12 @@
 /// The core's texts in the present language. The core marks them, the session words them.
 namespace sparkout {
 
-[[nodiscard]] QString inputText(const char* text);  ///< label, hint, meaning of null
-[[nodiscard]] QString choiceText(const char* text); ///< label of a choice
-[[nodiscard]] QString structText(const char* text); ///< name of a struct
-[[nodiscard]] QString unitText(const char* unit);   ///< "mm/min" → "мм/мин"
-[[nodiscard]] QString zoneText(const char* key);    ///< "rz1" → "РЗ1"
+[[nodiscard]] QString inputText(const char* text);       ///< label, hint, meaning of null
+[[nodiscard]] QString choiceText(const char* text);      ///< label of a choice
+[[nodiscard]] QString requirementText(const char* text); ///< label and other words of a row
+[[nodiscard]] QString structText(const char* text);      ///< name of a struct
+[[nodiscard]] QString unitText(const char* unit);        ///< "mm/min" → "мм/мин"
+[[nodiscard]] QString zoneText(const char* key);         ///< "rz1" → "РЗ1"
 
 /// A range with its unit: "0.5 to 1000 mm", "above 0, up to 5 mm"; empty when unbounded.
 [[nodiscard]] QString rangeShown(const Range& range, const char* unit);

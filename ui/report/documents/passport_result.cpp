@@ -61,7 +61,7 @@ Table worstRequirements(const Outcome& outcome) {
     worst.result = outcome.result;
     worst.constraints = worstByKind(outcome.constraints);
     std::erase_if(worst.constraints, [](const ConstraintResult& c) {
-        return scopeOf(c.kind) == ConstraintScope::setting;
+        return requirementOf(c.kind).scope == ConstraintScope::setting;
     });
     return Passport::requirements(worst);
 }
@@ -273,8 +273,9 @@ Table Passport::requirements(const Outcome& outcome) {
         table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
                               Names::limit(c), Names::margin(c), requirementUnit(c.kind),
                               c.at ? Names::moment(*c.at, outcome.result.project.operation)
-                              : scopeOf(c.kind) == ConstraintScope::setting ? tr("a setting")
-                                                                            : tr("at the end"),
+                              : requirementOf(c.kind).scope == ConstraintScope::setting
+                                  ? tr("a setting")
+                                  : tr("at the end"),
                               lightName(c)});
     }
     return table;

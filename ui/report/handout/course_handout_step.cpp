@@ -241,9 +241,8 @@ Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
     table.texts = {true};
     for (const DepthLimit& limit :
          depthLimits(project, pass.effectiveWidth_mm, std::max(0.0, stock))) {
-        const bool power =
-            limit.kind == ConstraintKind::wheelPower || limit.kind == ConstraintKind::workPower;
-        if (LimitNames::isGuess(limit.kind, project) || (power && isCoupled(project))) {
+        const bool shared = isCoupled(project) && requirementOf(limit.kind).sharedBySections;
+        if (LimitNames::isGuess(limit.kind, project) || shared) {
             continue;
         }
         const double share = percentOf * visit.actual_mm / limit.depth_mm;

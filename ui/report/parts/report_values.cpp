@@ -54,8 +54,8 @@ QString withUnit(const QString& value, const char* unit) {
 }
 
 QString requirementUnit(ConstraintKind kind) {
-    return cell(
-        unitText(kind == ConstraintKind::rangeRadialFeed ? "mm/dbl stroke" : constraintUnit(kind)));
+    const Requirement& row = requirementOf(kind);
+    return cell(unitText(row.unitInFull ? row.unitInFull : row.unit));
 }
 
 QString drawnSize(const Part& part) {

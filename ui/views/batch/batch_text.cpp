@@ -37,14 +37,9 @@ double leastPpk(const CharacteristicSummary& summary) {
 } // namespace
 
 QString BatchText::name(const Characteristic& characteristic) {
-    const std::string_view key = characteristic.name;
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (key == constraintName(kind)) {
-            return Names::constraint(kind);
-        }
-    }
-    return key == "time" ? tr("Machining time") : tr("Mean diameter");
+    return characteristic.requirement   ? Names::constraint(characteristic.requirement->kind)
+           : characteristic.section < 0 ? tr("Machining time")
+                                        : tr("Mean diameter");
 }
 
 QString BatchText::where(const Characteristic& characteristic) {

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 namespace sparkout {
 
@@ -28,9 +30,12 @@ constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
-constexpr ConstraintKind limitKinds[] = {ConstraintKind::burn, ConstraintKind::selfSharpening,
-                                         ConstraintKind::wheelPower, ConstraintKind::workPower,
-                                         ConstraintKind::roughness};
+/// Of the limits, in their order; those beyond look like the last.
+constexpr std::tuple<Hue, Qt::PenStyle> limitPens[] = {{Hue::vermilion, Qt::DashLine},
+                                                       {Hue::orange, Qt::DashDotLine},
+                                                       {Hue::green, Qt::DashLine},
+                                                       {Hue::sky, Qt::DashDotDotLine},
+                                                       {Hue::purple, Qt::DotLine}};
 
 void setPoints(QCPGraph& graph, const LimitPoints& points) {
     QVector<double> x, y;
@@ -78,7 +83,7 @@ void ConstraintsPlot::build() {
     m_ceiling = addLine();
     m_stepless = addLine();
     m_stepless->setChannelFillGraph(m_ceiling);
-    for (const ConstraintKind kind : limitKinds) {
+    for (const ConstraintKind kind : depthLimitKinds()) {
         m_limits[kind] = addLine();
     }
     for (QCPCurve** curve : {&m_actual, &m_exceeded, &m_mark}) {
@@ -317,17 +322,17 @@ QPen ConstraintsPlot::penOf(int key) const {
     const auto pen = [this](Hue hue, double width, Qt::PenStyle dashes) {
         return QPen(style::dimmed(style::colour(hue, palette()), isDimmed()), width, dashes);
     };
-    switch (key) {
-    case actualKey: return pen(Hue::blue, 1.6, Qt::SolidLine);
-    case steplessKey:
-        return {style::dimmed(palette().color(QPalette::Text), isDimmed()), 3, Qt::SolidLine};
-    case static_cast<int>(ConstraintKind::burn): return pen(Hue::vermilion, 1.6, Qt::DashLine);
-    case static_cast<int>(ConstraintKind::selfSharpening):
-        return pen(Hue::orange, 1.6, Qt::DashDotLine);
-    case static_cast<int>(ConstraintKind::wheelPower): return pen(Hue::green, 1.6, Qt::DashLine);
-    case static_cast<int>(ConstraintKind::workPower): return pen(Hue::sky, 1.6, Qt::DashDotDotLine);
-    default: return pen(Hue::purple, 1.6, Qt::DotLine);
+    if (key == actualKey) {
+        return pen(Hue::blue, 1.6, Qt::SolidLine);
     }
+    if (key == steplessKey) {
+        return {style::dimmed(palette().color(QPalette::Text), isDimmed()), 3, Qt::SolidLine};
+    }
+    const std::vector<ConstraintKind> kinds = depthLimitKinds();
+    const auto place = static_cast<std::size_t>(
+        std::ranges::find(kinds, static_cast<ConstraintKind>(key)) - kinds.begin());
+    const auto [hue, dashes] = limitPens[std::min(place, std::size(limitPens) - 1)];
+    return pen(hue, 1.6, dashes);
 }
 
 LegendEntries ConstraintsPlot::legendEntries() const {
@@ -343,7 +348,7 @@ LegendEntries ConstraintsPlot::legendEntries() const {
     if (m_stepless->dataCount() > 0) {
         add(steplessKey, tr("stepless limit, forbidden above"));
     }
-    for (const ConstraintKind kind : limitKinds) {
+    for (const ConstraintKind kind : depthLimitKinds()) {
         const QCPGraph* graph = limit(kind);
         if (!graph) {
             continue;

@@ -21,7 +21,7 @@ using units::umPerMm;
 const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {
     const DepthLimit* least = nullptr;
     for (const DepthLimit& limit : limits) {
-        if (limit.kind != ConstraintKind::roughness
+        if (requirementOf(limit.kind).bindsEveryPass()
             && (!least || limit.depth_mm < least->depth_mm)) {
             least = &limit;
         }

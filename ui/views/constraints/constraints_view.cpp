@@ -36,12 +36,6 @@ namespace {
 
 constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
 
-bool anyBut(const std::vector<ConstraintKind>& kinds, std::initializer_list<ConstraintKind> known) {
-    return std::ranges::any_of(kinds, [&known](ConstraintKind kind) {
-        return std::ranges::find(known, kind) == known.end();
-    });
-}
-
 /// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
 std::optional<double> stockAt(const Outcome& outcome, int group, const Progress& moment) {
     const Trajectory& trajectory = outcome.trajectory;
@@ -61,17 +55,20 @@ std::optional<double> stockAt(const Outcome& outcome, int group, const Progress&
     return std::nullopt;
 }
 
-/// Whether a limit that binds every cut is on; roughness binds the last one alone.
+/// Whether a limit that binds every cut is on.
 bool feedIsLimited(const Outcome& outcome) {
-    return anyBut(outcome.limits.on, {ConstraintKind::roughness});
+    return std::ranges::any_of(outcome.limits.on, [](ConstraintKind kind) {
+        return requirementOf(kind).bindsEveryPass();
+    });
 }
 
 /// The same of the cuts of one zone or section: coupled sections share the power.
 bool groupsAreLimited(const Outcome& outcome) {
-    using enum ConstraintKind;
-    return isCoupled(outcome.result.project)
-               ? anyBut(outcome.limits.on, {roughness, wheelPower, workPower})
-               : feedIsLimited(outcome);
+    const bool coupled = isCoupled(outcome.result.project);
+    return std::ranges::any_of(outcome.limits.on, [coupled](ConstraintKind kind) {
+        const Requirement& row = requirementOf(kind);
+        return row.bindsEveryPass() && !(coupled && row.sharedBySections);
+    });
 }
 
 } // namespace

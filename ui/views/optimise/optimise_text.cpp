@@ -129,9 +129,9 @@ QString OptimiseText::fault(const SearchOutcome& outcome) {
 QString OptimiseText::cutsOf(const SearchOutcome& outcome) {
     std::vector<std::pair<long long, ConstraintKind>> cuts;
     const auto counts = outcome.cuts();
-    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
-        if (counts[kind] > 0) {
-            cuts.emplace_back(counts[kind], static_cast<ConstraintKind>(kind));
+    for (const Requirement& row : requirementRows) {
+        if (const long long count = counts[static_cast<std::size_t>(row.kind)]; count > 0) {
+            cuts.emplace_back(count, row.kind);
         }
     }
     std::ranges::stable_sort(cuts, std::greater(), [](const auto& cut) { return cut.first; });

@@ -19,16 +19,6 @@ constexpr double minuteOfSweep_s = 60;
 constexpr int mostNamed = 3; ///< requirements named at a point
 constexpr int sweepDigits = 4;
 
-std::optional<ConstraintKind> kindOf(const std::string& name) {
-    for (int i = 0; i < constraintKinds; ++i) {
-        const auto kind = static_cast<ConstraintKind>(i);
-        if (name == constraintName(kind)) {
-            return kind;
-        }
-    }
-    return std::nullopt;
-}
-
 QString withUnit(const QString& text, const std::string& unit, const QString& between) {
     return unit.empty() ? text : text + between + unitText(unit.c_str());
 }
@@ -112,8 +102,8 @@ QString SweepText::inputValue(double value, const std::string& unit) {
 }
 
 QString SweepText::name(const SweepQuantity& quantity) {
-    if (const auto kind = kindOf(quantity.name)) {
-        return Names::constraint(*kind);
+    if (const Requirement* const row = requirementNamed(quantity.name)) {
+        return Names::constraint(row->kind);
     }
     return quantity.name == "time"                ? tr("Machining time")
            : quantity.name == "least_margin"      ? tr("Least margin of all requirements")
@@ -207,8 +197,7 @@ QString SweepText::verdict(const SweepResult& sweep, const SweepPoint& point) {
     QStringList failing;
     for (std::size_t q = 0; q < sweep.quantities.size(); ++q) {
         const SweepQuantity& quantity = sweep.quantities[q];
-        const auto kind = kindOf(quantity.name);
-        if (kind && point.values[q].margin < 0) {
+        if (requirementNamed(quantity.name) && point.values[q].margin < 0) {
             failing << (quantity.section < 0 ? name(quantity)
                                              : name(quantity) + u' ' + where(quantity));
         }

@@ -25,30 +25,19 @@ public:
 QString VerdictText::broken(const ConstraintResult& c) {
     const QString zone = Names::where(c);
     const QString by = Names::amount(c.kind, std::abs(c.margin), false);
-    switch (c.kind) {
-    case ConstraintKind::diameterMin:
-        return tr("diameter in %1 is %2 µm below the lower limit").arg(zone, by);
-    case ConstraintKind::diameterMax:
-        return tr("diameter in %1 is %2 µm above the upper limit").arg(zone, by);
-    case ConstraintKind::radialRunout:
-        return tr("radial runout in %1 is %2 µm above its limit").arg(zone, by);
-    default: break;
+    const Requirement& row = requirementOf(c.kind);
+    if (row.broken) {
+        return requirementText(row.broken)
+            .replace(QStringLiteral("%1"), zone)
+            .replace(QStringLiteral("%2"), by)
+            .replace(QStringLiteral("%3"), Names::value(c));
     }
-    if (c.kind == ConstraintKind::overlap) {
-        return tr("overlap B/s in %1 is %2, below 1: strips stay uncut, so size, form and "
-                  "roughness "
-                  "are not known of the whole surface")
-            .arg(zone, Names::value(c));
-    }
-    if (c.kind == ConstraintKind::gaugeCommands) {
-        return tr("the stages need %1 more gauge commands than there are").arg(by);
-    }
-    if (scopeOf(c.kind) == ConstraintScope::setting) {
+    if (row.scope == ConstraintScope::setting) {
         return tr("%1 (%2): %3 %4 outside")
-            .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
+            .arg(Names::constraint(c.kind), zone, by, unitText(row.unit));
     }
     return tr("%1 (%2): %3 %4 above its limit")
-        .arg(Names::constraint(c.kind), zone, by, unitText(constraintUnit(c.kind)));
+        .arg(Names::constraint(c.kind), zone, by, unitText(row.unit));
 }
 
 QString minutes(double time_s) {
