@@ -1767,6 +1767,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from the middle of the field</source>
             <translation>Прибор на %1 мм: диаметры от %2 (%3) до %4 мкм (%5), не дальше %6 мкм от середины поля</translation>
         </message>
+        <message>
+            <source>Place of the gauge from the headstock end of the ground length, mm</source>
+            <translation>Место прибора от конца шлифуемой длины у передней бабки, мм</translation>
+        </message>
     </context>
     <context>
         <name>HandoutView</name>
@@ -3559,6 +3563,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>%1, µm</source>
             <translation>%1, мкм</translation>
         </message>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
     </context>
     <context>
         <name>Limit</name>
@@ -4139,23 +4147,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>page %1 of %2</source>
             <translation>стр. %1 из %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>PartCell</name>
-        <message>
-            <source>From the headstock end of the ground length, mm</source>
-            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
-        </message>
-        <message>
-            <source>Radius from
-target, µm</source>
-            <translation>Радиус от
-целевого, мкм</translation>
-        </message>
-        <message>
-            <source>axis of rotation</source>
-            <translation>ось вращения</translation>
         </message>
     </context>
     <context>
@@ -8086,74 +8077,6 @@ med, µm</source>
             <source>ground length</source>
             <translation>шлифуемая длина</translation>
         </message>
-        <message>
-            <source>wheel head</source>
-            <translation>шлифовальная бабка</translation>
-        </message>
-        <message>
-            <source>headstock</source>
-            <translation>передняя бабка</translation>
-        </message>
-        <message>
-            <source>tailstock</source>
-            <translation>задняя бабка</translation>
-        </message>
-        <message>
-            <source>bending</source>
-            <translation>изгиб</translation>
-        </message>
-        <message>
-            <source>taken by steady rests</source>
-            <translation>снимают люнеты</translation>
-        </message>
-        <message>
-            <source>bending of the quill</source>
-            <translation>изгиб оправки</translation>
-        </message>
-        <message>
-            <source>γ, with the steady rests</source>
-            <translation>γ, с люнетами</translation>
-        </message>
-        <message>
-            <source>γ</source>
-            <translation>γ</translation>
-        </message>
-        <message>
-            <source>γ of the zones, as ground with</source>
-            <translation>γ зон, принятая в расчёте</translation>
-        </message>
-        <message>
-            <source>γ of the sections, as ground with</source>
-            <translation>γ сечений, принятая в расчёте</translation>
-        </message>
-        <message>
-            <source>From the headstock end of the ground length, mm</source>
-            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
-        </message>
-        <message>
-            <source>Compliance γ, nm/N</source>
-            <translation>Податливость γ, нм/Н</translation>
-        </message>
-        <message>
-            <source>γ, mm/N</source>
-            <translation>γ, мм/Н</translation>
-        </message>
-        <message>
-            <source>%1, mm/N</source>
-            <translation>%1, мм/Н</translation>
-        </message>
-        <message>
-            <source>At %1 mm: γ %2 nm/N = %3</source>
-            <translation>На %1 мм: γ %2 нм/Н = %3</translation>
-        </message>
-        <message>
-            <source>Place of the gauge from the headstock end of the ground length, mm</source>
-            <translation>Место прибора от конца шлифуемой длины у передней бабки, мм</translation>
-        </message>
-        <message>
-            <source>%1, nm/N</source>
-            <translation>%1, нм/Н</translation>
-        </message>
     </context>
     <context>
         <name>sparkout::ComplianceView</name>
@@ -8164,18 +8087,6 @@ med, µm</source>
         <message>
             <source>Compliance</source>
             <translation>Податливость</translation>
-        </message>
-        <message>
-            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; кривые — последних принятых.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата ещё нет.</translation>
         </message>
         <message>
             <source>%1 yields %2 times as much as %3.</source>
@@ -8269,36 +8180,8 @@ med, µm</source>
     <context>
         <name>sparkout::ConstraintsPlot</name>
         <message>
-            <source>nearest to its limit: %1, %2</source>
-            <translation>ближе всего к пределу: %1, %2</translation>
-        </message>
-        <message>
-            <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
-            <translation>%1: припуск %2 мкм, подача %3 мкм/об, ширина %4 мм</translation>
-        </message>
-        <message>
-            <source>stage</source>
-            <translation>ступень</translation>
-        </message>
-        <message>
-            <source>double stroke</source>
-            <translation>двойной ход</translation>
-        </message>
-        <message>
-            <source>revolution</source>
-            <translation>оборот</translation>
-        </message>
-        <message>
-            <source>stock left, µm</source>
-            <translation>оставшийся припуск, мкм</translation>
-        </message>
-        <message>
             <source>actual feed, µm</source>
             <translation>фактическая подача, мкм</translation>
-        </message>
-        <message>
-            <source>width of cut, mm</source>
-            <translation>ширина шлифования, мм</translation>
         </message>
         <message>
             <source>limit: %1, µm</source>
@@ -8307,10 +8190,6 @@ med, µm</source>
         <message>
             <source>stepless limit, µm</source>
             <translation>предел бесступенчатого цикла, мкм</translation>
-        </message>
-        <message>
-            <source>binding</source>
-            <translation>ограничивает</translation>
         </message>
         <message>
             <source>actual feed</source>
@@ -8327,22 +8206,6 @@ med, µm</source>
         <message>
             <source>Stock left after the cut, µm</source>
             <translation>Оставшийся припуск после прохода, мкм</translation>
-        </message>
-        <message>
-            <source>Actual feed, µm per revolution</source>
-            <translation>Факт. подача, мкм/об</translation>
-        </message>
-        <message>
-            <source>Actual feed, µm per pass</source>
-            <translation>Факт. подача, мкм/проход</translation>
-        </message>
-        <message>
-            <source> (%1 used)</source>
-            <translation> (занято %1)</translation>
-        </message>
-        <message>
-            <source>Allowed feed, µm: %1</source>
-            <translation>Допустимая подача, мкм: %1</translation>
         </message>
     </context>
     <context>
@@ -8362,18 +8225,6 @@ med, µm</source>
         <message>
             <source>%1, %2: a setting held against its range.</source>
             <translation>%1 (%2): настройка сверяется с диапазоном станка.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; кривые — по последним принятым.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата пока нет.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or sections help; the requirements below are of the whole cycle.</source>
@@ -9637,14 +9488,6 @@ mm/min</source>
         <message>
             <source>The inputs are refused; the layers are those of the last accepted ones.</source>
             <translation>Исходные данные не приняты; показаны слои по последним принятым.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата ещё нет.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its layers are not drawn. Fewer radii or sections help.</source>
@@ -12239,6 +12082,168 @@ target, µm</source>
         <message>
             <source>Detach the view</source>
             <translation>Отделить вид</translation>
+        </message>
+    </context>
+    <context>
+        <name>ComplianceCurves</name>
+        <message>
+            <source>Compliance γ, nm/N</source>
+            <translation>Податливость γ, нм/Н</translation>
+        </message>
+        <message>
+            <source>wheel head</source>
+            <translation>шлифовальная бабка</translation>
+        </message>
+        <message>
+            <source>headstock</source>
+            <translation>передняя бабка</translation>
+        </message>
+        <message>
+            <source>tailstock</source>
+            <translation>задняя бабка</translation>
+        </message>
+        <message>
+            <source>bending</source>
+            <translation>изгиб</translation>
+        </message>
+        <message>
+            <source>taken by steady rests</source>
+            <translation>снимают люнеты</translation>
+        </message>
+        <message>
+            <source>bending of the quill</source>
+            <translation>изгиб оправки</translation>
+        </message>
+        <message>
+            <source>γ, with the steady rests</source>
+            <translation>γ, с люнетами</translation>
+        </message>
+        <message>
+            <source>γ</source>
+            <translation>γ</translation>
+        </message>
+        <message>
+            <source>γ of the zones, as ground with</source>
+            <translation>γ зон, принятая в расчёте</translation>
+        </message>
+        <message>
+            <source>γ of the sections, as ground with</source>
+            <translation>γ сечений, принятая в расчёте</translation>
+        </message>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>γ, mm/N</source>
+            <translation>γ, мм/Н</translation>
+        </message>
+        <message>
+            <source>%1, mm/N</source>
+            <translation>%1, мм/Н</translation>
+        </message>
+        <message>
+            <source>At %1 mm: γ %2 nm/N = %3</source>
+            <translation>На %1 мм: γ %2 нм/Н = %3</translation>
+        </message>
+        <message>
+            <source>%1, nm/N</source>
+            <translation>%1, нм/Н</translation>
+        </message>
+    </context>
+    <context>
+        <name>LimitChart</name>
+        <message>
+            <source>nearest to its limit: %1, %2</source>
+            <translation>ближе всего к пределу: %1, %2</translation>
+        </message>
+        <message>
+            <source> (%1 used)</source>
+            <translation> (занято %1)</translation>
+        </message>
+        <message>
+            <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
+            <translation>%1: припуск %2 мкм, подача %3 мкм/об, ширина %4 мм</translation>
+        </message>
+        <message>
+            <source>Allowed feed, µm: %1</source>
+            <translation>Допустимая подача, мкм: %1</translation>
+        </message>
+        <message>
+            <source>Actual feed, µm per pass</source>
+            <translation>Факт. подача, мкм/проход</translation>
+        </message>
+        <message>
+            <source>Actual feed, µm per revolution</source>
+            <translation>Факт. подача, мкм/об</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke</source>
+            <translation>двойной ход</translation>
+        </message>
+        <message>
+            <source>revolution</source>
+            <translation>оборот</translation>
+        </message>
+        <message>
+            <source>stock left, µm</source>
+            <translation>оставшийся припуск, мкм</translation>
+        </message>
+        <message>
+            <source>actual feed, µm</source>
+            <translation>фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>width of cut, mm</source>
+            <translation>ширина шлифования, мм</translation>
+        </message>
+        <message>
+            <source>limit: %1, µm</source>
+            <translation>предел: %1, мкм</translation>
+        </message>
+        <message>
+            <source>stepless limit, µm</source>
+            <translation>предел бесступенчатого цикла, мкм</translation>
+        </message>
+        <message>
+            <source>binding</source>
+            <translation>ограничивает</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PartPlot</name>
+        <message>
+            <source>From the headstock end of the ground length, mm</source>
+            <translation>От начала шлифуемой длины со стороны передней бабки, мм</translation>
+        </message>
+        <message>
+            <source>Radius from
+target, µm</source>
+            <translation>Радиус от
+целевого, мкм</translation>
+        </message>
+        <message>
+            <source>axis of rotation</source>
+            <translation>ось вращения</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::PlotView</name>
+        <message>
+            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
+            <translation>Исходные данные не приняты; показаны кривые последних принятых.</translation>
+        </message>
+        <message>
+            <source>The inputs are refused:</source>
+            <translation>Исходные данные не приняты:</translation>
+        </message>
+        <message>
+            <source>No result yet.</source>
+            <translation>Результата ещё нет.</translation>
         </message>
     </context>
 </TS>

@@ -6,12 +6,13 @@
 #include "tests/tries.h"
 #include "tests/ui/text_checks.h"
 #include "tests/ui/window_bench.h"
-#include "ui/charts/gauge_curves.h"
 #include "ui/session/project_io.h"
 #include "ui/text/names.h"
+#include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
 #include "ui/views/compliance/coupling_curves.h"
+#include "ui/views/compliance/gauge_curves.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -108,7 +109,7 @@ private slots:
         QVERIFY(best);
         const QCPGraph& curve = *gauge.farthestGraph();
         QVERIFY(curve.visible() && curve.dataCount() > 20);
-        QVERIFY(!window.plot().sum()->visible());
+        QVERIFY(!window.plot().gamma().sum()->visible());
         double least = 1e9;
         for (int i = 0; i < curve.dataCount(); ++i) {
             least = std::min(least, curve.data()->at(i)->value);
@@ -242,7 +243,7 @@ private slots:
             QVERIFY2(window.label("complianceNotice").isVisible(), name);
             QVERIFY(window.plot().legendEntries().empty());
             window.choose(ComplianceContent::compliance);
-            QVERIFY(window.plot().used()->visible());
+            QVERIFY(window.plot().gamma().used()->visible());
         }
     }
 

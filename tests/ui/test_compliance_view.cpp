@@ -5,6 +5,7 @@
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_tools.h"
 #include "ui/session/project_io.h"
+#include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
 
@@ -67,17 +68,18 @@ private slots:
         for (const SectionResult& zone : outcome->result.sections) {
             const double used = zone.compliance_mm_per_n * 1e6;
             // Between two of 241 places the curve is taken for straight.
-            QVERIFY(std::abs(graphAt(*bench.plot().sum(), zone.position_mm) - used) < 1e-3 * used);
+            QVERIFY(std::abs(graphAt(*bench.plot().gamma().sum(), zone.position_mm) - used)
+                    < 1e-3 * used);
         }
-        QCOMPARE(bench.plot().used()->dataCount(), 3);
+        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
     }
 
     void thePartsAreStackedToTheSum() {
         Bench bench(example("slender-shaft"));
-        const std::vector<CompliantPlace>& places = bench.plot().places();
+        const std::vector<CompliantPlace>& places = bench.plot().gamma().places();
         QVERIFY(places.size() > 100);
-        const QCPGraph& top = *bench.plot().stack(CompliancePart::bending);
-        const QCPGraph& sum = *bench.plot().sum();
+        const QCPGraph& top = *bench.plot().gamma().stack(CompliancePart::bending);
+        const QCPGraph& sum = *bench.plot().gamma().sum();
         QCOMPARE(top.dataCount(), static_cast<int>(places.size()));
         for (int i = 0; i < top.dataCount(); ++i) {
             QVERIFY(std::abs(top.data()->at(i)->value - sum.data()->at(i)->value)
@@ -111,9 +113,9 @@ private slots:
 
     void givenComplianceIsShownAndSaid() {
         Bench bench(example("shaft-30h6-factory"));
-        QVERIFY(bench.plot().places().empty());
+        QVERIFY(bench.plot().gamma().places().empty());
         QVERIFY(bench.label("complianceNotice").isVisible());
-        QCOMPARE(bench.plot().used()->dataCount(), 3);
+        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
         QCOMPARE(bench.plot().table().rows.size(), 3u);
         bench.show(example("slender-shaft"));
         QVERIFY(!bench.label("complianceNotice").isVisible());
@@ -122,7 +124,7 @@ private slots:
 
     void aBoreYieldsAlikeAllAlong() {
         Bench bench(example("internal-plunge"));
-        const QCPGraph& sum = *bench.plot().sum();
+        const QCPGraph& sum = *bench.plot().gamma().sum();
         QVERIFY(sum.dataCount() > 2);
         QCOMPARE(sum.data()->at(0)->value, sum.data()->at(sum.dataCount() - 1)->value);
         QVERIFY(bench.label("complianceSummary").text().contains(QStringLiteral("Equal")));
@@ -134,9 +136,9 @@ private slots:
         QTRY_VERIFY(bench.label("complianceValues").text().contains(QStringLiteral("nm/N")));
         auto* legend = bench.view.findChild<LegendStrip*>();
         const int last = static_cast<int>(legend->entries().size()) - 1;
-        QCOMPARE(legend->entries()[static_cast<std::size_t>(last)].key, CompliancePlot::usedKey);
+        QCOMPARE(legend->entries()[static_cast<std::size_t>(last)].key, ComplianceCurves::usedKey);
         QTest::mouseClick(legend, Qt::LeftButton, {}, legend->entryRect(last).center());
-        QVERIFY(!bench.plot().used()->visible());
+        QVERIFY(!bench.plot().gamma().used()->visible());
         const QCPRange before = bench.plot().curveRect()->axis(QCPAxis::atBottom)->range();
         bench.view.tools()->navigation().zoom(0.5);
         QVERIFY(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().size() < before.size());

@@ -16,6 +16,7 @@
 #include "ui/session/project_io.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
+#include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/compliance_plot.h"
 #include "ui/views/compliance/compliance_view.h"
 #include "ui/views/constraints/constraints_plot.h"

@@ -220,7 +220,7 @@ void ComparePlot::fit() {
     m_fitted = ranges();
 }
 
-QList<QCPAxis*> ComparePlot::movedAxes(QCPAxisRect& rect) {
+QList<QCPAxis*> ComparePlot::movedAxes(QCPAxisRect& rect) const {
     return {rect.axis(QCPAxis::atBottom)};
 }
 

@@ -55,7 +55,7 @@ public:
     void restyle() override;
 
     /// Within a plot, wheel and drag move the time only.
-    [[nodiscard]] static QList<QCPAxis*> movedAxes(QCPAxisRect& rect);
+    [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_runs; }
     [[nodiscard]] QCPAxis* axisOf(Quantity quantity) const; ///< of a quantity that is drawn

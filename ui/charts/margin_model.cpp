@@ -21,7 +21,7 @@ namespace sparkout {
 namespace {
 
 constexpr double fullBar = 1.25; ///< usage at the end of a bar
-constexpr int barWidth = 76;
+constexpr int leastBarWidth = 76;
 constexpr int air = 4;
 constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
 constexpr double tiny = 1e-12;                      ///< in place of 0, to divide by
@@ -273,7 +273,7 @@ void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
 
 QSize MarginBar::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const QString text = index.data().toString();
-    return {std::max(barWidth, option.fontMetrics.horizontalAdvance(text) + 2 * air + 1),
+    return {std::max(leastBarWidth, option.fontMetrics.horizontalAdvance(text) + 2 * air + 1),
             option.fontMetrics.height() + 2 * air};
 }
 

@@ -97,28 +97,29 @@ QCPAxisRect* PlotNavigation::current() const {
 }
 
 PlotHistory::State PlotNavigation::state() const {
-    if (m_hooks.state) {
-        return m_hooks.state();
-    }
-    PlotHistory::State state;
-    for (QCPAxisRect* rect : m_plot.axisRects()) {
-        for (QCPAxis* axis : rect->axes()) {
-            state.insert(state.end(), {axis->range().lower, axis->range().upper});
-        }
-    }
-    return state;
+    return m_hooks.state ? m_hooks.state() : rangesOf(m_plot);
 }
 
 void PlotNavigation::setState(const PlotHistory::State& state) {
-    if (m_hooks.setState) {
-        m_hooks.setState(state);
-        return;
+    m_hooks.setState ? m_hooks.setState(state) : setRanges(m_plot, state);
+}
+
+PlotHistory::State PlotNavigation::rangesOf(const QCustomPlot& plot) {
+    PlotHistory::State ranges;
+    for (const QCPAxisRect* rect : plot.axisRects()) {
+        for (const QCPAxis* axis : rect->axes()) {
+            ranges.insert(ranges.end(), {axis->range().lower, axis->range().upper});
+        }
     }
+    return ranges;
+}
+
+void PlotNavigation::setRanges(const QCustomPlot& plot, const PlotHistory::State& ranges) {
     std::size_t i = 0;
-    for (QCPAxisRect* rect : m_plot.axisRects()) {
+    for (const QCPAxisRect* rect : plot.axisRects()) {
         for (QCPAxis* axis : rect->axes()) {
-            if (i + 1 < state.size()) {
-                axis->setRange(state[i], state[i + 1]);
+            if (i + 1 < ranges.size()) {
+                axis->setRange(ranges[i], ranges[i + 1]);
             }
             i += 2;
         }

@@ -36,6 +36,10 @@ public:
 
     explicit PlotNavigation(QCustomPlot& plot, Hooks hooks = {}, QObject* parent = nullptr);
 
+    /// Of all axes, as numbers of a state; in the order of setRanges().
+    [[nodiscard]] static PlotHistory::State rangesOf(const QCustomPlot& plot);
+    static void setRanges(const QCustomPlot& plot, const PlotHistory::State& ranges);
+
     void fit();
     void back();
     void forward();

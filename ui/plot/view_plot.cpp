@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/view_plot.h"
 
+#include "ui/plot/plot_cursors.h"
+#include "ui/plot/plot_tools.h"
+
 #include <QEvent>
 #include <QLocale>
 
+#include <utility>
+
 namespace sparkout {
+
+namespace {
+
+QLocale plainNumbers() {
+    QLocale numbers;
+    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
+    return numbers;
+}
+
+} // namespace
+
+ViewPlot::ViewPlot(QWidget* parent) : QCustomPlot(parent) {
+    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
+    setAutoAddPlottableToLegend(false);
+    plotLayout()->clear();
+    addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
+    setLocale(plainNumbers());
+}
+
+void ViewPlot::built() {
+    restyle();
+    retranslate();
+    setBuilt();
+}
 
 void ViewPlot::setDimmed(bool dim) {
     if (m_dim != dim) {
@@ -17,18 +46,137 @@ void ViewPlot::setDimmed(bool dim) {
 }
 
 void ViewPlot::retranslate() {
-    QLocale numbers;
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator);
-    setLocale(numbers);
+    setLocale(plainNumbers());
     setTexts();
+    if (m_tools) {
+        m_tools->retranslate();
+    }
 }
 
-void ViewPlot::takeLook(bool) {
-    restyle();
+void ViewPlot::restyle() {
+    style::applyPalette(*this, palette());
+    for (const QCPAxisRect* rect : axisRects()) {
+        for (QCPAxis* axis : rect->axes()) {
+            axis->setTickLabelFont(font());
+            axis->setLabelFont(font());
+        }
+    }
+}
+
+QColor ViewPlot::toned(style::Hue hue) const {
+    return style::dimmed(style::colour(hue, palette()), m_dim);
+}
+
+QColor ViewPlot::ink() const {
+    return style::dimmed(palette().color(QPalette::Text), m_dim);
+}
+
+// --- parts --------------------------------------------------------------------------------------
+
+QCPAxisRect* ViewPlot::addCell(int row) {
+    auto* const rect = new QCPAxisRect(this, true);
+    plotLayout()->addElement(row, 0, rect);
+    for (QCPAxis* axis : rect->axes()) {
+        style::setUpAxis(*axis);
+    }
+    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
+        rect->axis(side)->setVisible(true);
+        rect->axis(side)->setTicks(false);
+    }
+    return rect;
+}
+
+QCPGraph* ViewPlot::addLine(const QCPAxisRect& rect) {
+    return addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+}
+
+QCPCurve* ViewPlot::addCurve(const QCPAxisRect& rect) {
+    return new QCPCurve(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+}
+
+// --- tools --------------------------------------------------------------------------------------
+
+PlotTools& ViewPlot::addTools(PlotSubject subject, Settings* settings) {
+    subject.legend = [this] { return legendEntries(); };
+    subject.table = [this] { return table(); };
+    PlotNavigation::Hooks& hooks = subject.navigation;
+    if (!hooks.fit) {
+        hooks.fit = [this] { fit(); };
+    }
+    hooks.state = [this] { return sight(); };
+    hooks.setState = [this](const PlotHistory::State& state) { setSight(state); };
+    hooks.axes = [this](QCPAxisRect& rect) { return movedAxes(rect); };
+    m_tools = new PlotTools(*this, std::move(subject));
+    m_tools->setSettings(settings);
+    return *m_tools;
+}
+
+PlotCursors& ViewPlot::addCursors() {
+    m_cursors = new PlotCursors(*this, cursorSubject());
+    m_tools->addTool(m_cursors->toggle);
+    return *m_cursors;
+}
+
+CursorSubject ViewPlot::cursorSubject() {
+    return {[this] { return axisRects().last()->axis(QCPAxis::atBottom)->label(); },
+            [this] { return readSpan(); },
+            [this] { return readCurves(); },
+            {},
+            {}};
+}
+
+PlotHistory::State ViewPlot::sight() const {
+    return PlotNavigation::rangesOf(*this);
+}
+
+void ViewPlot::setSight(const PlotHistory::State& sight) {
+    PlotNavigation::setRanges(*this, sight);
+}
+
+QList<QCPAxis*> ViewPlot::movedAxes(QCPAxisRect& rect) const {
+    return {rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft)};
+}
+
+// --- legend and mouse ---------------------------------------------------------------------------
+
+void ViewPlot::toggleCurve(int key) {
+    m_choice.toggle(key);
+    followChoice();
+}
+
+void ViewPlot::showOnly(int key) {
+    m_choice.only(key, legendEntries());
+    followChoice();
+}
+
+void ViewPlot::followChoice() {
+    showChoice();
+    emit contentChanged();
+    replot(rpQueuedReplot);
+}
+
+void ViewPlot::onMouse(QMouseEvent* event) {
+    emit pointed(valuesAt(event->position()));
 }
 
 void ViewPlot::pointAway() {
     emit pointed({});
+}
+
+void ViewPlot::mouseMoveEvent(QMouseEvent* event) {
+    QCustomPlot::mouseMoveEvent(event);
+    onMouse(event);
+}
+
+void ViewPlot::leaveEvent(QEvent* event) {
+    QCustomPlot::leaveEvent(event);
+    pointAway();
+}
+
+// --- look ---------------------------------------------------------------------------------------
+
+void ViewPlot::takeLook(bool) {
+    restyle();
 }
 
 // Here, because a parent learns of a new palette before its children.
@@ -40,11 +188,6 @@ void ViewPlot::changeEvent(QEvent* event) {
         emit contentChanged();
         replot(rpQueuedReplot);
     }
-}
-
-void ViewPlot::leaveEvent(QEvent* event) {
-    QCustomPlot::leaveEvent(event);
-    pointAway();
 }
 
 } // namespace sparkout

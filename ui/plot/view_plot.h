@@ -1,38 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/plot_history.h"
+#include "ui/plot/plot_style.h"
+#include "ui/plot/read_curves.h"
+#include "ui/tables/csv_table.h"
+
 #include <qcustomplot.h>
 
 namespace sparkout {
 
+class PlotCursors;
+class PlotTools;
+class Settings;
+struct CursorSubject;
+struct PlotSubject;
+
 /// A plot of a view: dims with a run that is out of date, follows the window's language, palette
-/// and font, and tells what is under the mouse.
+/// and font, tells what is under the mouse, knows what of it the user hid; with tools it is moved,
+/// copied and saved, with cursors read. A chart says what is drawn, how it is read and fitted.
 class ViewPlot : public QCustomPlot {
     Q_OBJECT
 public:
-    explicit ViewPlot(QWidget* parent = nullptr) : QCustomPlot(parent) {}
+    explicit ViewPlot(QWidget* parent = nullptr); ///< without a cell, a layer "bands" at the back
 
     void setDimmed(bool dim);
     [[nodiscard]] bool isDimmed() const { return m_dim; }
-    void retranslate();         ///< numbers and texts
-    virtual void restyle() = 0; ///< by palette and font
+    [[nodiscard]] QColor toned(style::Hue hue) const; ///< faint while dimmed
+    [[nodiscard]] QColor ink() const;                 ///< of the texts, faint while dimmed
+    void retranslate();                               ///< numbers and texts
+    virtual void restyle(); ///< by palette and font; here background and axes
+
+    virtual void fit() = 0; ///< brings all into sight; no replot
+    [[nodiscard]] virtual LegendEntries legendEntries() const { return {}; }
+    [[nodiscard]] virtual CsvTable table() const { return {}; } ///< what is shown and in sight
+    virtual void toggleCurve(int key);                          ///< of the legend
+    virtual void showOnly(int key);                             ///< again: all
+
+    /// What is in sight, for the history [the ranges of all axes].
+    [[nodiscard]] virtual PlotHistory::State sight() const;
+    virtual void setSight(const PlotHistory::State& sight); ///< no replot
+    /// Axes that wheel, drag and keys move within an axis rect [bottom and left].
+    [[nodiscard]] virtual QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
+
+    [[nodiscard]] virtual ReadCurves readCurves() const { return {}; } ///< the shown ones
+    [[nodiscard]] virtual QCPRange readSpan() const { return {}; }     ///< where they can be read
+    /// For the cursors; the horizontal axis is told by its label.
+    [[nodiscard]] virtual CursorSubject cursorSubject();
+
+    QCPGraph* addLine(const QCPAxisRect& rect); ///< over its bottom and left axis
+    static QCPCurve* addCurve(const QCPAxisRect& rect);
+
+    /// Navigation, copies and files, once; the subject needs a heading and what is special.
+    PlotTools& addTools(PlotSubject subject, Settings* settings);
+    [[nodiscard]] PlotTools* tools() const { return m_tools; } ///< null: none
+    PlotCursors& addCursors();                                 ///< once, after the tools
+    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
 
 signals:
     void contentChanged();             ///< hence the legend
     void pointed(const QString& text); ///< values under the mouse; empty: at nothing
 
 protected:
-    virtual void setTexts() = 0;
+    virtual void setTexts() {}
     /// When a new font, else a new palette, has come.
     virtual void takeLook(bool font);
-    virtual void pointAway();           ///< the mouse has left
-    void setBuilt() { m_built = true; } ///< all is there that restyle() needs
+    virtual void showChoice() {} ///< what the user hid, or shows again, in the legend
+    [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
+    virtual void onMouse(QMouseEvent* event); ///< has moved; here tells the values
+    virtual void pointAway();                 ///< the mouse has left
+    void built();                             ///< ends a constructor: look and texts
+    void setBuilt() { m_built = true; }       ///< the same without them: there is nothing yet
     [[nodiscard]] bool isBuilt() const { return m_built; }
+
+    [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend
+    [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
+    /// An axis rect in a row of the layout, closed by axes without numbers above and to the right.
+    QCPAxisRect* addCell(int row = 0);
 
     void changeEvent(QEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
+    void followChoice();
+
+    CurveChoice m_choice;
+    PlotTools* m_tools = nullptr;
+    PlotCursors* m_cursors = nullptr;
     bool m_dim = false, m_built = false;
 };
 

@@ -142,7 +142,7 @@ void CompareView::buildTools(Settings* settings) {
     subject.table = [this] { return m_plot->table(); };
     subject.restyle = [this] { m_plot->restyle(); };
     subject.navigation.fit = [this] { m_plot->fit(); };
-    subject.navigation.axes = ComparePlot::movedAxes;
+    subject.navigation.axes = [this](QCPAxisRect& rect) { return m_plot->movedAxes(rect); };
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
     m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());

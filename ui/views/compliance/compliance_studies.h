@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/study/outcome.h"
-#include "ui/charts/gauge_curves.h"
 #include "ui/session/newest_job.h"
 #include "ui/views/compliance/coupling_curves.h"
+#include "ui/views/compliance/gauge_curves.h"
 
 #include <QObject>
 

@@ -2,10 +2,7 @@
 #include "ui/views/compliance/coupling_curves.h"
 
 #include "core/units.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +10,6 @@
 namespace sparkout {
 
 namespace {
-
-QString couplingWord(const char* text) {
-    return QCoreApplication::translate("CouplingCurves", text);
-}
 
 /// The two models often lie closer than the hundredths others are told in.
 QString fine(double value_um) {
@@ -29,8 +22,8 @@ constexpr style::Hue differenceHue = style::Hue::purple;
 
 } // namespace
 
-CouplingCurves::CouplingCurves(QCPAxisRect& rect)
-    : LengthCurves(rect)
+CouplingCurves::CouplingCurves(ViewPlot& plot, QCPAxisRect& rect)
+    : LengthCurves(plot, rect)
     , m_independent(addGraph(independentKey))
     , m_coupled(addGraph(coupledKey))
     , m_difference(addGraph(differenceKey)) {}
@@ -62,7 +55,7 @@ void CouplingCurves::show(CouplingPtr comparison) {
     } else {
         clearLimits();
     }
-    restyle(m_dim);
+    restyle();
 }
 
 QString CouplingCurves::summary() const {
@@ -78,21 +71,16 @@ QString CouplingCurves::summary() const {
         return Names::significant(result.time_s / units::secondsPerMinute, 4);
     };
     QString text =
-        couplingWord(
-            QT_TRANSLATE_NOOP(
-                "CouplingCurves",
-                "Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over "
-                "the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min."))
+        tr("Coupled less independent at most %1 µm of diameter, at %2 mm. Spread over "
+           "the length: independent %3 µm, coupled %4 µm. Time %5 and %6 min.")
             .arg(fine(*largest * units::umPerMm),
                  Names::significant(m_comparison->independent.sections[at].position_mm, 4),
                  spread(m_comparison->independent), spread(m_comparison->coupled),
                  minutes(m_comparison->independent), minutes(m_comparison->coupled));
-    for (const auto& [result, form] :
-         {std::pair(&m_comparison->independent,
-                    QT_TRANSLATE_NOOP("CouplingCurves", "Independent: %1")),
-          std::pair(&m_comparison->coupled, QT_TRANSLATE_NOOP("CouplingCurves", "Coupled: %1"))}) {
+    for (const auto& [result, form] : {std::pair(&m_comparison->independent, tr("Independent: %1")),
+                                       std::pair(&m_comparison->coupled, tr("Coupled: %1"))}) {
         if (result->status != RunStatus::completed) {
-            text += u' ' + couplingWord(form).arg(Names::status(result->status));
+            text += u' ' + form.arg(Names::status(result->status));
         }
     }
     return text;
@@ -102,31 +90,26 @@ LegendEntries CouplingCurves::legendEntries() const {
     if (!m_comparison) {
         return {};
     }
-    const auto line = [this](int key, style::Hue hue, Qt::PenStyle pen, const char* text) {
-        return entry(key, style::dimmed(style::colour(hue, palette()), m_dim), pen,
-                     couplingWord(text));
+    const auto line = [this](int key, style::Hue hue, Qt::PenStyle pen, const QString& text) {
+        return entry(key, plot().toned(hue), pen, text);
     };
-    return {line(independentKey, independentHue, Qt::SolidLine,
-                 QT_TRANSLATE_NOOP("CouplingCurves", "sections independent")),
-            line(coupledKey, coupledHue, Qt::SolidLine,
-                 QT_TRANSLATE_NOOP("CouplingCurves", "sections coupled")),
-            line(differenceKey, differenceHue, Qt::DotLine,
-                 QT_TRANSLATE_NOOP("CouplingCurves", "coupled less independent")),
+    return {line(independentKey, independentHue, Qt::SolidLine, tr("sections independent")),
+            line(coupledKey, coupledHue, Qt::SolidLine, tr("sections coupled")),
+            line(differenceKey, differenceHue, Qt::DotLine, tr("coupled less independent")),
             limitsEntry()};
 }
 
-void CouplingCurves::restyle(bool dim) {
-    m_dim = dim;
+void CouplingCurves::restyle() {
     const auto look = [this](QCPGraph* graph, style::Hue hue, Qt::PenStyle pen,
                              QCPScatterStyle::ScatterShape shape) {
-        const QColor colour = style::dimmed(style::colour(hue, palette()), m_dim);
+        const QColor colour = plot().toned(hue);
         graph->setPen(QPen(colour, 2, pen));
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 1.5), colour, 6));
     };
     look(m_independent, independentHue, Qt::SolidLine, QCPScatterStyle::ssDisc);
     look(m_coupled, coupledHue, Qt::SolidLine, QCPScatterStyle::ssSquare);
     look(m_difference, differenceHue, Qt::DotLine, QCPScatterStyle::ssDiamond);
-    restyleLimits(dim);
+    restyleLimits();
 }
 
 CsvTable CouplingCurves::table() const {
@@ -134,13 +117,9 @@ CsvTable CouplingCurves::table() const {
     if (!m_comparison) {
         return table;
     }
-    table.header << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Section"))
-                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Position, mm"))
-                 << couplingWord(QT_TRANSLATE_NOOP(
-                        "CouplingCurves", "Independent, mean diameter from the middle, µm"))
-                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves",
-                                                   "Coupled, mean diameter from the middle, µm"))
-                 << couplingWord(QT_TRANSLATE_NOOP("CouplingCurves", "Difference, µm"));
+    table.header << tr("Section") << tr("Position, mm")
+                 << tr("Independent, mean diameter from the middle, µm")
+                 << tr("Coupled, mean diameter from the middle, µm") << tr("Difference, µm");
     for (std::size_t i = 0; i < m_comparison->differences_mm.size(); ++i) {
         const SectionResult& section = m_comparison->independent.sections[i];
         table.rows.push_back({static_cast<double>(i), section.position_mm, fromMiddle_um(section),
@@ -158,9 +137,7 @@ QString CouplingCurves::valuesAt(double x_mm) const {
     const auto nearest = std::ranges::min_element(
         sections, {}, [x_mm](const SectionResult& s) { return std::abs(s.position_mm - x_mm); });
     const auto i = static_cast<std::size_t>(nearest - sections.begin());
-    return couplingWord(
-               QT_TRANSLATE_NOOP("CouplingCurves",
-                                 "%1 at %2 mm: independent %3 µm, coupled %4 µm, difference %5 µm"))
+    return tr("%1 at %2 mm: independent %3 µm, coupled %4 µm, difference %5 µm")
         .arg(Names::zone(Zone::section, static_cast<int>(i)),
              Names::significant(nearest->position_mm, 4), fine(fromMiddle_um(*nearest)),
              fine(fromMiddle_um(m_comparison->coupled.sections[i])),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/quality/coupling_comparison.h"
-#include "ui/charts/length_curves.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include <memory>
 
@@ -13,10 +13,11 @@ using CouplingPtr = std::shared_ptr<const CouplingComparison>;
 /// The mean diameters of the sections as the models with independent and with coupled sections
 /// have them, and the difference.
 class CouplingCurves : public LengthCurves {
+    Q_DECLARE_TR_FUNCTIONS(CouplingCurves)
 public:
     static constexpr int independentKey = 400, coupledKey = 401, differenceKey = 402;
 
-    explicit CouplingCurves(QCPAxisRect& rect);
+    CouplingCurves(ViewPlot& plot, QCPAxisRect& rect);
 
     void show(CouplingPtr comparison); ///< null: nothing to show
     [[nodiscard]] const CouplingComparison* comparison() const { return m_comparison.get(); }
@@ -26,7 +27,7 @@ public:
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] QString valuesAt(double x_mm) const override;
-    void restyle(bool dim) override;
+    void restyle() override;
     [[nodiscard]] Digits digits() const override { return Digits::thousandths; }
 
 private:
@@ -37,7 +38,6 @@ private:
     QCPGraph* m_independent;
     QCPGraph* m_coupled;
     QCPGraph* m_difference;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

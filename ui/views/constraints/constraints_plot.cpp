@@ -4,11 +4,8 @@
 #include "core/units.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/number_ticker.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
-
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -48,48 +45,27 @@ void setPoints(QCPGraph& graph, const LimitPoints& points) {
 
 } // namespace
 
-ConstraintsPlot::ConstraintsPlot(QWidget* parent) : ViewPlot(parent) {
-    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
+ConstraintsPlot::ConstraintsPlot(QWidget* parent) : ViewPlot(parent), m_rect(addCell()) {
     build();
-    restyle();
-    retranslate();
     m_moment = new HairLine(*this, HairLine::Role::moment);
     connect(this, &QCustomPlot::afterLayout, this, &ConstraintsPlot::placeMark);
-    connect(this, &QCustomPlot::mouseMove, this, &ConstraintsPlot::onMouse);
-    setBuilt();
-}
-
-QCPGraph* ConstraintsPlot::addLine() {
-    QCPGraph* graph = addGraph(stockAxis(), feedAxis());
-    graph->removeFromLegend();
-    graph->setSelectable(QCP::stNone);
-    graph->setAdaptiveSampling(false);
-    return graph;
+    built();
 }
 
 void ConstraintsPlot::build() {
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
     m_rect->setMinimumMargins(QMargins(0, 6, 14, 0));
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
-    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
-        m_rect->axis(side)->setVisible(true);
-        m_rect->axis(side)->setTicks(false);
-    }
     stockAxis()->setRangeReversed(true);
-    m_ceiling = addLine();
-    m_stepless = addLine();
+    m_ceiling = addLine(*m_rect);
+    m_stepless = addLine(*m_rect);
     m_stepless->setChannelFillGraph(m_ceiling);
     for (const ConstraintKind kind : depthLimitKinds()) {
-        m_limits[kind] = addLine();
+        m_limits[kind] = addLine(*m_rect);
+    }
+    for (int i = 0; i < graphCount(); ++i) {
+        graph(i)->setAdaptiveSampling(false);
     }
     for (QCPCurve** curve : {&m_actual, &m_exceeded, &m_mark}) {
-        *curve = new QCPCurve(stockAxis(), feedAxis());
-        (*curve)->removeFromLegend();
-        (*curve)->setSelectable(QCP::stNone);
+        *curve = addCurve(*m_rect);
     }
     m_exceeded->setLineStyle(QCPCurve::lsNone);
     m_mark->setLineStyle(QCPCurve::lsNone);
@@ -104,18 +80,12 @@ void ConstraintsPlot::build() {
             &ConstraintsPlot::contentChanged); // the legend names what is out of sight
 }
 
-const LimitGroup* ConstraintsPlot::shownGroup() const {
-    return m_outcome && m_group >= 0 ? &m_outcome->limits.groups[static_cast<std::size_t>(m_group)]
-                                     : nullptr;
-}
-
 void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
-    const bool same = m_outcome && m_group == group && !m_fitNext;
+    const bool same = !m_chart.isEmpty() && m_chart.group() == group && !m_fitNext;
     m_fitNext = false;
-    m_outcome = std::move(outcome);
-    m_group = group;
+    m_chart = LimitChart(std::move(outcome), group, m_chart.requirement());
     fill();
-    feedAxis()->setLabel(feedLabel());
+    feedAxis()->setLabel(m_chart.feedLabel());
     if (same) {
         refit();
     } else {
@@ -125,12 +95,10 @@ void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
 }
 
 void ConstraintsPlot::fill() {
-    const LimitGroup* group = shownGroup();
     for (const auto& [kind, graph] : m_limits) {
-        const bool shown = group && !LimitNames::isGuess(kind, m_outcome->result.project);
-        setPoints(*graph, shown ? limitCurve(m_outcome->limits, *group, kind) : LimitPoints());
+        setPoints(*graph, m_chart.limit(kind));
     }
-    const LimitPoints stepless = group ? steplessLimit(m_outcome->limits, *group) : LimitPoints();
+    const LimitPoints& stepless = m_chart.stepless();
     setPoints(*m_stepless, stepless);
     LimitPoints ceiling;
     if (!stepless.empty()) {
@@ -138,9 +106,9 @@ void ConstraintsPlot::fill() {
                    {stepless.back().stock_mm, forbidden_um / umPerMm}};
     }
     setPoints(*m_ceiling, ceiling);
-    fillCuts(group ? *group : LimitGroup());
+    fillCuts(m_chart.cuts() ? *m_chart.cuts() : LimitGroup());
     fillMark();
-    show();
+    showChoice();
 }
 
 void ConstraintsPlot::fillCuts(const LimitGroup& group) {
@@ -159,40 +127,29 @@ void ConstraintsPlot::fillCuts(const LimitGroup& group) {
 }
 
 void ConstraintsPlot::setMarked(const std::optional<ConstraintResult>& requirement) {
-    m_requirement = requirement;
+    m_chart.setMarked(requirement);
     fillMark();
 }
 
 void ConstraintsPlot::fillMark() {
-    m_markedCut.reset();
-    const LimitGroup* group = shownGroup();
-    if (group && m_requirement) {
-        m_markedCut = limitedCutOf(m_outcome->result, m_outcome->trajectory, *m_requirement);
-        if (m_markedCut && limitGroupAt(m_outcome->limits, m_markedCut->place) != m_group) {
-            m_markedCut.reset();
-        }
-    } else if (group && group->worst.depth_mm > 0 && m_stepless->dataCount() > 0) {
-        m_markedCut = group->worst;
-    }
+    const std::optional<LimitedCut>& cut = marked();
     m_mark->data()->clear();
-    if (m_markedCut) {
-        m_mark->addData(m_markedCut->stock_mm * umPerMm,
-                        std::max(m_markedCut->depth_mm * umPerMm, lowest_um));
-        m_markText->position->setCoords(m_markedCut->stock_mm * umPerMm,
-                                        m_markedCut->depth_mm * umPerMm);
+    if (cut) {
+        m_mark->addData(cut->stock_mm * umPerMm, std::max(cut->depth_mm * umPerMm, lowest_um));
+        m_markText->position->setCoords(cut->stock_mm * umPerMm, cut->depth_mm * umPerMm);
     }
-    m_markText->setText(markText());
-    m_markText->setVisible(m_markedCut.has_value());
+    m_markText->setText(m_chart.markText());
+    m_markText->setVisible(cut.has_value());
 }
 
 /// The text stands on the side of the mark that has room.
 void ConstraintsPlot::placeMark() {
     style::fitValueAxes(*m_rect, font());
-    if (!m_markedCut) {
+    if (!marked()) {
         return;
     }
-    const QPointF at(stockAxis()->coordToPixel(m_markedCut->stock_mm * umPerMm),
-                     feedAxis()->coordToPixel(m_markedCut->depth_mm * umPerMm));
+    const QPointF at(stockAxis()->coordToPixel(marked()->stock_mm * umPerMm),
+                     feedAxis()->coordToPixel(marked()->depth_mm * umPerMm));
     const bool right = at.x() < m_rect->rect().center().x();
     const bool below = at.y() < m_rect->rect().center().y();
     m_markText->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight)
@@ -213,14 +170,14 @@ QCPGraph* ConstraintsPlot::limit(ConstraintKind kind) const {
 }
 
 /// What is chosen in the legend.
-void ConstraintsPlot::show() {
+void ConstraintsPlot::showChoice() {
     for (const auto& [kind, graph] : m_limits) {
-        graph->setVisible(m_choice.shows(static_cast<int>(kind)));
+        graph->setVisible(shows(static_cast<int>(kind)));
     }
-    m_stepless->setVisible(m_choice.shows(steplessKey));
-    m_ceiling->setVisible(m_choice.shows(steplessKey));
-    m_actual->setVisible(m_choice.shows(actualKey));
-    m_exceeded->setVisible(m_choice.shows(actualKey));
+    m_stepless->setVisible(shows(steplessKey));
+    m_ceiling->setVisible(shows(steplessKey));
+    m_actual->setVisible(shows(actualKey));
+    m_exceeded->setVisible(shows(actualKey));
 }
 
 double ConstraintsPlot::highestCut() const {
@@ -253,9 +210,8 @@ void ConstraintsPlot::fit() {
 /// to it; and the stock's where nothing of the cycle would be left of it.
 void ConstraintsPlot::refit() {
     const QCPRange stock = stockAxis()->range();
-    const LimitSeries& series = m_outcome->limits;
-    if (stock == m_fittedStock || series.deepest_mm * umPerMm < stock.lower
-        || series.least_mm * umPerMm > stock.upper) {
+    const QCPRange cycle = stocks_um();
+    if (stock == m_fittedStock || cycle.upper < stock.lower || cycle.lower > stock.upper) {
         fitStock();
     }
     if (feedAxis()->range() == m_fittedFeeds) {
@@ -263,12 +219,15 @@ void ConstraintsPlot::refit() {
     }
 }
 
+QCPRange ConstraintsPlot::stocks_um() const {
+    const auto [least_mm, deepest_mm] = m_chart.stocks_mm();
+    return {least_mm * umPerMm, deepest_mm * umPerMm};
+}
+
 void ConstraintsPlot::fitStock() {
-    const LimitSeries* series = m_outcome ? &m_outcome->limits : nullptr;
-    const double from = series ? series->least_mm * umPerMm : 0;
-    const double to = series ? series->deepest_mm * umPerMm : 1;
-    const double border = 0.02 * (to - from);
-    style::setSafeRange(*stockAxis(), from - border, to + border);
+    const QCPRange cycle = m_chart.isEmpty() ? QCPRange(0, 1) : stocks_um();
+    const double border = 0.02 * cycle.size();
+    style::setSafeRange(*stockAxis(), cycle.lower - border, cycle.upper + border);
     m_fittedStock = stockAxis()->range();
 }
 
@@ -297,55 +256,34 @@ void ConstraintsPlot::setLogarithmic(bool on) {
     fit();
 }
 
-void ConstraintsPlot::choose(int key, bool only) {
-    if (only) {
-        m_choice.only(key, legendEntries());
-    } else {
-        m_choice.toggle(key);
-    }
-    show();
-    emit contentChanged();
-    replot();
-}
-
-void ConstraintsPlot::toggleCurve(int key) {
-    choose(key, false);
-}
-
-void ConstraintsPlot::showOnly(int key) {
-    choose(key, true);
-}
-
 // --- look ---------------------------------------------------------------------------------------
 
 QPen ConstraintsPlot::penOf(int key) const {
-    const auto pen = [this](Hue hue, double width, Qt::PenStyle dashes) {
-        return QPen(style::dimmed(style::colour(hue, palette()), isDimmed()), width, dashes);
-    };
+    const auto pen = [this](Hue hue, Qt::PenStyle dashes) { return QPen(toned(hue), 1.6, dashes); };
     if (key == actualKey) {
-        return pen(Hue::blue, 1.6, Qt::SolidLine);
+        return pen(Hue::blue, Qt::SolidLine);
     }
     if (key == steplessKey) {
-        return {style::dimmed(palette().color(QPalette::Text), isDimmed()), 3, Qt::SolidLine};
+        return {ink(), 3, Qt::SolidLine};
     }
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(
         std::ranges::find(kinds, static_cast<ConstraintKind>(key)) - kinds.begin());
     const auto [hue, dashes] = limitPens[std::min(place, std::size(limitPens) - 1)];
-    return pen(hue, 1.6, dashes);
+    return pen(hue, dashes);
 }
 
 LegendEntries ConstraintsPlot::legendEntries() const {
     LegendEntries entries;
     const auto add = [&](int key, const QString& name) {
         const QPen pen = penOf(key);
-        entries.push_back({pen.color(), pen.style(), name, key, m_choice.shows(key)});
+        entries.push_back({pen.color(), pen.style(), name, key, shows(key)});
     };
-    if (!shownGroup()) {
+    if (!m_chart.cuts()) {
         return entries;
     }
     add(actualKey, tr("actual feed"));
-    if (m_stepless->dataCount() > 0) {
+    if (!m_chart.stepless().empty()) {
         add(steplessKey, tr("stepless limit, forbidden above"));
     }
     for (const ConstraintKind kind : depthLimitKinds()) {
@@ -365,11 +303,7 @@ LegendEntries ConstraintsPlot::legendEntries() const {
 }
 
 void ConstraintsPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
+    ViewPlot::restyle();
     for (const auto& [kind, graph] : m_limits) {
         graph->setPen(penOf(static_cast<int>(kind)));
     }
@@ -382,10 +316,10 @@ void ConstraintsPlot::restyle() {
     m_actual->setPen(actual);
     m_actual->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDisc, actual.color(), actual.color(), cutSize));
-    const QColor alarm = style::dimmed(style::colour(Hue::vermilion, palette()), isDimmed());
+    const QColor alarm = toned(Hue::vermilion);
     m_exceeded->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssSquare, alarm, alarm, exceededSize));
-    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
+    const QColor text = ink();
     m_mark->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 2), Qt::NoBrush, markSize));
     QColor paper = palette().color(QPalette::Base);
@@ -395,18 +329,48 @@ void ConstraintsPlot::restyle() {
     m_markText->setFont(font());
 }
 
-/// A cut is a revolution's where the wheel plunges or stands, else a stroke's.
-QString ConstraintsPlot::feedLabel() const {
-    const LimitGroup* group = shownGroup();
-    const bool stroke =
-        group && !group->standing && m_outcome->result.project.operation->countsStrokes;
-    return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
-}
-
 void ConstraintsPlot::setTexts() {
     stockAxis()->setLabel(tr("Stock left after the cut, µm"));
-    feedAxis()->setLabel(feedLabel());
-    m_markText->setText(markText());
+    feedAxis()->setLabel(m_chart.feedLabel());
+    m_markText->setText(m_chart.markText());
+}
+
+// --- numbers ------------------------------------------------------------------------------------
+
+/// Of the cut nearest to the mouse, as it is seen.
+QString ConstraintsPlot::valuesAt(const QPointF& at) const {
+    const LimitGroup* group = m_chart.cuts();
+    if (!group || group->cuts.empty() || !m_rect->rect().contains(at.toPoint())) {
+        return {};
+    }
+    const auto away = [&](const LimitedCut& cut) {
+        const double x = stockAxis()->coordToPixel(cut.stock_mm * umPerMm);
+        const double y = feedAxis()->coordToPixel(std::max(cut.depth_mm * umPerMm, lowest_um));
+        return std::hypot(x - at.x(), y - at.y());
+    };
+    return m_chart.valuesAt(*std::ranges::min_element(group->cuts, {}, away));
+}
+
+ReadCurves ConstraintsPlot::readCurves() const {
+    ReadCurves curves;
+    const auto add = [&](const auto& drawn, const QString& name) {
+        if (drawn->visible() && !drawn->data()->isEmpty()) {
+            curves.push_back({QString(), name, Digits::significant,
+                              [drawn](double x) { return valueAt(*drawn, x); }});
+        }
+    };
+    add(m_actual, tr("actual feed, µm"));
+    add(m_stepless, tr("stepless limit, µm"));
+    for (const auto& [kind, graph] : m_limits) {
+        add(graph, tr("limit: %1, µm").arg(LimitNames::limit(kind)));
+    }
+    return curves;
+}
+
+CsvTable ConstraintsPlot::table() const {
+    const QCPRange sight = stockAxis()->range();
+    return m_chart.table([&](double stock_mm) { return sight.contains(stock_mm * umPerMm); },
+                         [this](ConstraintKind kind) { return shows(static_cast<int>(kind)); });
 }
 
 } // namespace sparkout

@@ -9,9 +9,10 @@
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/metrics.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_tools.h"
+#include "ui/plot/plot_cursors.h"
 #include "ui/text/estimate_names.h"
 #include "ui/text/formula_text.h"
 #include "ui/text/limit_names.h"
@@ -20,13 +21,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
-#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -34,6 +37,8 @@ namespace sparkout {
 
 namespace {
 
+constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
+constexpr int tableShare = 450, sheetShare = 220;
 constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
 
 /// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
@@ -73,6 +78,157 @@ bool groupsAreLimited(const Outcome& outcome) {
 
 } // namespace
 
+ConstraintsView::ConstraintsView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("constraints"), parent, settings)
+    , m_plot(new ConstraintsPlot(this))
+    , m_zone(new QComboBox(this))
+    , m_logarithmic(new QCheckBox(this))
+    , m_places(new QCheckBox(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_model(new MarginModel(this))
+    , m_sheet(new QPlainTextEdit(this))
+    , m_goTo(new QPushButton(this))
+    , m_off(new QLabel(this)) {
+    addPlot(*m_plot);
+    addCursors(*m_plot);
+    hideUntilDrawn({m_plot});
+    disableUntilDrawn({m_zone, m_logarithmic});
+    build(settings);
+    m_logarithmic->setChecked(true); // far limits and the last cuts in one picture
+    m_plot->setLogarithmic(true);
+    connectParts();
+    built();
+}
+
+void ConstraintsView::build(Settings* settings) {
+    setUpReadout(*values(), 3);
+    m_off->setWordWrap(true);
+    m_off->setTextFormat(Qt::RichText);
+    m_off->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    m_plot->setMinimumSize(240, 140);
+    QWidget* upper = buildCurves();
+    auto* lower = new QSplitter(Qt::Horizontal, m_splitter);
+    lower->addWidget(buildMargins());
+    const auto project = [this] {
+        return good() ? QString::fromStdString(good()->result.project.title).simplified()
+                      : QString();
+    };
+    m_table->setSaving([this] { return m_model->table(); }, project, settings);
+    lower->addWidget(buildSheet());
+    lower->setChildrenCollapsible(false);
+    lower->setSizes({tableShare, sheetShare});
+    m_splitter->addWidget(upper);
+    m_splitter->addWidget(lower);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setStretchFactor(0, plotShare);
+    m_splitter->setStretchFactor(1, lowerShare);
+    m_splitter->setSizes({plotShare, lowerShare});
+    addColumn({buildTools(), notice(), legend(), m_splitter, m_off}, m_splitter);
+    nameObjects({{m_plot, "constraintsPlot"},
+                 {m_zone, "constraintsZone"},
+                 {m_logarithmic, "logarithmic"},
+                 {m_places, "everyPlace"},
+                 {m_table, "margins"},
+                 {m_sheet, "formulaSheet"},
+                 {m_goTo, "showWhere"},
+                 {m_off, "limitsOff"}});
+}
+
+QWidget* ConstraintsView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<QHBoxLayout>(bar);
+    m_zone->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    row->addWidget(m_zone);
+    row->addStretch(1);
+    row->addWidget(m_logarithmic);
+    addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
+    return bar;
+}
+
+QWidget* ConstraintsView::buildCurves() {
+    auto* box = new QWidget(m_splitter);
+    auto* curves = rowIn<QVBoxLayout>(box);
+    curves->addWidget(m_plot, 1);
+    curves->addWidget(strip());
+    curves->addWidget(values());
+    return box;
+}
+
+QWidget* ConstraintsView::buildMargins() {
+    m_table = new CopyTable([this] { return m_model->asTsv(); }, this);
+    m_table->setModel(m_model);
+    m_table->setItemDelegateForColumn(MarginModel::usage, new MarginBar(m_table));
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setIconSize(QSize(metrics::iconSmall, metrics::iconSmall));
+    m_table->setWordWrap(true);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    QHeaderView* header = m_table->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(MarginModel::requirement, QHeaderView::Stretch);
+    // In a narrower column names wrap; asked for when all columns have their widths.
+    connect(
+        header, &QHeaderView::sectionResized, m_table, [this] { m_table->resizeRowsToContents(); },
+        Qt::QueuedConnection);
+    return m_table;
+}
+
+QWidget* ConstraintsView::buildSheet() {
+    auto* box = new QWidget(this);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::tight);
+    m_sheet->setReadOnly(true);
+    m_sheet->setTabChangesFocus(true);
+    auto* row = new ToolRow;
+    row->addWidget(m_goTo);
+    row->addStretch(1);
+    row->addWidget(m_places);
+    column->addWidget(m_sheet, 1);
+    column->addLayout(row);
+    return box;
+}
+
+void ConstraintsView::connectParts() {
+    connect(m_zone, &QComboBox::currentIndexChanged, this, [this](int group) {
+        if (good() && group >= 0) {
+            m_group = keyOf(good()->limits.groups[static_cast<std::size_t>(group)]);
+            showGroup(group);
+            m_plot->replot();
+            tools()->navigation().noteView();
+        }
+    });
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
+        m_plot->setLogarithmic(on);
+        m_plot->replot();
+        tools()->navigation().forgetViews(); // ranges of the other scale
+    });
+    connect(m_places, &QCheckBox::toggled, this, [this](bool all) {
+        m_model->setAllPlaces(all);
+        selectChosen();
+        m_plot->replot();
+        showSheet();
+    });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& now) {
+                if (now.isValid()) {
+                    choose(now.row());
+                }
+            });
+    const auto enter = [this] {
+        if (const auto requirement = chosen()) {
+            emit requirementEntered(*requirement);
+        }
+    };
+    connect(m_table, &CopyTable::rowEntered, this, enter);
+    connect(m_goTo, &QPushButton::clicked, this, enter);
+    connect(m_off, &QLabel::linkActivated, this,
+            [this](const QString& path) { emit pathAsked(path.toStdString()); });
+}
+
 QString ConstraintsView::title() const {
     return tr("Constraints");
 }
@@ -81,29 +237,20 @@ void ConstraintsView::forget() {
     m_plot->fitNext();
 }
 
-void ConstraintsView::showOutcome() {
-    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
-    if (ran) {
-        const auto kind = [](const OutcomePtr& o) {
-            return std::pair(o->result.project.operation, o->result.sections.size());
-        };
-        if (!m_good || kind(m_good) != kind(latest())) {
-            m_group.reset();
-            m_chosen.reset();
-            m_plot->fitNext();
-        }
-        m_good = latest();
-        m_model->setOutcome(m_good);
-        fillGroups();
-        showGroup(wantedGroup());
-        selectChosen();
+void ConstraintsView::takeOutcome(const OutcomePtr& before) {
+    const auto kind = [](const OutcomePtr& o) {
+        return std::pair(o->result.project.operation, o->result.sections.size());
+    };
+    if (!before || kind(before) != kind(good())) {
+        m_group.reset();
+        m_chosen.reset();
+        m_plot->fitNext();
     }
-    m_plot->setDimmed(m_good && !ran);
-    showState();
+    m_model->setOutcome(good());
+    fillGroups();
+    showGroup(wantedGroup());
+    selectChosen();
     showSheet();
-    m_plot->replot();
-    m_tools->navigation().amendView();
-    emit updated();
 }
 
 // --- zones --------------------------------------------------------------------------------------
@@ -112,11 +259,11 @@ void ConstraintsView::fillGroups() {
     const QSignalBlocker blocker(m_zone);
     const int current = m_zone->currentIndex();
     m_zone->clear();
-    if (!m_good) {
+    if (!good()) {
         return;
     }
-    const bool limited = groupsAreLimited(*m_good);
-    for (const LimitGroup& group : m_good->limits.groups) {
+    const bool limited = groupsAreLimited(*good());
+    for (const LimitGroup& group : good()->limits.groups) {
         const QString name = LimitNames::group(group);
         m_zone->addItem(limited ? tr("%1 — %2").arg(name, LimitNames::percent(group.worst.usage))
                                 : name);
@@ -130,7 +277,7 @@ ConstraintsView::GroupKey ConstraintsView::keyOf(const LimitGroup& group) {
 
 /// The one the user chose, else the one that comes nearest to its limit.
 int ConstraintsView::wantedGroup() const {
-    const auto& groups = m_good->limits.groups;
+    const auto& groups = good()->limits.groups;
     const auto same = [this](const LimitGroup& group) { return keyOf(group) == m_group; };
     const auto chosen = std::ranges::find_if(groups, same);
     if (chosen != groups.end() || groups.empty()) {
@@ -143,13 +290,13 @@ int ConstraintsView::wantedGroup() const {
 }
 
 void ConstraintsView::followCycle() {
-    const CycleCursor* const at = cycleIn(m_good);
-    m_plot->setMoment(at && !at->atEnd() ? stockAt(*m_good, m_plot->group(), at->progress())
+    const CycleCursor* const at = cycleIn(good());
+    m_plot->setMoment(at && !at->atEnd() ? stockAt(*good(), m_plot->group(), at->progress())
                                          : std::nullopt);
 }
 
 void ConstraintsView::showGroup(int group) {
-    m_plot->setRun(m_good, group);
+    m_plot->setRun(good(), group);
     followCycle();
     const QSignalBlocker blocker(m_zone);
     m_zone->setCurrentIndex(group);
@@ -179,32 +326,32 @@ void ConstraintsView::choose(int row) {
         place.zone = m_chosen->zone;
         place.section = std::max(m_chosen->section, 0);
         place = m_chosen->at.value_or(place);
-        const int group = limitGroupAt(m_good->limits, place);
+        const int group = limitGroupAt(good()->limits, place);
         if (group >= 0) {
-            m_group = keyOf(m_good->limits.groups[static_cast<std::size_t>(group)]);
+            m_group = keyOf(good()->limits.groups[static_cast<std::size_t>(group)]);
             showGroup(group);
         }
     }
     m_plot->setMarked(m_chosen);
     m_plot->replot();
-    m_tools->navigation().amendView();
+    tools()->navigation().amendView();
     showSheet();
     emit requirementChosen(*m_chosen);
 }
 
 void ConstraintsView::showSheet() {
-    const std::optional<ConstraintResult> about = m_good ? chosen() : std::nullopt;
+    const std::optional<ConstraintResult> about = good() ? chosen() : std::nullopt;
     m_goTo->setEnabled(about.has_value());
     QStringList text;
     if (!about) {
         text << tr("Choose a requirement to see where it was worst and how its number came about.");
     } else {
-        text << verdict::why(*m_good, *about);
+        text << verdict::why(*good(), *about);
         if (text.back().isEmpty()) {
             text.back() = tr("%1, %2: a setting held against its range.")
                               .arg(Names::constraint(about->kind), Names::where(*about));
         }
-        if (const auto sheet = constraintSheet(m_good->result, m_good->accuracy, *about)) {
+        if (const auto sheet = constraintSheet(good()->result, good()->accuracy, *about)) {
             text << QString() << formulaText(*sheet);
         }
         if (const QString estimates = EstimateNames::behind(about->kind); !estimates.isEmpty()) {
@@ -216,85 +363,65 @@ void ConstraintsView::showSheet() {
 
 // --- texts --------------------------------------------------------------------------------------
 
-void ConstraintsView::showState() {
-    const bool refused = latest() && !latest()->ran();
-    const bool drawn = m_good && !m_good->limits.groups.empty();
-    QString text;
-    if (refused) {
-        text =
-            (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
-                    : tr("The inputs are refused:"))
-            + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    } else if (!m_good) {
-        text = tr("No result yet.");
-    } else if (!drawn) {
-        text = tr("The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or "
+bool ConstraintsView::drawn() const {
+    return good() && !good()->limits.groups.empty();
+}
+
+QString ConstraintsView::remark() const {
+    if (!drawn()) {
+        return tr("The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or "
                   "sections help; the requirements below are of the whole cycle.");
-    } else if (!feedIsLimited(*m_good)) {
-        text = tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
+    }
+    if (!feedIsLimited(*good())) {
+        return tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
                   "material, or the power of a drive. The links below lead to the fields.");
-    } else if (m_good->result.status != RunStatus::completed) {
-        text = Names::status(m_good->result.status);
-    } else if (!groupsAreLimited(*m_good)) {
-        text = tr("Coupled sections share the power of the drives, so it limits no section's feed "
-                  "by itself. The requirements below hold it against the whole length.");
     }
-    m_notice->setText(text);
-    m_notice->setVisible(!text.isEmpty());
+    if (good()->result.status != RunStatus::completed) {
+        return Names::status(good()->result.status);
+    }
+    return groupsAreLimited(*good())
+               ? QString()
+               : tr(
+                   "Coupled sections share the power of the drives, so it limits no section's feed "
+                   "by itself. The requirements below hold it against the whole length.");
+}
+
+void ConstraintsView::showState() {
+    PlotView::showState();
     m_off->clear(); // links take the palette's colour when the text is another
-    m_off->setText(m_good ? LimitNames::missingLinks(m_good->result.project) : QString());
-    m_off->setVisible(m_good && !m_off->text().isEmpty());
-    m_splitter->setVisible(m_good != nullptr);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values}) {
-        part->setVisible(drawn);
-    }
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_zone, m_logarithmic}) {
-        tool->setEnabled(drawn);
-    }
-    m_tools->setEnabled(drawn);
-    m_legend->setEntries(m_plot->legendEntries());
+    m_off->setText(good() ? LimitNames::missingLinks(good()->result.project) : QString());
+    m_off->setVisible(good() && !m_off->text().isEmpty());
+    m_splitter->setVisible(good() != nullptr);
+}
+
+QStringList ConstraintsView::subheading() const {
+    const int group = m_plot->group();
+    return {group >= 0 ? LimitNames::group(good()->limits.groups[static_cast<std::size_t>(group)])
+                       : QString()};
 }
 
 void ConstraintsView::nameParts() {
-    setAccessibleName(tr("Constraints"));
+    nameAround(tr("Legend of the curves"), tr("State of the curves"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Actual feed under its limits"));
-    m_legend->setAccessibleName(tr("Legend of the curves"));
-    m_notice->setAccessibleName(tr("State of the curves"));
-    m_values->setAccessibleName(tr("Values under the mouse"));
     m_off->setAccessibleName(tr("Requirements that are not checked"));
     m_table->setAccessibleName(tr("Requirements by how much of their limit they use up"));
     m_sheet->setAccessibleName(tr("How the number came about"));
     m_logarithmic->setText(tr("Logarithmic"));
     m_places->setText(tr("Every place"));
     m_goTo->setText(tr("Show where"));
-    const auto tell = [](QWidget* widget, const QString& text) {
-        widget->setAccessibleName(text);
-        widget->setToolTip(text);
-    };
     m_table->retranslate();
     m_table->horizontalHeader()->setMinimumSectionSize(atFontSize(leastColumn));
-    tell(m_zone, tr("Zone or section; in a reversal zone the wheel stands or travels, which "
-                    "differ in the width of cut. With the share of its limit it comes to."));
-    tell(m_logarithmic, tr("Actual feeds on a logarithmic axis: sparking out and far limits in "
-                           "one picture"));
-    tell(m_places, tr("Every zone, section and stage; else the worst of each requirement"));
-    tell(m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
-                    "or a double click on its row"));
-    readOut();
-}
-
-void ConstraintsView::retranslate() {
-    nameParts();
-    m_tools->retranslate();
-    m_strip->retranslate();
-    m_legend->retranslate();
-    m_plot->retranslate();
+    tell(*m_zone, tr("Zone or section; in a reversal zone the wheel stands or travels, which "
+                     "differ in the width of cut. With the share of its limit it comes to."));
+    tell(*m_logarithmic, tr("Actual feeds on a logarithmic axis: sparking out and far limits in "
+                            "one picture"));
+    tell(*m_places, tr("Every zone, section and stage; else the worst of each requirement"));
+    tell(*m_goTo, tr("To the passes, the profile or the field behind the requirement; also Enter "
+                     "or a double click on its row"));
     m_model->retranslate();
     drawIcons();
     fillGroups();
-    showState();
     showSheet();
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void ConstraintsView::drawIcons() {
@@ -310,6 +437,7 @@ QString ConstraintsView::hint() const {
 
 void ConstraintsView::recolour() {
     drawIcons();
+    PlotView::recolour();
     showState();
 }
 

@@ -3,7 +3,7 @@
 
 #include "core/quality/constraints.h"
 #include "core/quality/limit_series.h"
-#include "ui/plot/view.h"
+#include "ui/plot/plot_view.h"
 
 #include <optional>
 #include <string>
@@ -20,28 +20,19 @@ namespace sparkout {
 
 class ConstraintsPlot;
 class CopyTable;
-class CursorStrip;
-class LegendStrip;
 class MarginModel;
-class PlotCursors;
-class PlotTools;
-class Settings;
 
 /// The view "Constraints": the actual feed over the stock left under all limits, the requirements
 /// by how much of their limit they use up, and how the chosen one's number came about.
-class ConstraintsView : public View {
+class ConstraintsView : public PlotView {
     Q_OBJECT
 public:
     explicit ConstraintsView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] ConstraintsPlot* plot() const { return m_plot; }
-    [[nodiscard]] PlotTools* tools() const { return m_tools; }
-    [[nodiscard]] PlotCursors* cursors() const { return m_cursors; }
     [[nodiscard]] MarginModel* margins() const { return m_model; }
-    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
-    void retranslate() override;
     void forget() override;
 
 signals:
@@ -52,32 +43,35 @@ signals:
 
 protected:
     [[nodiscard]] QString hint() const override;
+    void nameParts() override;
     void recolour() override;
-    void showOutcome() override;
+    void takeOutcome(const OutcomePtr& before) override;
+    [[nodiscard]] bool drawn() const override;
+    void showState() override;
     void followCycle() override;
+    [[nodiscard]] QString remark() const override;
+    [[nodiscard]] QStringList subheading() const override;
 
 private:
     using GroupKey = std::tuple<Zone, int, bool>; ///< zone, section, whether the wheel stands
     [[nodiscard]] static GroupKey keyOf(const LimitGroup& group);
 
     void build(Settings* settings);
-    void buildTools(QWidget* bar, Settings* settings);
+    QWidget* buildTools();
+    QWidget* buildCurves();
     QWidget* buildMargins();
     QWidget* buildSheet();
     void connectParts();
-    void nameParts();
     void fillGroups();
     void showGroup(int group);
     void choose(int row);
     void selectChosen();
-    void showState();
     void showSheet();
     void drawIcons();
     [[nodiscard]] int wantedGroup() const;
     [[nodiscard]] std::optional<ConstraintResult> chosen() const;
 
     ConstraintsPlot* m_plot;
-    LegendStrip* m_legend;
     QComboBox* m_zone;
     QCheckBox* m_logarithmic;
     QCheckBox* m_places;
@@ -86,13 +80,7 @@ private:
     MarginModel* m_model;
     QPlainTextEdit* m_sheet;
     QPushButton* m_goTo;
-    QLabel* m_notice;
-    QLabel* m_off;
-    QLabel* m_values;
-    PlotTools* m_tools = nullptr;
-    PlotCursors* m_cursors = nullptr;
-    CursorStrip* m_strip = nullptr;
-    OutcomePtr m_good;                        ///< what is shown
+    QLabel* m_off;                            ///< the limits that are
     std::optional<GroupKey> m_group;          ///< the user chose
     std::optional<ConstraintResult> m_chosen; ///< by the user, maybe of an earlier run
 };

@@ -15,7 +15,6 @@ FeedsPlot::FeedsPlot(QWidget* parent) : ViewPlot(parent) {
     setPlottingHints(QCP::phFastPolylines);
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
-    addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
     m_momentLine = new HairLine(*this, HairLine::Role::moment);
     m_hairLine = new HairLine(*this);
     setMouseTracking(true);
@@ -168,7 +167,7 @@ void FeedsPlot::setSight(const PlotHistory::State& state) {
     showTimes(inside ? from_s : 0, inside ? std::min(state[1], end_s) : end_s);
 }
 
-QList<QCPAxis*> FeedsPlot::movedAxes(QCPAxisRect& rect) {
+QList<QCPAxis*> FeedsPlot::movedAxes(QCPAxisRect& rect) const {
     return {rect.axis(QCPAxis::atBottom)};
 }
 

@@ -40,6 +40,10 @@ public:
     void showTimes(double from_s, double to_s);   ///< no replot
     void fitValues() { m_values = {}; }           ///< from the next showTimes() on
     void showAll() { showTimes(0, series().end_s); }
+    void fit() override {
+        fitValues();
+        showAll();
+    }
     void toggleCurve(int key);
     void showOnly(int key);
     void restyle() override;
@@ -48,7 +52,7 @@ public:
     [[nodiscard]] PlotHistory::State sight() const;
     void setSight(const PlotHistory::State& state);
     /// Within a plot, wheel and drag move the time only.
-    [[nodiscard]] static QList<QCPAxis*> movedAxes(QCPAxisRect& rect);
+    [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 
     [[nodiscard]] const FeedSeries& series() const;
     [[nodiscard]] int columnCount() const { return static_cast<int>(m_columns.size()); }

@@ -68,7 +68,7 @@ void FeedsView::buildPlotTools(Settings* settings) {
     subject.navigation.fit = [this] { fitAll(); };
     subject.navigation.state = [this] { return m_plot->sight(); };
     subject.navigation.setState = [this](const PlotHistory::State& s) { m_plot->setSight(s); };
-    subject.navigation.axes = FeedsPlot::movedAxes;
+    subject.navigation.axes = [this](QCPAxisRect& rect) { return m_plot->movedAxes(rect); };
     m_tools = new PlotTools(*m_plot, std::move(subject));
     m_tools->setSettings(settings);
     m_cursors = new PlotCursors(*m_plot, m_plot->cursorSubject());

@@ -2,7 +2,6 @@
 #include "ui/views/layers/layer_stack.h"
 
 #include "core/units.h"
-#include "ui/charts/part_cell.h"
 #include "ui/plot/plot_style.h"
 #include "ui/views/layers/layers_look.h"
 #include "ui/views/layers/layers_plot.h"
@@ -16,15 +15,15 @@ constexpr int bodyAlpha = 30, edgeAlpha = 150;
 constexpr double outlined = 4; ///< layers lower than this have no outline [px]
 } // namespace
 
-LayerStack::LayerStack(const LayersPlot& plot, QCPAxisRect* rect)
-    : QCPLayerable(rect->parentPlot(), QStringLiteral("bands")), m_plot(plot), m_rect(rect) {}
+LayerStack::LayerStack(LayersPlot& plot)
+    : QCPLayerable(&plot, QStringLiteral("bands")), m_plot(plot), m_rect(plot.cell()) {}
 
 void LayerStack::applyDefaultAntialiasingHint(QCPPainter* painter) const {
     painter->setAntialiasing(false);
 }
 
 QRect LayerStack::clipRect() const {
-    return m_rect->rect().adjusted(0, 0, 0, partAxisHeight);
+    return m_plot.painted();
 }
 
 void LayerStack::draw(QCPPainter* painter) {
@@ -33,7 +32,7 @@ void LayerStack::draw(QCPPainter* painter) {
     }
     drawMetal(*painter);
     drawLayers(*painter);
-    drawPartAxis(*painter, *m_rect);
+    m_plot.drawPartAxis(*painter);
 }
 
 /// The finished part, and the stock that is still to come off.

@@ -11,7 +11,7 @@ class LayersPlot;
 class LayerStack : public QCPLayerable {
     Q_OBJECT
 public:
-    explicit LayerStack(const LayersPlot& plot, QCPAxisRect* rect);
+    explicit LayerStack(LayersPlot& plot);
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override;

@@ -2,14 +2,10 @@
 #include "ui/views/layers/layers_plot.h"
 
 #include "core/units.h"
-#include "ui/charts/part_cell.h"
-#include "ui/plot/band_layer.h"
 #include "ui/plot/plot_click.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layer_stack.h"
-
-#include <QMouseEvent>
+#include "ui/views/layers/layers_look.h"
 
 #include <algorithm>
 
@@ -42,31 +38,19 @@ void setSteps(QCPGraph& graph, const LayerSeries& series, ValueOf valueOf) {
 
 } // namespace
 
-LayersPlot::LayersPlot(QWidget* parent) : ViewPlot(parent) {
-    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
-    build();
-    restyle();
-    retranslate();
-    connect(this, &QCustomPlot::mouseMove, this, &LayersPlot::onMouse);
+LayersPlot::LayersPlot(QWidget* parent) : PartPlot(parent) {
+    new LayerStack(*this);
+    for (QCPGraph** graph : {&m_lower, &m_upper, &m_target, &m_blank, &m_final}) {
+        *graph = addLine(*cell());
+        (*graph)->setAdaptiveSampling(false);
+    }
+    m_upper->setChannelFillGraph(m_lower);
     onPlotClick(*this, [this](const QPointF& at) {
         if (const std::optional<Hit> hit = layerAt(at)) {
             emit strokeClicked(m_series.spans[hit->span].last);
         }
     });
-    setBuilt();
-}
-
-void LayersPlot::build() {
-    m_rect = addPartCell(*this);
-    m_bands = new BandLayer(m_rect, true);
-    m_stack = new LayerStack(*this, m_rect);
-    for (QCPGraph** graph : {&m_lower, &m_upper, &m_target, &m_blank, &m_final}) {
-        *graph = addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-        (*graph)->removeFromLegend();
-        (*graph)->setSelectable(QCP::stNone);
-        (*graph)->setAdaptiveSampling(false);
-    }
-    m_upper->setChannelFillGraph(m_lower);
+    built();
 }
 
 void LayersPlot::setSeries(LayerSeries series) {
@@ -100,11 +84,7 @@ void LayersPlot::fill() {
     setSteps(*m_blank, m_series, [](const LayerColumn& column) { return column.blank_mm; });
     setSteps(*m_final, m_series, [](const LayerColumn& column) { return column.final_mm; });
     fillBands();
-    show();
-}
-
-void LayersPlot::fillBands() {
-    m_bands->setBands(LayersLook::zoneBands(m_series, palette()));
+    showChoice();
 }
 
 void LayersPlot::fit() {
@@ -120,8 +100,8 @@ void LayersPlot::fit() {
         }
     }
     const double size = high - low;
-    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), 0, m_series.length_mm);
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), low - roomBelow * size,
+    style::setSafeRange(*cell()->axis(QCPAxis::atBottom), 0, m_series.length_mm);
+    style::setSafeRange(*cell()->axis(QCPAxis::atLeft), low - roomBelow * size,
                         high + roomAbove * size);
 }
 
@@ -137,31 +117,17 @@ QCPGraph* LayersPlot::graph(Key key) const {
     return m_final;
 }
 
-void LayersPlot::show() {
-    m_lower->setVisible(m_choice.shows(fieldKey));
+void LayersPlot::showChoice() {
+    m_lower->setVisible(shows(fieldKey));
     for (const Key key : {fieldKey, targetKey, blankKey, finalKey}) {
-        graph(key)->setVisible(m_choice.shows(key));
+        graph(key)->setVisible(shows(key));
     }
 }
 
-void LayersPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void LayersPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
 LegendEntries LayersPlot::legendEntries() const {
-    LegendEntries entries = LayersLook::stages(m_series, m_choice, palette());
+    LegendEntries entries = LayersLook::stages(m_series, choice(), palette());
     const auto add = [&](Key key, const QColor& colour, Qt::PenStyle pen, const QString& text) {
-        entries.push_back({colour, pen, text, key, m_choice.shows(key)});
+        entries.push_back({colour, pen, text, key, shows(key)});
     };
     add(blankKey, m_blank->pen().color(), m_blank->pen().style(), tr("initial radius"));
     add(finalKey, m_final->pen().color(), m_final->pen().style(), tr("final radius"));
@@ -171,13 +137,14 @@ LegendEntries LayersPlot::legendEntries() const {
 }
 
 QRectF LayersPlot::layerRect(std::size_t column, std::size_t span) const {
-    if (span >= m_done.count || !m_choice.shows(m_series.spans[span].stage)) {
+    if (span >= m_done.count || !shows(m_series.spans[span].stage)) {
         return {};
     }
     const LayerColumn& of = m_series.columns[column];
-    const QCPAxis* const x = m_rect->axis(QCPAxis::atBottom);
+    const QCPAxis* const x = cell()->axis(QCPAxis::atBottom);
     const auto pixel = [this](double radius_mm) {
-        return m_rect->axis(QCPAxis::atLeft)
+        return cell()
+            ->axis(QCPAxis::atLeft)
             ->coordToPixel((radius_mm - m_series.target_mm) * umPerMm);
     };
     const double from = pixel(radiusAfter_mm(column, span));
@@ -189,7 +156,7 @@ QRectF LayersPlot::layerRect(std::size_t column, std::size_t span) const {
 // --- mouse --------------------------------------------------------------------------------------
 
 std::optional<LayersPlot::Hit> LayersPlot::layerAt(const QPointF& at) const {
-    if (!m_rect->rect().contains(at.toPoint())) {
+    if (!cell()->rect().contains(at.toPoint())) {
         return {};
     }
     for (std::size_t j = 0; j < m_series.columns.size(); ++j) {
@@ -202,34 +169,25 @@ std::optional<LayersPlot::Hit> LayersPlot::layerAt(const QPointF& at) const {
     return {};
 }
 
-void LayersPlot::onMouse(QMouseEvent* event) {
-    const std::optional<Hit> hit = layerAt(event->pos());
-    emit pointed(hit ? LayersLook::values(m_series, m_done, hit->column, hit->span) : QString());
+QString LayersPlot::valuesAt(const QPointF& at) const {
+    const std::optional<Hit> hit = layerAt(at);
+    return hit ? LayersLook::values(m_series, m_done, hit->column, hit->span) : QString();
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
-void LayersPlot::setTexts() {
-    namePartCell(*m_rect);
-    fillBands();
-}
-
 void LayersPlot::restyle() {
-    stylePartCell(*m_rect);
-    fillBands();
-    const auto line = [this](QCPGraph& graph, const QColor& colour, double width,
-                             Qt::PenStyle pen) {
-        graph.setPen(QPen(style::dimmed(colour, isDimmed()), width, pen));
+    PartPlot::restyle();
+    const auto line = [](QCPGraph& graph, const QColor& colour, double width, Qt::PenStyle pen) {
+        graph.setPen(QPen(colour, width, pen));
     };
-    const QColor text = palette().color(QPalette::Text);
-    QColor field = style::colour(Hue::green, palette());
-    line(*m_lower, field, 1, Qt::SolidLine);
-    line(*m_upper, field, 1, Qt::SolidLine);
-    line(*m_target, style::colour(Hue::green, palette()), 1.5, Qt::DashLine);
-    line(*m_blank, text, 1.5, Qt::DashLine);
-    line(*m_final, text, 2, Qt::SolidLine);
-    field.setAlpha(fieldAlpha);
-    m_upper->setBrush(style::dimmed(field, isDimmed()));
+    line(*m_lower, toned(Hue::green), 1, Qt::SolidLine);
+    line(*m_upper, toned(Hue::green), 1, Qt::SolidLine);
+    line(*m_target, toned(Hue::green), 1.5, Qt::DashLine);
+    line(*m_blank, ink(), 1.5, Qt::DashLine);
+    line(*m_final, ink(), 2, Qt::SolidLine);
+    m_upper->setBrush(style::dimmed(
+        LayersLook::thinned(style::colour(Hue::green, palette()), fieldAlpha), isDimmed()));
 }
 
 CsvTable LayersPlot::table() const {
@@ -242,7 +200,7 @@ CsvTable LayersPlot::table() const {
     }
     for (std::size_t i = 0; i < m_done.count; ++i) {
         const LayerSpan& span = m_series.spans[i];
-        if (!m_choice.shows(span.stage)) {
+        if (!shows(span.stage)) {
             continue;
         }
         std::vector<CsvCell> row{double(span.stage), double(span.first), double(span.last)};

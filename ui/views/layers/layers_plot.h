@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view_plot.h"
-#include "ui/tables/csv_table.h"
-#include "ui/views/layers/layers_look.h"
+#include "ui/views/layers/part_plot.h"
 
 #include <optional>
 
 namespace sparkout {
 
-class BandLayer;
-class LayerStack;
-
 /// The stock in a section along the part's axis, layer on layer, from the blank to the final
 /// radius, with the tolerance field; what the cycle has not cut yet is still metal.
-class LayersPlot : public ViewPlot {
+class LayersPlot : public PartPlot {
     Q_OBJECT
 public:
     /// Keys of the legend beside the numbers of the stages.
@@ -24,43 +19,33 @@ public:
 
     void setSeries(LayerSeries series); ///< no replot
     void setDone(LayersDone done);      ///< up to where the cycle stands; no replot
-    void fit();
-    void toggleCurve(int key);
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] const LayerSeries& series() const { return m_series; }
-    [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the field the upper limit
-    [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
     [[nodiscard]] const LayersDone& done() const { return m_done; }
     /// Radius of a column after so many of the layers done.
     [[nodiscard]] double radiusAfter_mm(std::size_t column, std::size_t count) const;
     /// Where a layer is painted; empty when it is hidden or not cut yet.
     [[nodiscard]] QRectF layerRect(std::size_t column, std::size_t span) const;
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
 
 signals:
     void strokeClicked(int stroke); ///< the last of the layer
 
 private:
-    void setTexts() override;
     struct Hit {
         std::size_t column, span;
     };
-    void build();
+    [[nodiscard]] const LayerSeries& zones() const override { return m_series; }
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
-    void fillBands();
-    void show();
     [[nodiscard]] std::optional<Hit> layerAt(const QPointF& at) const;
-    void onMouse(QMouseEvent* event);
 
     LayerSeries m_series;
-    CurveChoice m_choice;
-    QCPAxisRect* m_rect = nullptr;
-    BandLayer* m_bands = nullptr;
-    LayerStack* m_stack = nullptr;
     QCPGraph *m_lower = nullptr, *m_upper = nullptr;
     QCPGraph *m_target = nullptr, *m_blank = nullptr, *m_final = nullptr;
     LayersDone m_done;

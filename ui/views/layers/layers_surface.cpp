@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "ui/text/names.h"
+#include "ui/views/layers/layers_look.h"
 #include "ui/views/layers/surface_scene.h"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ double radians(double degrees) {
 
 } // namespace
 
-LayersSurface::LayersSurface(QWidget* parent) : QCustomPlot(parent) {
-    plotLayout()->clear();
+LayersSurface::LayersSurface(QWidget* parent) : ViewPlot(parent) {
+    setNotAntialiasedElements(QCP::aeNone);
     m_rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(0, 0, m_rect);
     m_rect->setAutoMargins(QCP::msNone);
@@ -34,7 +35,7 @@ LayersSurface::LayersSurface(QWidget* parent) : QCustomPlot(parent) {
         axis->setVisible(false);
         axis->grid()->setVisible(false);
     }
-    m_scene = new SurfaceScene(*this);
+    new SurfaceScene(*this);
     for (const bool sideways : {true, false}) {
         QCPAxis* axis = m_rect->axis(sideways ? QCPAxis::atBottom : QCPAxis::atLeft);
         connect(axis, QOverload<const QCPRange&, const QCPRange&>::of(&QCPAxis::rangeChanged), this,
@@ -43,7 +44,7 @@ LayersSurface::LayersSurface(QWidget* parent) : QCustomPlot(parent) {
                 });
     }
     fit();
-    restyle();
+    built();
 }
 
 // --- angles -------------------------------------------------------------------------------------
@@ -130,28 +131,12 @@ void LayersSurface::setDone(LayersDone done) {
     m_done = std::move(done);
 }
 
-void LayersSurface::setDimmed(bool dim) {
-    m_dim = dim;
-}
-
-void LayersSurface::toggleCurve(int key) {
-    m_choice.toggle(key);
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void LayersSurface::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
 SurfaceGrid LayersSurface::grid() const {
-    return makeSurfaceGrid(m_series, m_done, m_choice, palette(), m_dim);
+    return makeSurfaceGrid(m_series, m_done, choice(), palette(), isDimmed());
 }
 
 LegendEntries LayersSurface::legendEntries() const {
-    return LayersLook::stages(m_series, m_choice, palette());
+    return LayersLook::stages(m_series, choice(), palette());
 }
 
 CsvTable LayersSurface::table() const {
@@ -176,16 +161,6 @@ CsvTable LayersSurface::table() const {
 
 void LayersSurface::restyle() {
     setBackground(palette().brush(QPalette::Base));
-}
-
-void LayersSurface::changeEvent(QEvent* event) {
-    QCustomPlot::changeEvent(event);
-    const bool look = event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange;
-    if (m_scene && look) {
-        restyle();
-        emit contentChanged();
-        replot(rpQueuedReplot);
-    }
 }
 
 } // namespace sparkout

@@ -3,13 +3,13 @@
 
 #include "core/units.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_pages.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layers_plot.h"
 #include "ui/views/layers/layers_surface.h"
 #include "ui/views/layers/side_plot.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
@@ -19,51 +19,76 @@
 
 namespace sparkout {
 
+LayersView::LayersView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("layers"), parent, settings)
+    , m_plot(new LayersPlot(this))
+    , m_surface(new LayersSurface(this))
+    , m_side(new SidePlot(this))
+    , m_radius(new QComboBox(this))
+    , m_summary(new QLabel(this)) {
+    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_plot, m_surface, m_side}) {
+        plot->setMinimumSize(240, 140);
+        addPage(*plot);
+    }
+    setUpNotice(*m_summary);
+    hideUntilDrawn({m_summary});
+    disableUntilDrawn({content(), m_radius});
+    addColumn({buildTools(), m_summary, notice(), legend(), pages(), values()}, pages());
+    nameObjects({{m_plot, "layersPlot"},
+                 {m_surface, "layersSurface"},
+                 {m_side, "layersSide"},
+                 {m_radius, "layersRadius"},
+                 {m_summary, "layersSummary"}});
+    connect(m_plot, &LayersPlot::strokeClicked, this,
+            [this](int stroke) { cycle().toStroke(stroke); });
+    built();
+    chooseContent();
+}
+
+QWidget* LayersView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<QHBoxLayout>(bar);
+    m_radius->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    row->addWidget(content());
+    row->addWidget(m_radius);
+    row->addStretch(1);
+    addPageButtons(*row);
+    connect(content(), &QComboBox::currentIndexChanged, this, &LayersView::chooseContent);
+    connect(m_radius, &QComboBox::activated, this, [this](int index) {
+        m_wanted = index > 0 ? std::optional(index - 1) : std::nullopt;
+        setSeries();
+        showState();
+        replotShown();
+    });
+    return bar;
+}
+
 QString LayersView::title() const {
     return tr("Layers");
 }
 
-PlotTools* LayersView::tools() const {
-    return m_pages->page().tools;
-}
-
 void LayersView::chooseContent() {
-    m_pages->show();
-    m_radius->setVisible(m_pages->page().plot
-                         != m_side); // its radius is the one that faces the wheel
+    showPage(static_cast<std::size_t>(content()->currentIndex()));
+    m_radius->setVisible(&front() != m_side); // its radius is the one that faces the wheel
     showState();
     replotShown();
 }
 
 // --- the run ------------------------------------------------------------------------------------
 
-void LayersView::showOutcome() {
-    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
-    if (ran) {
-        m_good = latest();
-        fillRadii();
-        m_side->setRun(m_good);
-        setSeries();
-    }
-    m_plot->setDimmed(m_good && !ran);
-    m_surface->setDimmed(m_good && !ran);
-    m_side->setDimmed(m_good && !ran);
-    showState();
-    m_pages->showLegend();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.plot->replot();
-        page.tools->navigation().amendView();
-    }
-    emit updated();
+void LayersView::takeOutcome(const OutcomePtr&) {
+    fillRadii();
+    m_side->setRun(good());
+    setSeries();
 }
 
 void LayersView::setSeries() {
-    if (!m_good) {
+    if (!good()) {
         return;
     }
     const int index = m_radius->currentIndex();
     const LayerSeries series =
-        index > 0 ? makeLayerSeries(m_good->result, m_good->trajectory, index - 1) : m_good->layers;
+        index > 0 ? makeLayerSeries(good()->result, good()->trajectory, index - 1) : good()->layers;
     m_plot->setSeries(series);
     m_surface->setSeries(series);
     showDone();
@@ -71,7 +96,7 @@ void LayersView::setSeries() {
 
 void LayersView::fillRadii() {
     const QSignalBlocker blocker(m_radius);
-    const int radii = m_good ? m_good->trajectory.radii : 0;
+    const int radii = good() ? good()->trajectory.radii : 0;
     m_radius->clear();
     m_radius->addItem(tr("Mean of the radii"));
     for (int k = 0; k < radii; ++k) {
@@ -92,38 +117,31 @@ void LayersView::followCycle() {
 /// While the cycle stands in another run, all layers are shown.
 void LayersView::showDone() {
     const LayerSeries& series = m_plot->series();
-    const CycleCursor* const at = cycleIn(m_good);
+    const CycleCursor* const at = cycleIn(good());
     const LayersDone done = at && !at->atEnd()
-                                ? layersDone(series, m_good->trajectory, at->progress())
+                                ? layersDone(series, good()->trajectory, at->progress())
                                 : allLayers(series);
     m_plot->setDone(done);
     m_surface->setDone(done);
-    if (m_good) {
+    if (good()) {
         m_side->setScene(
-            grindingScene(m_good->result, m_good->trajectory, at ? at->progress() : Progress{}));
+            grindingScene(good()->result, good()->trajectory, at ? at->progress() : Progress{}));
     }
 }
 
 void LayersView::replotShown() {
-    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
+    front().replot(QCustomPlot::rpQueuedReplot);
 }
 
 // --- texts --------------------------------------------------------------------------------------
 
+bool LayersView::drawn() const {
+    return good() && !good()->layers.columns.empty();
+}
+
 void LayersView::showState() {
-    const bool drawn = m_good && !m_good->layers.columns.empty();
-    m_notice->setText(notice());
-    m_notice->setVisible(!m_notice->text().isEmpty());
+    PlotView::showState();
     m_summary->setText(summary());
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values, m_summary}) {
-        part->setVisible(drawn);
-    }
-    m_pages->content()->setEnabled(drawn);
-    m_radius->setEnabled(drawn);
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->setEnabled(drawn);
-    }
     readOut();
     m_plot->setAccessibleDescription(m_summary->text());
     m_surface->setAccessibleDescription(m_summary->text());
@@ -131,31 +149,26 @@ void LayersView::showState() {
 }
 
 QString LayersView::hint() const {
-    if (m_pages->page().plot == m_side) {
+    if (&front() == m_side) {
         return m_side->values();
     }
-    return m_pages->page().plot == m_surface
+    return &front() == m_surface
                ? tr("Drag or press the arrow keys to turn the surface; the wheel zooms.")
                : tr("Point at a layer to read the values.");
 }
 
-QString LayersView::notice() const {
-    if (latest() && !latest()->ran()) {
-        return (m_good
-                    ? tr("The inputs are refused; the layers are those of the last accepted ones.")
-                    : tr("The inputs are refused:"))
-               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    }
-    if (!m_good) {
-        return tr("No result yet.");
-    }
-    if (m_good->layers.columns.empty()) {
+QString LayersView::keptText() const {
+    return tr("The inputs are refused; the layers are those of the last accepted ones.");
+}
+
+QString LayersView::remark() const {
+    if (!drawn()) {
         return tr("The cycle is too long to be recorded: its layers are not drawn. Fewer radii or "
                   "sections help.");
     }
-    QStringList lines{Names::uncutStrips(m_good->result.project)};
-    if (m_good->result.status != RunStatus::completed) {
-        lines.prepend(Names::status(m_good->result.status));
+    QStringList lines{Names::uncutStrips(good()->result.project)};
+    if (good()->result.status != RunStatus::completed) {
+        lines.prepend(Names::status(good()->result.status));
     }
     lines.removeAll(QString());
     return lines.join(u'\n');
@@ -169,7 +182,7 @@ QString LayersView::summary() const {
     }
     const LayersDone& done = m_plot->done();
     const auto [least, most] = std::ranges::minmax_element(done.sum_mm);
-    const CycleCursor* const at = cycleIn(m_good);
+    const CycleCursor* const at = cycleIn(good());
     const QString when = Names::moment(series.operation, at ? at->stroke() : series.strokeCount(),
                                        series.strokeCount(), !at || at->strokeDone());
     if (done.count == 0) {
@@ -187,49 +200,24 @@ QString LayersView::summary() const {
         .arg(when, zone(most), um(*most), zone(least), um(*least));
 }
 
-QStringList LayersView::heading() const {
-    QStringList heading{title()};
-    if (m_good) {
-        heading << QString::fromStdString(m_good->result.project.title).simplified()
-                << m_radius->currentText() << summary()
-                << Names::uncutStrips(m_good->result.project);
-    }
-    heading.removeAll(QString());
-    return heading;
+QStringList LayersView::subheading() const {
+    return {m_radius->currentText(), summary(), Names::uncutStrips(good()->result.project)};
 }
 
-void LayersView::retranslate() {
-    setAccessibleName(tr("Layers"));
+void LayersView::nameParts() {
+    nameAround(tr("Legend of the layers"), tr("State of the layers"), tr("Values under the mouse"));
     m_plot->setAccessibleName(tr("Layers of the stock along the part"));
     m_surface->setAccessibleName(tr("Accumulated actual feed over length and number"));
     m_side->setAccessibleName(tr("Wheel and part from the side, heights exaggerated"));
     m_side->setToolTip(tr("Heights are exaggerated. As the model has it, a zone is ground during "
                           "the whole stroke; and all that yields is drawn at the part."));
-    m_legend->setAccessibleName(tr("Legend of the layers"));
-    m_notice->setAccessibleName(tr("State of the layers"));
     m_summary->setAccessibleName(tr("How much has come off"));
-    m_values->setAccessibleName(tr("Values under the mouse"));
-    m_pages->content()->setItemText(0, tr("Stacked layers"));
-    m_pages->content()->setItemText(1, tr("Surface"));
-    m_pages->content()->setItemText(2, tr("Wheel and part"));
-    m_pages->content()->setAccessibleName(tr("How the layers are drawn"));
-    m_pages->content()->setToolTip(m_pages->content()->accessibleName());
-    m_radius->setAccessibleName(tr("Radius whose layers are drawn"));
-    m_radius->setToolTip(m_radius->accessibleName());
-    m_legend->retranslate();
-    m_plot->retranslate();
-    m_side->retranslate();
+    content()->setItemText(0, tr("Stacked layers"));
+    content()->setItemText(1, tr("Surface"));
+    content()->setItemText(2, tr("Wheel and part"));
+    tell(*content(), tr("How the layers are drawn"));
+    tell(*m_radius, tr("Radius whose layers are drawn"));
     fillRadii();
-    m_pages->showLegend();
-    showState();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->retranslate();
-        page.plot->replot(QCustomPlot::rpQueuedReplot);
-    }
-}
-
-void LayersView::recolour() {
-    m_pages->showLegend();
 }
 
 } // namespace sparkout

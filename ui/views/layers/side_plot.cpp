@@ -2,10 +2,7 @@
 #include "ui/views/layers/side_plot.h"
 
 #include "core/units.h"
-#include "ui/charts/part_cell.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
-#include "ui/views/layers/layers_look.h"
 #include "ui/views/layers/side_scene.h"
 
 #include <algorithm>
@@ -20,13 +17,10 @@ constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< of the heights; the whe
 constexpr double endRoom = 0.02;                    ///< of the length
 } // namespace
 
-SidePlot::SidePlot(QWidget* parent) : ViewPlot(parent) {
-    m_rect = addPartCell(*this);
-    m_bands = new BandLayer(m_rect, true);
-    m_painted = new SideScene(*this);
-    restyle();
-    retranslate();
-    setBuilt();
+SidePlot::SidePlot(QWidget* parent) : PartPlot(parent) {
+    setNotAntialiasedElements(QCP::aeNone);
+    new SideScene(*this);
+    built();
 }
 
 // --- contents -----------------------------------------------------------------------------------
@@ -54,10 +48,6 @@ const LayerSeries& SidePlot::limits() const {
     return m_outcome ? m_outcome->layers : none;
 }
 
-void SidePlot::fillBands() {
-    m_bands->setBands(LayersLook::zoneBands(limits(), palette()));
-}
-
 /// The way of the wheel from end to end, and all radii of the stock.
 void SidePlot::fit() {
     if (limits().columns.empty()) {
@@ -72,7 +62,7 @@ void SidePlot::fit() {
         std::swap(left, right);
     }
     const double margin = endRoom * (L + left + right);
-    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), -left - margin, L + right + margin);
+    style::setSafeRange(*cell()->axis(QCPAxis::atBottom), -left - margin, L + right + margin);
     const GrindingScene blank = grindingScene(m_outcome->result, m_outcome->trajectory, Progress{});
     double low = above_um(limits().lowerLimit_mm), high = above_um(limits().upperLimit_mm);
     for (const double radius_mm : {blank.edge_mm, limits().columns.front().final_mm}) {
@@ -81,7 +71,7 @@ void SidePlot::fit() {
     }
     const bool bore = limits().removalSign < 0;
     const double size = high - low;
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), low - size * (bore ? wheelRoom : metalRoom),
+    style::setSafeRange(*cell()->axis(QCPAxis::atLeft), low - size * (bore ? wheelRoom : metalRoom),
                         high + size * (bore ? metalRoom : wheelRoom));
 }
 
@@ -94,27 +84,15 @@ double SidePlot::seen_mm(const SceneSurface& surface) const {
 }
 
 QRectF SidePlot::wheelRect() const {
-    const QCPAxis* const x = m_rect->axis(QCPAxis::atBottom);
-    const double edge = m_rect->axis(QCPAxis::atLeft)->coordToPixel(above_um(m_scene.edge_mm));
-    const double far = m_scene.removalSign > 0 ? std::min<double>(m_rect->top(), edge)
-                                               : std::max(m_rect->bottom() + 1.0, edge);
+    const QCPAxis* const x = cell()->axis(QCPAxis::atBottom);
+    const double edge = cell()->axis(QCPAxis::atLeft)->coordToPixel(above_um(m_scene.edge_mm));
+    const double far = m_scene.removalSign > 0 ? std::min<double>(cell()->top(), edge)
+                                               : std::max(cell()->bottom() + 1.0, edge);
     return {QPointF(x->coordToPixel(m_scene.wheel.from_mm), std::min(edge, far)),
             QPointF(x->coordToPixel(m_scene.wheel.to_mm), std::max(edge, far))};
 }
 
 // --- what is shown ------------------------------------------------------------------------------
-
-void SidePlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void SidePlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
 
 QColor SidePlot::colourOf(Key key) const {
     const QColor colour = key == wheelKey   ? style::colour(Hue::orange, palette())
@@ -125,7 +103,7 @@ QColor SidePlot::colourOf(Key key) const {
 
 LegendEntries SidePlot::legendEntries() const {
     const auto entry = [this](Key key, Qt::PenStyle pen, const QString& text) {
-        return LegendEntry{colourOf(key), pen, text, key, m_choice.shows(key)};
+        return LegendEntry{colourOf(key), pen, text, key, shows(key)};
     };
     return {entry(wheelKey, Qt::NoPen, tr("wheel")),
             entry(surfaceKey, Qt::SolidLine, tr("surface, given way")),
@@ -168,18 +146,6 @@ CsvTable SidePlot::table() const {
         table.rows.push_back(std::move(row));
     }
     return table;
-}
-
-// --- look and words -----------------------------------------------------------------------------
-
-void SidePlot::setTexts() {
-    namePartCell(*m_rect);
-    fillBands();
-}
-
-void SidePlot::restyle() {
-    stylePartCell(*m_rect);
-    fillBands();
 }
 
 } // namespace sparkout

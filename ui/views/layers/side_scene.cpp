@@ -2,7 +2,6 @@
 #include "ui/views/layers/side_scene.h"
 
 #include "core/units.h"
-#include "ui/charts/part_cell.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layers_look.h"
@@ -26,7 +25,7 @@ void SideScene::applyDefaultAntialiasingHint(QCPPainter* painter) const {
 }
 
 QRect SideScene::clipRect() const {
-    return m_plot.cell()->rect().adjusted(0, 0, 1, partAxisHeight);
+    return m_plot.painted().adjusted(0, 0, 1, 0);
 }
 
 double SideScene::xOf(double length_mm) const {
@@ -41,7 +40,7 @@ void SideScene::draw(QCPPainter* painter) {
     if (m_plot.scene().surfaces.empty()) {
         return;
     }
-    drawPartAxis(*painter, *m_plot.cell());
+    m_plot.drawPartAxis(*painter);
     painter->setClipRect(m_plot.cell()->rect().adjusted(0, 0, 1, 1));
     drawBody(*painter);
     drawField(*painter);

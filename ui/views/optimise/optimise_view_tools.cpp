@@ -122,7 +122,7 @@ QWidget* OptimiseView::buildRunBar() {
 
 QWidget* OptimiseView::buildTools() {
     PlotSubject curves;
-    curves.navigation.axes = ComparePlot::movedAxes;
+    curves.navigation.axes = [this](QCPAxisRect& rect) { return m_curves->movedAxes(rect); };
     m_pages->add(*m_curves, std::move(curves));
     m_pages->add(*m_times);
     for (QComboBox* box : {m_pages->content(), m_zone}) {

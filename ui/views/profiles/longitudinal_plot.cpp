@@ -32,7 +32,6 @@ QVector<QCPGraphData> toData(const std::vector<ProfilePoint>& line, double facto
 LongitudinalPlot::LongitudinalPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     plotLayout()->clear();
-    addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
     connect(this, &QCustomPlot::mouseMove, this, &LongitudinalPlot::onMouse);

@@ -32,7 +32,6 @@ QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
 
 ProfilesPlot::ProfilesPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
-    addLayer(QStringLiteral("bands"), layer(QStringLiteral("background")), QCustomPlot::limAbove);
     connect(this, &QCustomPlot::afterLayout, this, &ProfilesPlot::keepScales);
     connect(this, &QCustomPlot::mouseMove, this, &ProfilesPlot::onMouse);
     setBuilt();

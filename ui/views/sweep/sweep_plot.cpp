@@ -25,8 +25,6 @@ SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
     }
     connect(this, &QCustomPlot::afterLayout, this,
             [this] { style::fitValueAxes(*m_rect, font()); });
-    connect(this, &QCustomPlot::mouseMove, this,
-            [this](QMouseEvent* event) { onMouse(event->position()); });
     const auto choose = [this](const QPointF& at) {
         if (const auto point = pointAt(at)) {
             emit pointChosen(*point);
@@ -169,9 +167,9 @@ QPointF SweepPlot::pixelOf(std::size_t point) const {
                                  : m_rect->center().y()};
 }
 
-void SweepPlot::onMouse(const QPointF& at) {
+QString SweepPlot::valuesAt(const QPointF& at) const {
     const auto point = pointAt(at);
-    emit pointed(point ? SweepText::point(sweep(), *point, m_entry) : QString());
+    return point ? SweepText::point(sweep(), *point, m_entry) : QString();
 }
 
 // --- table, look and words ----------------------------------------------------------------------

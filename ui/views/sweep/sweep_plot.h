@@ -75,7 +75,7 @@ protected:
     [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF& pixel) const;
 
 private:
-    void onMouse(const QPointF& at);
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
 
     SweepOutcomePtr m_sweep;
     SweepEntry m_entry;

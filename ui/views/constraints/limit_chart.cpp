@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers and words of the plot of the limits: mark, values under the mouse, table.
+#include "ui/views/constraints/limit_chart.h"
+
 #include "core/units.h"
-#include "ui/plot/plot_cursors.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
-#include "ui/views/constraints/constraints_plot.h"
-
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +14,7 @@ namespace {
 
 using units::umPerMm;
 
-/// The limit that binds a cut: the least but roughness, which binds the last one alone.
+/// The limit that binds a cut: the least of those that bind every one.
 const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {
     const DepthLimit* least = nullptr;
     for (const DepthLimit& limit : limits) {
@@ -35,30 +32,73 @@ double ratio(double value, double limit) {
 
 } // namespace
 
-std::vector<DepthLimit> ConstraintsPlot::limitsOf(const LimitedCut& cut) const {
+LimitChart::LimitChart(OutcomePtr outcome, int group, std::optional<ConstraintResult> requirement)
+    : m_outcome(std::move(outcome)), m_group(group) {
+    if (const LimitGroup* of = cuts()) {
+        for (const ConstraintKind kind : depthLimitKinds()) {
+            if (!LimitNames::isGuess(kind, m_outcome->result.project)) {
+                m_limits[kind] = limitCurve(m_outcome->limits, *of, kind);
+            }
+        }
+        m_stepless = steplessLimit(m_outcome->limits, *of);
+    }
+    setMarked(std::move(requirement));
+}
+
+const LimitGroup* LimitChart::cuts() const {
+    return m_outcome && m_group >= 0 ? &m_outcome->limits.groups[static_cast<std::size_t>(m_group)]
+                                     : nullptr;
+}
+
+const LimitPoints& LimitChart::limit(ConstraintKind kind) const {
+    static const LimitPoints off;
+    const auto found = m_limits.find(kind);
+    return found == m_limits.end() ? off : found->second;
+}
+
+void LimitChart::setMarked(std::optional<ConstraintResult> requirement) {
+    m_requirement = std::move(requirement);
+    m_marked.reset();
+    const LimitGroup* group = cuts();
+    if (group && m_requirement) {
+        m_marked = limitedCutOf(m_outcome->result, m_outcome->trajectory, *m_requirement);
+        if (m_marked && limitGroupAt(m_outcome->limits, m_marked->place) != m_group) {
+            m_marked.reset();
+        }
+    } else if (group && group->worst.depth_mm > 0 && !m_stepless.empty()) {
+        m_marked = group->worst;
+    }
+}
+
+std::pair<double, double> LimitChart::stocks_mm() const {
+    return m_outcome ? std::pair(m_outcome->limits.least_mm, m_outcome->limits.deepest_mm)
+                     : std::pair(0.0, 0.0);
+}
+
+std::vector<DepthLimit> LimitChart::limitsOf(const LimitedCut& cut) const {
     std::vector<DepthLimit> limits =
         depthLimits(m_outcome->result.project, cut.width_mm, cut.stock_mm);
-    std::erase_if(limits, [this](const DepthLimit& l) { return !limit(l.kind); });
+    std::erase_if(limits, [this](const DepthLimit& l) { return limit(l.kind).empty(); });
     return limits;
 }
 
-QString ConstraintsPlot::markText() const {
-    if (!m_markedCut) {
+QString LimitChart::markText() const {
+    if (!m_marked) {
         return {};
     }
     if (m_requirement) {
         return QStringLiteral("%1: %2").arg(Names::constraint(m_requirement->kind),
                                             LimitNames::percent(1 - m_requirement->relativeMargin));
     }
-    const std::vector<DepthLimit> limits = limitsOf(*m_markedCut);
+    const std::vector<DepthLimit> limits = limitsOf(*m_marked);
     const DepthLimit* binding = bindingOf(limits);
     return binding ? tr("nearest to its limit: %1, %2")
                          .arg(LimitNames::limit(binding->kind),
-                              LimitNames::percent(ratio(m_markedCut->depth_mm, binding->depth_mm)))
+                              LimitNames::percent(ratio(m_marked->depth_mm, binding->depth_mm)))
                    : QString();
 }
 
-QString ConstraintsPlot::valuesAt(const LimitedCut& cut) const {
+QString LimitChart::valuesAt(const LimitedCut& cut) const {
     const auto um = [](double value_mm) { return Names::significant(value_mm * umPerMm); };
     std::vector<DepthLimit> limits = limitsOf(cut);
     std::ranges::sort(limits, {}, &DepthLimit::depth_mm);
@@ -81,71 +121,34 @@ QString ConstraintsPlot::valuesAt(const LimitedCut& cut) const {
     return text;
 }
 
-/// The cut nearest to the mouse, as it is seen.
-void ConstraintsPlot::onMouse(QMouseEvent* event) {
-    const LimitGroup* group = shownGroup();
-    if (!group || group->cuts.empty() || !m_rect->rect().contains(event->pos())) {
-        emit pointed({});
-        return;
-    }
-    const auto away = [&](const LimitedCut& cut) {
-        const double x = stockAxis()->coordToPixel(cut.stock_mm * umPerMm);
-        const double y = feedAxis()->coordToPixel(std::max(cut.depth_mm * umPerMm, 1e-6));
-        return std::hypot(x - event->pos().x(), y - event->pos().y());
-    };
-    emit pointed(valuesAt(*std::ranges::min_element(group->cuts, {}, away)));
+/// A cut is a revolution's where the wheel plunges or stands, else a stroke's.
+QString LimitChart::feedLabel() const {
+    const LimitGroup* group = cuts();
+    const bool stroke =
+        group && !group->standing && m_outcome->result.project.operation->countsStrokes;
+    return stroke ? tr("Actual feed, µm per pass") : tr("Actual feed, µm per revolution");
 }
 
-ReadCurves ConstraintsPlot::readCurves() const {
-    ReadCurves curves;
-    const auto add = [&](const auto& drawn, const QString& name) {
-        if (drawn->visible() && !drawn->data()->isEmpty()) {
-            curves.push_back({QString(), name, Digits::significant,
-                              [drawn](double x) { return valueAt(*drawn, x); }});
-        }
-    };
-    add(m_actual, tr("actual feed, µm"));
-    add(m_stepless, tr("stepless limit, µm"));
-    for (const auto& [kind, graph] : m_limits) {
-        add(graph, tr("limit: %1, µm").arg(LimitNames::limit(kind)));
-    }
-    return curves;
-}
-
-CursorSubject ConstraintsPlot::cursorSubject() {
-    return {[this] { return stockAxis()->label(); },
-            [this] {
-                return m_outcome ? QCPRange(m_outcome->limits.least_mm * umPerMm,
-                                            m_outcome->limits.deepest_mm * umPerMm)
-                                 : QCPRange();
-            },
-            [this] { return readCurves(); },
-            {},
-            {}};
-}
-
-CsvTable ConstraintsPlot::table() const {
+CsvTable LimitChart::table(const std::function<bool(double)>& inSight,
+                           const std::function<bool(ConstraintKind)>& wanted) const {
     CsvTable table;
-    const LimitGroup* group = shownGroup();
+    const LimitGroup* group = cuts();
     if (!group) {
         return table;
     }
     const bool strokes = m_outcome->result.project.operation->countsStrokes;
     table.header << tr("stage") << (strokes ? tr("double stroke") : tr("revolution"))
                  << tr("stock left, µm") << tr("actual feed, µm") << tr("width of cut, mm");
-    const auto shows = [this](const DepthLimit& limit) {
-        return m_choice.shows(static_cast<int>(limit.kind));
-    };
     bool named = false;
     for (const LimitedCut& cut : group->cuts) {
-        if (!stockAxis()->range().contains(cut.stock_mm * umPerMm)) {
+        if (!inSight(cut.stock_mm)) {
             continue;
         }
         const std::vector<DepthLimit> limits = limitsOf(cut);
         std::vector<CsvCell> row{double(cut.place.stage), double(cut.place.cycleCount),
                                  cut.stock_mm * umPerMm, cut.depth_mm * umPerMm, cut.width_mm};
         for (const DepthLimit& limit : limits) {
-            if (shows(limit)) {
+            if (wanted(limit.kind)) {
                 row.emplace_back(limit.depth_mm * umPerMm);
                 if (!named) {
                     table.header << tr("limit: %1, µm").arg(LimitNames::limit(limit.kind));

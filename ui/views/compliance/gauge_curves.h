@@ -3,7 +3,7 @@
 
 #include "core/quality/gauge_placement.h"
 #include "core/study/outcome.h"
-#include "ui/charts/length_curves.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include <memory>
 #include <optional>
@@ -15,11 +15,12 @@ using GaugePlacementPtr = std::shared_ptr<const GaugePlacement>;
 /// The diameters of all zones or sections over the place of the gauge, the one farthest from the
 /// middle of the field, the best place and the present one.
 class GaugeCurves : public LengthCurves {
+    Q_DECLARE_TR_FUNCTIONS(GaugeCurves)
 public:
     static constexpr int spreadKey = 200, farthestKey = 201, bestKey = 202, presentKey = 203,
                          sectionKey = 300; ///< of the legend; sections count on
 
-    explicit GaugeCurves(QCPAxisRect& rect);
+    GaugeCurves(ViewPlot& plot, QCPAxisRect& rect);
 
     /// @param outcome the run whose gauge stands at `present_mm`
     void show(GaugePlacementPtr placement, OutcomePtr outcome, double present_mm);
@@ -36,7 +37,8 @@ public:
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] QString valuesAt(double x_mm) const override;
-    void restyle(bool dim) override;
+    [[nodiscard]] QString placeLabel() const override;
+    void restyle() override;
 
 private:
     /// A position of the gauge drawn at a place: in traverse each stands for its zone.
@@ -59,7 +61,6 @@ private:
     QCPGraph* m_present;
     QCPGraph* m_best;
     std::vector<QCPGraph*> m_sections;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

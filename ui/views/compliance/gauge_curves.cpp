@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/gauge_curves.h"
+#include "ui/views/compliance/gauge_curves.h"
 
 #include "core/process/system_compliance.h"
 #include "core/units.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
@@ -19,14 +17,10 @@ namespace {
 
 constexpr std::size_t mostSections = 6; ///< drawn as lines of their own
 
-QString gaugeWord(const char* text) {
-    return QCoreApplication::translate("GaugeCurves", text);
-}
-
 } // namespace
 
-GaugeCurves::GaugeCurves(QCPAxisRect& rect)
-    : LengthCurves(rect)
+GaugeCurves::GaugeCurves(ViewPlot& plot, QCPAxisRect& rect)
+    : LengthCurves(plot, rect)
     , m_lowest(addGraph(spreadKey))
     , m_highest(addGraph(spreadKey))
     , m_farthest(addGraph(farthestKey))
@@ -112,7 +106,7 @@ void GaugeCurves::show(GaugePlacementPtr placement, OutcomePtr outcome, double p
                     best ? QVector<double>{farthest_um(*best)} : QVector<double>(), true);
     m_present->setData({present_mm}, {farthestNow_um()}, true);
     drawLimits(m_outcome->result.project.part);
-    restyle(m_dim);
+    restyle();
 }
 
 void GaugeCurves::drawSections(const std::vector<Drawn>& places, const QVector<double>& x) {
@@ -140,23 +134,19 @@ QString GaugeCurves::nameOf(std::size_t section) const {
 QColor GaugeCurves::colourOf(std::size_t section) const {
     static constexpr style::Hue hues[] = {style::Hue::blue,   style::Hue::orange, style::Hue::green,
                                           style::Hue::purple, style::Hue::yellow, style::Hue::sky};
-    return style::dimmed(style::colour(hues[section % std::size(hues)], palette()), m_dim);
+    return plot().toned(hues[section % std::size(hues)]);
 }
 
 LegendEntries GaugeCurves::legendEntries() const {
     if (!m_placement) {
         return {};
     }
-    const QColor text = style::dimmed(palette().color(QPalette::Text), m_dim);
+    const QColor text = plot().ink();
     LegendEntries entries{
-        entry(farthestKey, text, Qt::SolidLine,
-              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "farthest from the middle"))),
-        entry(bestKey, style::dimmed(style::colour(style::Hue::green, palette()), m_dim), Qt::NoPen,
-              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "best place"))),
-        entry(presentKey, style::dimmed(style::colour(style::Hue::vermilion, palette()), m_dim),
-              Qt::NoPen, gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "present place"))),
-        entry(spreadKey, style::dimmed(style::colour(style::Hue::sky, palette()), m_dim), Qt::NoPen,
-              gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "all diameters")))};
+        entry(farthestKey, text, Qt::SolidLine, tr("farthest from the middle")),
+        entry(bestKey, plot().toned(style::Hue::green), Qt::NoPen, tr("best place")),
+        entry(presentKey, plot().toned(style::Hue::vermilion), Qt::NoPen, tr("present place")),
+        entry(spreadKey, plot().toned(style::Hue::sky), Qt::NoPen, tr("all diameters"))};
     const std::vector<std::size_t> sections = drawnSections();
     for (std::size_t i = 0; i < sections.size(); ++i) {
         entries.push_back(entry(sectionKey + static_cast<int>(i), colourOf(i), Qt::SolidLine,
@@ -166,17 +156,16 @@ LegendEntries GaugeCurves::legendEntries() const {
     return entries;
 }
 
-void GaugeCurves::restyle(bool dim) {
-    m_dim = dim;
-    QColor spread = style::dimmed(style::colour(style::Hue::sky, palette()), dim);
+void GaugeCurves::restyle() {
+    QColor spread = plot().toned(style::Hue::sky);
     m_lowest->setPen(Qt::NoPen);
     m_highest->setPen(Qt::NoPen);
     spread.setAlpha(spread.alpha() / 4);
     m_highest->setBrush(spread);
-    m_farthest->setPen(QPen(style::dimmed(palette().color(QPalette::Text), dim), 2.5));
+    m_farthest->setPen(QPen(plot().ink(), 2.5));
     const auto mark = [&](QCPGraph* graph, style::Hue hue, QCPScatterStyle::ScatterShape shape,
                           double size) {
-        const QColor colour = style::dimmed(style::colour(hue, palette()), dim);
+        const QColor colour = plot().toned(hue);
         graph->setPen(QPen(colour, 1.5, Qt::DotLine));
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 2), colour, size));
     };
@@ -185,7 +174,11 @@ void GaugeCurves::restyle(bool dim) {
     for (std::size_t i = 0; i < m_sections.size(); ++i) {
         m_sections[i]->setPen(QPen(colourOf(i), 1.5));
     }
-    restyleLimits(dim);
+    restyleLimits();
+}
+
+QString GaugeCurves::placeLabel() const {
+    return tr("Place of the gauge from the headstock end of the ground length, mm");
 }
 
 CsvTable GaugeCurves::table() const {
@@ -193,17 +186,12 @@ CsvTable GaugeCurves::table() const {
     if (!m_placement) {
         return table;
     }
-    table.header << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Gauge at, mm"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Compliance there, mm/N"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Smallest diameter, µm"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Largest diameter, µm"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Farthest from the middle, µm"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Margin to the limits, µm"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Time, s"))
-                 << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "End of the cycle"));
+    table.header << tr("Gauge at, mm") << tr("Compliance there, mm/N")
+                 << tr("Smallest diameter, µm") << tr("Largest diameter, µm")
+                 << tr("Farthest from the middle, µm") << tr("Margin to the limits, µm")
+                 << tr("Time, s") << tr("End of the cycle");
     for (std::size_t i = 0; i < m_outcome->result.sections.size(); ++i) {
-        table.header
-            << gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "%1, mean diameter, µm")).arg(nameOf(i));
+        table.header << tr("%1, mean diameter, µm").arg(nameOf(i));
     }
     for (const GaugePosition& position : m_placement->positions) {
         std::vector<CsvCell> row{position.position_mm,
@@ -231,13 +219,11 @@ QString GaugeCurves::valuesAt(double x_mm) const {
         places, {}, [x_mm](const Drawn& place) { return std::abs(place.x_mm - x_mm); });
     const GaugePosition& at = *nearest->position;
     if (at.status != RunStatus::completed) {
-        return gaugeWord(QT_TRANSLATE_NOOP("GaugeCurves", "Gauge at %1 mm: %2"))
+        return tr("Gauge at %1 mm: %2")
             .arg(QLocale().toString(at.position_mm, 'f', 1), Names::status(at.status));
     }
-    return gaugeWord(QT_TRANSLATE_NOOP(
-                         "GaugeCurves",
-                         "Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from "
-                         "the middle of the field"))
+    return tr("Gauge at %1 mm: diameters from %2 (%3) to %4 µm (%5), at most %6 µm from "
+              "the middle of the field")
         .arg(QLocale().toString(at.position_mm, 'f', 1),
              Names::signedMicrometres(at.deviationMin_mm * units::umPerMm - middle_um()),
              nameOf(at.sectionOfMin),

@@ -1,33 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/length_curves.h"
+#include "ui/views/compliance/length_curves.h"
 
 #include "core/project/part.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace sparkout {
 
-QString LengthCurves::axisLabel() {
-    return QCoreApplication::translate("LengthCurves", "Diameter from the middle of the field, µm");
+QString LengthCurves::axisLabel() const {
+    return tr("Diameter from the middle of the field, µm");
+}
+
+QString LengthCurves::placeLabel() const {
+    return tr("From the headstock end of the ground length, mm");
 }
 
 QCPGraph* LengthCurves::addGraph(int key) {
-    QCPGraph* graph =
-        m_rect.parentPlot()->addGraph(m_rect.axis(QCPAxis::atBottom), m_rect.axis(QCPAxis::atLeft));
-    graph->removeFromLegend();
-    graph->setSelectable(QCP::stNone);
-    graph->setVisible(m_shown && m_choice.shows(key));
+    QCPGraph* graph = m_plot.addLine(m_rect);
+    graph->setVisible(shows(key));
     m_graphs.push_back({graph, key});
     return graph;
 }
 
 void LengthCurves::applyChoice() {
     for (const Keyed& keyed : m_graphs) {
-        keyed.graph->setVisible(m_shown && m_choice.shows(keyed.key));
+        keyed.graph->setVisible(shows(keyed.key));
     }
 }
 
@@ -91,10 +89,8 @@ ReadCurves LengthCurves::readCurves() const {
         const bool spread = drawn.size() == 2; // the lower edge first
         for (const QCPGraph* graph : drawn) {
             const QString edge =
-                graph == drawn.front()
-                    ? QCoreApplication::translate("LengthCurves", "%1: smallest, µm")
-                    : QCoreApplication::translate("LengthCurves", "%1: largest, µm");
-            const QString one = QCoreApplication::translate("LengthCurves", "%1, µm");
+                graph == drawn.front() ? tr("%1: smallest, µm") : tr("%1: largest, µm");
+            const QString one = tr("%1, µm");
             curves.push_back({QString(), (spread ? edge : one).arg(entry.text), digits(),
                               [graph](double x) { return valueAt(*graph, x); }});
         }
@@ -107,7 +103,7 @@ void LengthCurves::drawLimits(const Part& part) {
     for (int side = 0; side < 2; ++side) {
         if (!m_limits[side]) {
             m_limits[side] = addGraph(limitsKey);
-            restyleLimits(m_dim);
+            restyleLimits();
         }
         const double limit = side == 0 ? -m_limit_um : m_limit_um;
         m_limits[side]->setData({0, part.length_mm}, {limit, limit}, true);
@@ -122,21 +118,17 @@ void LengthCurves::clearLimits() {
     }
 }
 
-void LengthCurves::restyleLimits(bool dim) {
-    m_dim = dim;
+void LengthCurves::restyleLimits() {
     for (QCPGraph* limit : m_limits) {
         if (limit) {
-            limit->setPen(QPen(style::dimmed(style::colour(style::Hue::vermilion, palette()), dim),
-                               1.5, Qt::DashLine));
+            limit->setPen(QPen(m_plot.toned(style::Hue::vermilion), 1.5, Qt::DashLine));
         }
     }
 }
 
 LegendEntry LengthCurves::limitsEntry() const {
-    return entry(limitsKey, style::dimmed(style::colour(style::Hue::vermilion, palette()), m_dim),
-                 Qt::DashLine,
-                 QCoreApplication::translate("LengthCurves", "limits of the field, ±%1 µm")
-                     .arg(Names::significant(m_limit_um)));
+    return entry(limitsKey, m_plot.toned(style::Hue::vermilion), Qt::DashLine,
+                 tr("limits of the field, ±%1 µm").arg(Names::significant(m_limit_um)));
 }
 
 } // namespace sparkout

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
-#include "ui/plot/read_curves.h"
-#include "ui/tables/csv_table.h"
+#include "ui/plot/view_plot.h"
 
-#include <qcustomplot.h>
+#include <QCoreApplication>
 
-#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -17,8 +14,10 @@ struct Part;
 /// Curves over the length of the part that share an axis rect with others: shown or not as a whole,
 /// and one by one through the legend. Diameters are drawn from the middle of the tolerance field.
 class LengthCurves {
+    Q_DECLARE_TR_FUNCTIONS(LengthCurves)
 public:
-    explicit LengthCurves(QCPAxisRect& rect) : m_rect(rect) {}
+    /// In a rect of the plot.
+    LengthCurves(ViewPlot& plot, QCPAxisRect& rect) : m_plot(plot), m_rect(rect) {}
     virtual ~LengthCurves() = default;
 
     void setShown(bool shown);
@@ -29,12 +28,14 @@ public:
     [[nodiscard]] virtual CsvTable table() const = 0;
     /// Values at a place, in words; empty where there are none.
     [[nodiscard]] virtual QString valuesAt(double x_mm) const = 0;
-    virtual void restyle(bool dim) = 0;
+    virtual void restyle() = 0;
     [[nodiscard]] virtual Digits digits() const { return Digits::signedHundredths; }
-    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones that run along the part
+    /// The shown ones that run along the part.
+    [[nodiscard]] virtual ReadCurves readCurves() const;
     /// Of what is drawn, with room; the limits too unless they are far away. Null: nothing.
-    [[nodiscard]] QCPRange values() const;
-    [[nodiscard]] static QString axisLabel();
+    [[nodiscard]] virtual QCPRange values() const;
+    [[nodiscard]] virtual QString axisLabel() const;  ///< of the values …
+    [[nodiscard]] virtual QString placeLabel() const; ///< … and of the places
 
 protected:
     /// A graph under a key of the legend.
@@ -44,26 +45,27 @@ protected:
     /// The limits of the tolerance field over the length, ± half of it.
     void drawLimits(const Part& part);
     void clearLimits();
-    void restyleLimits(bool dim);
+    void restyleLimits();
     [[nodiscard]] LegendEntry limitsEntry() const;
-    [[nodiscard]] const QPalette& palette() const { return m_rect.parentPlot()->palette(); }
+    [[nodiscard]] bool shows(int key) const { return m_shown && m_choice.shows(key); }
+    [[nodiscard]] bool chosen(int key) const { return m_choice.shows(key); } ///< in the legend
+    virtual void applyChoice();
+    [[nodiscard]] const ViewPlot& plot() const { return m_plot; }
 
 private:
     static constexpr int limitsKey = 900;
-
-    void applyChoice();
 
     struct Keyed {
         QCPGraph* graph;
         int key;
     };
+    ViewPlot& m_plot;
     QCPAxisRect& m_rect;
     std::vector<Keyed> m_graphs;
     QCPGraph* m_limits[2] = {};
     double m_limit_um = 0;
     CurveChoice m_choice;
     bool m_shown = false;
-    bool m_dim = false;
 };
 
 } // namespace sparkout

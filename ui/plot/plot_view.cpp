@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/plot_view.h"
+
+#include "core/study/outcome.h"
+#include "ui/kit/metrics.h"
+#include "ui/plot/cursor_strip.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/view_plot.h"
+#include "ui/text/names.h"
+
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace sparkout {
+
+PlotView::PlotView(const QString& name, QWidget* parent, Settings* settings)
+    : View(parent)
+    , m_settings(settings)
+    , m_notice(new QLabel(this))
+    , m_legend(new LegendStrip(this))
+    , m_values(new QLabel(this)) {
+    setObjectName(name);
+    m_notice->setObjectName(name + QStringLiteral("Notice"));
+    m_legend->setObjectName(name + QStringLiteral("Legend"));
+    m_values->setObjectName(name + QStringLiteral("Values"));
+    setUpNotice(*m_notice);
+    setUpReadout(*m_values);
+    hideUntilDrawn({m_legend, m_values});
+    connect(m_legend, &LegendStrip::toggled, this, [this](int key) { toggleCurve(key); });
+    connect(m_legend, &LegendStrip::onlyAsked, this, [this](int key) { showOnly(key); });
+}
+
+// --- building -----------------------------------------------------------------------------------
+
+void PlotView::addPlot(ViewPlot& plot, PlotSubject subject) {
+    m_plots.push_back(&plot);
+    m_front = m_front ? m_front : &plot;
+    if (!subject.heading) {
+        subject.heading = [this] { return heading(); };
+    }
+    plot.addTools(std::move(subject), m_settings);
+    connect(&plot, &ViewPlot::pointed, this, &PlotView::readOut);
+    connect(&plot, &ViewPlot::contentChanged, this, &PlotView::showLegend);
+}
+
+void PlotView::addCursors(ViewPlot& plot) {
+    m_strip = new CursorStrip(plot.addCursors(), this);
+}
+
+void PlotView::addPage(ViewPlot& plot, PlotSubject subject) {
+    if (!m_pages) {
+        m_pages = new QStackedWidget(this);
+        hideUntilDrawn({m_pages});
+    }
+    addPlot(plot, std::move(subject));
+    m_pages->addWidget(&plot);
+    m_buttons.push_back(pageButtons(*plot.tools()));
+}
+
+QWidget* PlotView::pageButtons(PlotTools& tools) {
+    auto* buttons = new QWidget(this);
+    auto* row = rowIn<QHBoxLayout>(buttons);
+    row->addWidget(PlotTools::button(tools.fit, buttons));
+    row->addWidget(tools.exportButton(buttons));
+    return buttons;
+}
+
+void PlotView::addButtons(QLayout& row, const QList<QAction*>& actions) const {
+    QWidget* bar = row.parentWidget();
+    for (QAction* action : actions) {
+        row.addWidget(PlotTools::button(action, bar));
+    }
+    row.addWidget(tools()->exportButton(bar));
+}
+
+void PlotView::closeUp(QLayout& row) {
+    row.setContentsMargins(0, 0, 0, 0);
+    row.setSpacing(metrics::tight);
+}
+
+void PlotView::addPageButtons(QLayout& row) const {
+    for (QWidget* buttons : m_buttons) {
+        row.addWidget(buttons);
+    }
+}
+
+QComboBox* PlotView::content() {
+    if (!m_content) {
+        m_content = new QComboBox(this);
+        m_content->setObjectName(objectName() + QStringLiteral("Content"));
+        m_content->addItems(QStringList(m_pages->count(), QString()));
+        m_content->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    return m_content;
+}
+
+void PlotView::showPage(std::size_t index) {
+    m_pages->setCurrentIndex(static_cast<int>(index));
+    m_front = m_plots[index];
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        m_buttons[i]->setVisible(i == index);
+    }
+    showLegend();
+}
+
+QVBoxLayout* PlotView::addColumn(std::initializer_list<QWidget*> parts, QWidget* main) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    column->setSpacing(metrics::tight);
+    for (QWidget* part : parts) {
+        column->addWidget(part, part == main ? 1 : 0);
+    }
+    return column;
+}
+
+void PlotView::hideUntilDrawn(std::initializer_list<QWidget*> parts) {
+    m_hidden.insert(m_hidden.end(), parts);
+}
+
+void PlotView::disableUntilDrawn(std::initializer_list<QWidget*> parts) {
+    m_disabled.insert(m_disabled.end(), parts);
+}
+
+void PlotView::nameObjects(std::initializer_list<std::pair<QWidget*, const char*>> names) {
+    for (const auto& [widget, name] : names) {
+        widget->setObjectName(QLatin1String(name));
+    }
+}
+
+void PlotView::tell(QWidget& widget, const QString& text) {
+    widget.setAccessibleName(text);
+    widget.setToolTip(text);
+}
+
+PlotTools* PlotView::tools() const {
+    return m_front->tools();
+}
+
+PlotCursors* PlotView::cursors() const {
+    for (const ViewPlot* plot : m_plots) {
+        if (plot->cursors()) {
+            return plot->cursors();
+        }
+    }
+    return nullptr;
+}
+
+// --- what is drawn ------------------------------------------------------------------------------
+
+bool PlotView::refused() const {
+    return latest() && !latest()->ran();
+}
+
+bool PlotView::draws(const Outcome& outcome) const {
+    return !outcome.result.sections.empty();
+}
+
+bool PlotView::faint() const {
+    return m_good && latest() && !(latest()->ran() && draws(*latest()));
+}
+
+void PlotView::showOutcome() {
+    QElapsedTimer clock;
+    clock.start();
+    if (latest() && latest()->ran() && draws(*latest())) {
+        takeOutcome(std::exchange(m_good, latest()));
+    }
+    showState();
+    showLegend();
+    showPlots();
+    m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
+    emit updated();
+}
+
+void PlotView::showPlots() {
+    for (ViewPlot* plot : m_plots) {
+        plot->replot();
+        plot->tools()->navigation().amendView();
+    }
+}
+
+void PlotView::replotAll() {
+    for (ViewPlot* plot : m_plots) {
+        plot->replot(QCustomPlot::rpQueuedReplot);
+        plot->tools()->navigation().amendView();
+    }
+}
+
+void PlotView::showState() {
+    const QString text = noticeText();
+    m_notice->setText(text);
+    m_notice->setVisible(!text.isEmpty());
+    const bool shown = drawn();
+    for (QWidget* part : m_hidden) {
+        part->setVisible(shown);
+    }
+    for (QWidget* part : m_disabled) {
+        part->setEnabled(shown);
+    }
+    for (ViewPlot* plot : m_plots) {
+        plot->setDimmed(faint());
+        plot->tools()->setEnabled(shown);
+    }
+}
+
+void PlotView::showLegend() {
+    if (m_front) { // a plot may tell of its content before it is added
+        m_legend->setEntries(m_front->legendEntries());
+    }
+}
+
+void PlotView::toggleCurve(int key) {
+    m_front->toggleCurve(key);
+}
+
+void PlotView::showOnly(int key) {
+    m_front->showOnly(key);
+}
+
+// --- words --------------------------------------------------------------------------------------
+
+QString PlotView::keptText() const {
+    return tr("The inputs are refused; the curves are those of the last accepted ones.");
+}
+
+QString PlotView::refusedText() {
+    return tr("The inputs are refused:");
+}
+
+QString PlotView::noticeText() const {
+    if (refused()) {
+        return (m_good ? keptText() : refusedText()) + QLatin1Char('\n')
+               + Names::refusal(latest()->issues, 2);
+    }
+    return m_good ? remark() : tr("No result yet.");
+}
+
+QStringList PlotView::heading() const {
+    QStringList heading{title()};
+    if (m_good) {
+        heading << QString::fromStdString(m_good->result.project.title).simplified()
+                << subheading();
+    }
+    heading.removeAll(QString());
+    return heading;
+}
+
+void PlotView::nameAround(const QString& legend, const QString& notice, const QString& values) {
+    m_legend->setAccessibleName(legend);
+    m_notice->setAccessibleName(notice);
+    m_values->setAccessibleName(values);
+}
+
+void PlotView::retranslate() {
+    setAccessibleName(title());
+    m_legend->retranslate();
+    if (m_strip) {
+        m_strip->retranslate();
+    }
+    for (ViewPlot* plot : m_plots) {
+        plot->retranslate();
+    }
+    nameParts();
+    readOut();
+    showState();
+    showLegend();
+    for (ViewPlot* plot : m_plots) {
+        plot->replot(QCustomPlot::rpQueuedReplot);
+    }
+}
+
+} // namespace sparkout

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/system_compliance.h"
+#include "core/study/outcome.h"
+#include "ui/views/compliance/length_curves.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// What γ(x) is made of, from below; rests are what steady rests take away again.
+enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
+
+inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,
+                                               CompliancePart::tailstock, CompliancePart::bending,
+                                               CompliancePart::rests};
+
+[[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
+[[nodiscard]] double sumOf(const ComplianceParts& parts);                        ///< [mm/N]
+inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
+
+/// γ along the part as stacked parts, its sum, and the γ each zone or section is ground with.
+class ComplianceCurves : public LengthCurves {
+    Q_DECLARE_TR_FUNCTIONS(ComplianceCurves)
+public:
+    static constexpr int sumKey = 100, usedKey = 101; ///< of the legend; below: a CompliancePart
+
+    ComplianceCurves(ViewPlot& plot, QCPAxisRect& rect);
+
+    void show(OutcomePtr outcome);
+
+    [[nodiscard]] const std::vector<CompliantPlace>& places() const { return m_places; }
+    [[nodiscard]] QCPGraph* sum() const { return m_sum; }
+    [[nodiscard]] QCPGraph* used() const { return m_used; }
+    [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge; rests have none
+
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
+    [[nodiscard]] QString valuesAt(double x_mm) const override;
+    void restyle() override;
+    [[nodiscard]] ReadCurves readCurves() const override;
+    [[nodiscard]] QCPRange values() const override;
+    [[nodiscard]] QString axisLabel() const override;
+
+private:
+    void applyChoice() override;
+    void fillUsed();
+    [[nodiscard]] bool has(CompliancePart part) const;
+    [[nodiscard]] bool hasZones() const;
+    [[nodiscard]] std::optional<double> groundWith(double x_mm) const; ///< γ [nm/N]
+    [[nodiscard]] QColor colourOf(CompliancePart part) const;
+    [[nodiscard]] static QString nameOf(CompliancePart part);
+
+    OutcomePtr m_outcome;
+    std::vector<CompliantPlace> m_places;
+    QCPGraph* m_base;                   ///< the axis, for the first fill
+    std::array<QCPGraph*, 4> m_stack{}; ///< of the parts up to bending
+    QCPGraph* m_sum;
+    QCPGraph* m_used;
+};
+
+} // namespace sparkout

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/study/outcome.h"
+#include "ui/tables/csv_table.h"
+
+#include <QCoreApplication>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace sparkout {
+
+/// The cuts of one zone or section of a run under the limits that are on, and the one of them that
+/// is marked: as it is drawn, told and tabulated.
+class LimitChart {
+    Q_DECLARE_TR_FUNCTIONS(LimitChart)
+public:
+    LimitChart() = default; ///< of nothing
+    /// With the mark of a requirement, as setMarked() has it.
+    LimitChart(OutcomePtr outcome, int group, std::optional<ConstraintResult> requirement);
+
+    /// Marks where a requirement was worst; nothing: where the group comes nearest to its limit.
+    void setMarked(std::optional<ConstraintResult> requirement);
+
+    [[nodiscard]] bool isEmpty() const { return !m_outcome; } ///< of no run
+    [[nodiscard]] int group() const { return m_group; }
+    [[nodiscard]] const LimitGroup* cuts() const;                      ///< null: there are none
+    [[nodiscard]] const LimitPoints& limit(ConstraintKind kind) const; ///< empty: off
+    /// The least of them; empty: none binds every cut.
+    [[nodiscard]] const LimitPoints& stepless() const { return m_stepless; }
+    [[nodiscard]] const std::optional<ConstraintResult>& requirement() const {
+        return m_requirement;
+    }
+    [[nodiscard]] const std::optional<LimitedCut>& marked() const { return m_marked; }
+    [[nodiscard]] QString markText() const;
+    [[nodiscard]] QString valuesAt(const LimitedCut& cut) const;
+    [[nodiscard]] QString feedLabel() const;
+    /// Stocks of the cycle, from the least to the deepest [mm].
+    [[nodiscard]] std::pair<double, double> stocks_mm() const;
+    /// A row a cut within the stocks, with the limits that are wanted.
+    [[nodiscard]] CsvTable table(const std::function<bool(double stock_mm)>& inSight,
+                                 const std::function<bool(ConstraintKind)>& wanted) const;
+
+private:
+    /// Limits of a cut as the engine gives them, not read off the curves.
+    [[nodiscard]] std::vector<DepthLimit> limitsOf(const LimitedCut& cut) const;
+
+    OutcomePtr m_outcome;
+    int m_group = -1;
+    std::map<ConstraintKind, LimitPoints> m_limits;
+    LimitPoints m_stepless;
+    std::optional<ConstraintResult> m_requirement;
+    std::optional<LimitedCut> m_marked;
+};
+
+} // namespace sparkout

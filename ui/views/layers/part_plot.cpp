@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/layers/part_plot.h"
+
+#include "ui/plot/band_layer.h"
+#include "ui/views/layers/layers_look.h"
+
+namespace sparkout {
+
+namespace {
+constexpr int axisHeight = 20;   ///< of the strip [px]
+constexpr double axisBelow = 13; ///< the cell [px]
+constexpr double tooth = 4;      ///< of the break line
+constexpr double besideName = 5; ///< beside the name of the axis [px]
+constexpr int breakAlpha = 150;
+constexpr int rightMargin = 14; ///< half of a number [px]
+} // namespace
+
+PartPlot::PartPlot(QWidget* parent)
+    : ViewPlot(parent), m_cell(addCell()), m_bands(new BandLayer(m_cell, true)) {
+    m_cell->axis(QCPAxis::atBottom)->setOffset(axisHeight);
+}
+
+void PartPlot::fillBands() {
+    m_bands->setBands(LayersLook::zoneBands(zones(), palette()));
+}
+
+void PartPlot::restyle() {
+    ViewPlot::restyle();
+    m_cell->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), rightMargin, 0));
+    fillBands();
+}
+
+void PartPlot::setTexts() {
+    m_cell->axis(QCPAxis::atBottom)
+        ->setLabel(tr("From the headstock end of the ground length, mm"));
+    m_cell->axis(QCPAxis::atLeft)->setLabel(tr("Radius from\ntarget, µm"));
+    fillBands();
+}
+
+QRect PartPlot::painted() const {
+    return m_cell->rect().adjusted(0, 0, 0, axisHeight);
+}
+
+void PartPlot::drawPartAxis(QCPPainter& painter) const {
+    const QRectF strip(m_cell->left(), m_cell->bottom() + 1.0, m_cell->width(), axisHeight);
+    QColor edge = palette().color(QPalette::Text);
+    edge.setAlpha(breakAlpha);
+    painter.setPen(QPen(edge, 1));
+    QPolygonF teeth;
+    for (double at = strip.left(); at <= strip.right() + tooth; at += tooth) {
+        teeth << QPointF(at, strip.top() + (teeth.size() % 2 == 0 ? 0 : tooth));
+    }
+    painter.drawPolyline(teeth);
+    painter.setPen(QPen(edge, 1, Qt::DashDotLine));
+    painter.drawLine(QPointF(strip.left(), strip.top() + axisBelow),
+                     QPointF(strip.right(), strip.top() + axisBelow));
+    const QString name = tr("axis of rotation");
+    const double width = QFontMetrics(font()).horizontalAdvance(name) + 2 * besideName;
+    const QRectF text(strip.right() - width, strip.top() + tooth + 1, width,
+                      strip.height() - tooth - 1);
+    painter.setFont(font());
+    painter.fillRect(text, palette().color(QPalette::Base));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(text, Qt::AlignCenter, name);
+}
+
+} // namespace sparkout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/stock_layers.h"
+#include "ui/plot/view_plot.h"
+
+namespace sparkout {
+
+class BandLayer;
+
+/// A plot with one cell: the part's length over its axis of rotation, with its zones or sections as
+/// bands; radii from the target in micrometres, far above the axis, which stands in a strip below
+/// the cell behind a break line.
+class PartPlot : public ViewPlot {
+    Q_OBJECT
+public:
+    void restyle() override;
+
+    [[nodiscard]] QCPAxisRect* cell() const { return m_cell; }
+    [[nodiscard]] QRect painted() const; ///< the cell and the strip below it
+    void drawPartAxis(QCPPainter& painter) const;
+
+protected:
+    explicit PartPlot(QWidget* parent);
+
+    [[nodiscard]] virtual const LayerSeries& zones() const = 0; ///< whose bands are drawn
+    void fillBands();
+    void setTexts() override;
+
+private:
+    QCPAxisRect* m_cell;
+    BandLayer* m_bands;
+};
+
+} // namespace sparkout
