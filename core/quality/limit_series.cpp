@@ -5,6 +5,7 @@
 #include "core/limits/burn_table.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
+#include "core/quality/constraints.h"
 
 #include <algorithm>
 #include <cmath>
