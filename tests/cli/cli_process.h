@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/core/project_samples.h"
+#include "tests/core/support/project_samples.h"
 
 #include <QProcess>
 #include <QString>

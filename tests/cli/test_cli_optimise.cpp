@@ -6,7 +6,7 @@
 #include "core/optimisation/optimise.h"
 #include "core/simulation/simulate.h"
 #include "tests/cli/cli_process.h"
-#include "tests/core/project_samples.h"
+#include "tests/core/support/project_samples.h"
 #include "tests/registry.h"
 
 #include <QElapsedTimer>

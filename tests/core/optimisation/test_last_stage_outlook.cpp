@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What three radii tell of a last stage is true of the whole part.
+#include "core/optimisation/last_stage_outlook.h"
+#include "core/simulation/plunge.h"
+#include "core/simulation/traverse.h"
+
+#include "tests/core/optimisation/search_cases.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace test_last_stage_outlook {
+
+using namespace sparkout;
+using search_cases::smallCase;
+
+namespace {
+
+/// Small cases of traverse grinding under gauge control, each radius by its own balance.
+Project followable(unsigned seed) {
+    for (unsigned salt = 0;; ++salt) {
+        Project p = smallCase(seed + 1000 * salt);
+        if (p.operation == Operation::traverse && p.gauge.control == Control::gauge
+            && !p.machine.wheel_contact) {
+            search_cases::Dice dice(seed);
+            p.machine.dwell_entry_s = dice.integer(0, 2) / 3.0; // whole revolutions at 180 a minute
+            p.machine.dwell_exit_s = dice.integer(0, 2) / 3.0;
+            p.machine.overrun_entry_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
+            p.machine.overrun_exit_mm = dice.uniform(0.51, 0.8) * p.wheel.width_mm;
+            p.machine.plunge_feed_mm_min = dice.uniform(0.3, 3);
+            p.cycle.stages.assign(2, {});
+            for (Stage& stage : p.cycle.stages) {
+                stage.radial_feed_mm = dice.uniform(0.002, 0.012);
+                stage.axial_feed_mm_min = dice.uniform(500, 2000);
+                stage.stock_mm = p.part.stock_mm / 2;
+            }
+            return p;
+        }
+    }
+}
+
+struct CycleRun {
+    explicit CycleRun(const Project& p)
+        : project(p)
+        , steps(traverseSteps(p, Zone::nz, nullptr, {}))
+        , control(p, infeedsOfStages(p), steps->run().blank().totalInfeed_mm) {}
+    [[nodiscard]] StepFeed feed() const {
+        const std::size_t stage = control.stage();
+        return {control.nextInfeed(steps->run().fed_mm), stage,
+                *project.cycle.stages[stage].axial_feed_mm_min};
+    }
+    void step() {
+        QVERIFY(steps->step(feed()));
+        control.stepDone(steps->remaining(), steps->run().fed_mm);
+    }
+    const Project& project;
+    std::unique_ptr<CycleSteps> steps;
+    StageControl control;
+};
+
+LastStage lastStage(const CycleRun& run, double infeed_mm) {
+    return {.feed = run.steps->follower()->feed(infeed_mm, run.feed().axialFeed_mm_min)};
+}
+
+LastStageOutlook toldOf(const CycleRun& run, const LastStage& stage) {
+    return outlook(*run.steps, tellingRadii(*run.steps), stage, PassCuts(run.project));
+}
+
+bool diameterMisses(const SimulationResult& result, ConstraintKind kind) {
+    const std::vector<ConstraintResult> all = evaluateConstraints(result);
+    return std::any_of(all.begin(), all.end(),
+                       [kind](const auto& each) { return each.kind == kind && !each.holds; });
+}
+
+} // namespace
+
+class TestLastStageOutlook : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRadiusFollowedAloneStandsWhereTheWholeRunHasItAndByStrokesAloneNoDeeper() {
+        int shallower = 0;
+        for (unsigned seed = 0; seed < 100; ++seed) {
+            const Project p = followable(seed);
+            CycleRun whole(p);
+            const auto K = static_cast<std::size_t>(p.part.radii_per_section);
+            const FollowedRadii::Lanes lanes{seed % K, K + seed % K, 2 * K + K - 1};
+            const RadiusFollower* follower = whole.steps->follower();
+            QVERIFY(follower);
+            const FollowedFeed feed =
+                follower->feed(whole.feed().infeed_mm, whole.feed().axialFeed_mm_min);
+            FollowedRadii alone = follower->follow(lanes);
+            FollowedRadii strokes = alone;
+            while (whole.control.stage() == 0) {
+                follower->stepAlone(alone, feed);
+                follower->strokesAlone(strokes, feed);
+                whole.step();
+                const FollowedRadii there = follower->follow(lanes);
+                QCOMPARE(alone.fed_mm, there.fed_mm);
+                QCOMPARE(strokes.fed_mm, there.fed_mm);
+                for (std::size_t i = 0; i < lanes.size(); ++i) {
+                    QVERIFY(std::abs(alone.radii[i].depth_mm - there.radii[i].depth_mm) < 1e-14);
+                    QVERIFY(strokes.radii[i].depth_mm <= alone.radii[i].depth_mm);
+                }
+                QCOMPARE(strokes.radii[1].depth_mm, alone.radii[1].depth_mm); // cut by strokes only
+                shallower += strokes.radii[0].depth_mm < alone.radii[0].depth_mm ? 1 : 0;
+            }
+        }
+        QVERIFY(shallower > 100); // else the plunge and the dwells were none
+    }
+
+    void theStageTakesNoFewerStepsAndWhatIsToldTooDeepIsSo() {
+        int exact = 0, deep = 0, missed = 0, stages = 0;
+        for (unsigned seed = 0; seed < 400; ++seed) {
+            const Project p = followable(seed);
+            const PassCuts cuts(p);
+            CycleRun run(p);
+            while (run.control.stage() == 0) {
+                run.step();
+            }
+            if (run.control.finished()) { // both ended at one reading
+                continue;
+            }
+            const LastStageOutlook told = toldOf(run, lastStage(run, run.feed().infeed_mm));
+            while (!run.control.finished()) {
+                run.step();
+            }
+            const int steps = run.control.stepsByStage().back();
+            const bool misses = diameterMisses(
+                run.steps->copy()->finish(run.control.stepsByStage()), cuts.tooDeep());
+            QVERIFY(told.leastSteps <= steps);
+            QVERIFY(!told.cutsTooDeep || misses);
+            ++stages;
+            exact += !told.cutsTooDeep && told.leastSteps == steps;
+            deep += told.cutsTooDeep;
+            missed += misses;
+        }
+        qInfo("%d of %d last stages ended at the step told, %d of %d too deep were told", exact,
+              stages - deep, deep, missed);
+        QVERIFY(exact > (stages - deep) / 2); // else it tells too little to be of use
+        QVERIFY(deep > missed / 2 && missed > 20 && missed < stages);
+    }
+
+    void aSparkOutIsFollowedForItsSteps() {
+        const Project p = followable(3);
+        CycleRun run(p);
+        while (run.control.stage() == 0) {
+            run.step();
+        }
+        LastStage sparkOut = lastStage(run, 0);
+        sparkOut.sparkOut = 7;
+        QCOMPARE(toldOf(run, sparkOut).leastSteps, 7);
+        sparkOut.mostSteps = 4;
+        QCOMPARE(toldOf(run, sparkOut).leastSteps, 4);
+    }
+
+    void nothingIsToldWhereRadiiDependOnEachOther() {
+        Project p = followable(1);
+        p.machine.wheel_contact = WheelContact{std::vector<std::vector<double>>{{50, 20}}};
+        QVERIFY(!CycleRun(p).steps->follower());
+        const Project plunge = fixtures::plunge();
+        QVERIFY(!plungeSteps(plunge, nullptr, {})->follower());
+    }
+};
+
+} // namespace test_last_stage_outlook
+
+SPARKOUT_TEST(test_last_stage_outlook, TestLastStageOutlook)
+#include "test_last_stage_outlook.moc"

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searches of parts whose cycles take long, sections that deflect each other: a stop ends them
+// within a cycle, and what was stopped decides nothing.
+#include "core/optimisation/binding.h"
+#include "core/optimisation/cycle_runner.h"
+#include "core/optimisation/grace_stop.h"
+#include "core/optimisation/limit.h"
+#include "core/optimisation/refine.h"
+#include "core/process/compliance.h"
+#include "core/process/coupled_sections.h"
+#include "core/process/system_compliance.h"
+#include "core/simulation/simulate.h"
+#include "tests/core/optimisation/search_cases.h"
+#include "tests/registry.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <stop_token>
+#include <thread>
+
+namespace test_search_stops {
+
+using namespace sparkout;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr double most_ms = 100, busy = 4; // times as long on a machine that does other things
+
+/// A slender shaft of sections that deflect each other, all of them at every radius.
+Project coupled(int sections, int radii) {
+    Project p = fixtures::plunge();
+    p.part.radii_per_section = radii;
+    fixtures::putOnSlenderShaft(p);
+    p.sections = sections;
+    p.sections_coupled = true;
+    Optimisation grid;
+    grid.stages = {1, 2, 3};
+    grid.stock_step_mm = p.part.stock_mm / 20;
+    grid.radial_feed_mm_min = SteppedLevels{0.1, 2, 0.1};
+    p.optimisation = grid;
+    return p;
+}
+
+/// Of which a cycle takes seconds, as many sections as there may be.
+Project slow() {
+    return coupled(200, 360);
+}
+
+/// Time [ms] that the work goes on for after the stop, so long after its begin; the least of three.
+double stoppedAfter_ms(const char* what, std::chrono::milliseconds delay,
+                       const std::function<void(const std::stop_token&)>& work) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        std::stop_source stop;
+        QElapsedTimer since;
+        std::jthread stopper([&] {
+            std::this_thread::sleep_for(delay);
+            since.start();
+            stop.request_stop();
+        });
+        work(stop.get_token());
+        const bool stopped = stop.stop_requested();
+        const double took_ms = stopped ? static_cast<double>(since.nsecsElapsed()) * 1e-6 : 0;
+        stopper.join();
+        least = std::min(least, took_ms);
+    }
+    qInfo("STOP %s: %.1f ms", what, least);
+    return least;
+}
+
+/// A shaft of a thousand segments on a thousand rests.
+Project restedShaft() {
+    Project p = fixtures::plunge();
+    p.part.length_mm = 400;
+    p.machine.compliance_mm_per_n = std::monostate{};
+    p.machine.stiffness_n_um = Stiffness{40, 20, 50};
+    for (int i = 0; i < 1000; ++i) {
+        p.part.shaft.segments.push_back({1.0, 20.0 + i % 7});
+        p.part.shaft.steady_rests.push_back({0.5 + i, 1.0 + i % 5});
+    }
+    p.part.shaft.ground_from_mm = 300;
+    return p;
+}
+
+} // namespace
+
+class TestSearchStops : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everySearchStopsWithinACycle_data() {
+        QTest::addColumn<int>("method");
+        QTest::addColumn<bool>("robust");
+        QTest::newRow("full") << int(SearchMethod::full) << false;
+        QTest::newRow("pruned") << int(SearchMethod::pruned) << false;
+        QTest::newRow("published") << int(SearchMethod::published) << false;
+        QTest::newRow("labels") << int(SearchMethod::labels) << false;
+        QTest::newRow("robust") << int(SearchMethod::pruned) << true;
+    }
+    void everySearchStopsWithinACycle() {
+        QFETCH(int, method);
+        QFETCH(bool, robust);
+        const Project p = slow();
+        SearchOptions options;
+        options.method = static_cast<SearchMethod>(method);
+        options.scenarios = stockPhases(p, 2);
+        SearchSummary found;
+        const double took_ms =
+            stoppedAfter_ms(QTest::currentDataTag(), 200ms, [&](const std::stop_token& stop) {
+                options.stop = stop;
+                found = robust ? optimiseRobustly(p, freshStockPhases, {.search = options}).search
+                               : optimise(p, options);
+            });
+        QVERIFY(found.status == SearchStatus::stopped);
+        QVERIFY(!found.best); // none came to its end
+        QCOMPARE(found.evaluations, 0LL);
+        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+    }
+
+    void whatFollowsASearchStopsWithinACycle() {
+        const Project p = slow();
+        const Grid grid(p);
+        FeasibleCycle best;
+        best.cycle = grid.uniform(2, 3);
+        best.time_us = noTime_us; // all others are quicker
+        std::optional<std::vector<ConstraintKind>> binding;
+        double took_ms = stoppedAfter_ms("binding", 100ms, [&](const std::stop_token& stop) {
+            binding = bindingRequirements(p, best, {p}, stop);
+        });
+        QVERIFY(!binding);
+        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+        RefineOptions options;
+        RefineSummary refined;
+        took_ms = stoppedAfter_ms("refine", 100ms, [&](const std::stop_token& stop) {
+            options.stop = stop;
+            refined = refine(p, grid.cycle(best.cycle), options);
+        });
+        QVERIFY(!refined.isQuicker && refined.time_us == 0);
+        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+        took_ms = stoppedAfter_ms("fresh phases", 100ms, [&](const std::stop_token& stop) {
+            QVERIFY(!failingPhase(p, 1, stop));
+        });
+        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+    }
+
+    // The moment's grace after a stop is counted from its begin and ends a run, too.
+    void theGraceAfterAStopIsAMoment() {
+        std::stop_source stop;
+        stop.request_stop();
+        QElapsedTimer took;
+        took.start();
+        const GraceStop grace(stop.get_token());
+        QVERIFY(!grace.token().stop_requested());
+        QVERIFY(simulateUnchecked(slow(), nullptr, grace.token()).status == RunStatus::stopped);
+        const double took_ms = static_cast<double>(took.nsecsElapsed()) * 1e-6;
+        qInfo("%.1f ms", took_ms);
+        QVERIFY(took_ms > 29 && took_ms < busy * most_ms);
+        std::stop_source later;
+        const GraceStop unstopped(later.get_token());
+        std::this_thread::sleep_for(60ms);
+        QVERIFY(!unstopped.token().stop_requested());
+        later.request_stop();
+        QVERIFY(unstopped.token().stop_requested()); // its moment was over
+    }
+
+    void theComplianceAlongAShaftStops() {
+        const Project p = restedShaft();
+        std::vector<CompliantPlace> along;
+        const double took_ms =
+            stoppedAfter_ms("compliance", 20ms, [&](const std::stop_token& stop) {
+                along = complianceAlong(p, 100'000, stop);
+            });
+        QVERIFY(along.size() < 100'000);
+        QVERIFY2(took_ms < busy * most_ms, QByteArray::number(took_ms));
+    }
+
+    // A balance that needs many factors ends before the next one.
+    void theBalanceOfSectionsStops() {
+        constexpr std::size_t count = 200;
+        const Project p = slow();
+        const std::vector<CompliantPoint> points = compliantPoints(p);
+        std::vector<double> places;
+        for (const CompliantPoint& point : points) {
+            places.push_back(point.position_mm);
+        }
+        CoupledSections sections(influenceRows(p, places, places),
+                                 std::vector<double>(count, p.part.length_mm / count), forceLaw(p));
+        std::vector<double> lag, root(count, 0.0);
+        for (std::size_t j = 0; j < count; ++j) {
+            lag.push_back(0.02 * static_cast<double>(j % 7));
+        }
+        std::vector<double> other = root;
+        QVERIFY(sections.solve(lag.data(), root.data()).iterations > 1);
+        std::stop_source stop;
+        stop.request_stop();
+        const auto stopped = sections.solve(lag.data(), other.data(), stop.get_token());
+        QVERIFY(!stopped.converged);
+        QCOMPARE(stopped.iterations, 0);
+    }
+
+    // Stopped anywhere, also within a portion, a full search goes on to the same answer, and
+    // decides on every cycle once.
+    void aFullSearchGoesOnFromWithinAPortion() {
+        int within = 0;
+        for (unsigned seed = 0; seed < 4; ++seed) {
+            Project p = search_cases::smallCase(seed);
+            p.part.radii_per_section = 360; // a portion takes longer than the stop
+            SearchOptions options;
+            options.method = SearchMethod::full;
+            const SearchSummary whole = optimise(p, options);
+            options.threads = 1 + seed % 3;
+            long long evaluations = 0;
+            SearchSummary last;
+            for (int round = 0; round < 100'000; ++round) {
+                std::stop_source stop;
+                options.stop = stop.get_token();
+                const std::jthread stopper([&stop, round] {
+                    std::this_thread::sleep_for(3ms + round * 1ms);
+                    stop.request_stop();
+                });
+                last = optimise(p, options);
+                evaluations += last.evaluations;
+                if (last.status != SearchStatus::stopped) {
+                    break;
+                }
+                within += last.evaluations % 64 != 0 ? 1 : 0;
+                options.resume = last.checkpoint;
+            }
+            QVERIFY(last.status == whole.status);
+            QCOMPARE(last.best.has_value(), whole.best.has_value());
+            QVERIFY(!whole.best || last.best->cycle == whole.best->cycle);
+            QVERIFY2(evaluations == whole.evaluations, QByteArray::number(evaluations) + " of "
+                                                           + QByteArray::number(whole.evaluations));
+        }
+        QVERIFY2(within > 0, QByteArray::number(within));
+    }
+
+    // The most settings, shares of stock, variants and stages: the window counts them as it shows
+    // them.
+    void theLargestGridIsCountedInNoTime() {
+        const auto evenly = [](double from, double to, int count) {
+            std::vector<double> values;
+            for (int i = 0; i < count; ++i) {
+                values.push_back(from + (to - from) * i / std::max(count - 1, 1));
+            }
+            return values;
+        };
+        for (const bool nonIncreasing : {false, true}) {
+            for (const bool bounded : {false, true}) {
+                for (const int feeds : {1, 2, 20, 70}) {
+                    Project p = fixtures::traverse();
+                    Optimisation grid;
+                    grid.stages = {1, 2, 3, 4, 5};
+                    grid.radial_feed_mm = evenly(0.001, 0.02, feeds);
+                    grid.axial_feed_mm_min = evenly(200, 4000, feeds);
+                    grid.work_speed_rpm = evenly(60, 400, 250);
+                    grid.spark_out = std::vector<double>{0, 2};
+                    grid.stock_step_mm = p.part.stock_mm / 9999;
+                    grid.non_increasing = nonIncreasing;
+                    if (bounded) {
+                        grid.stage_stock_mm = std::vector(4, std::vector<double>{1e-4, 1});
+                    }
+                    p.optimisation = grid;
+                    constexpr double target_ms = 5;
+                    double least_ms = std::numeric_limits<double>::infinity();
+                    std::int64_t size = 0;
+                    for (int i = 0; i < 20; ++i) {
+                        const std::clock_t begin = std::clock();
+                        size = gridSize(p);
+                        const double took_ms = 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+                        least_ms = std::min(least_ms, took_ms);
+                    }
+                    qInfo("GRID %d feeds, %.4g cycles: %.2f ms", feeds, double(size), least_ms);
+                    QVERIFY(size > 0);
+                    QVERIFY2(least_ms < 4 * target_ms, QByteArray::number(least_ms));
+                }
+            }
+        }
+    }
+};
+
+} // namespace test_search_stops
+
+SPARKOUT_TEST(test_search_stops, TestSearchStops)
+#include "test_search_stops.moc"

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Catalogues: read strictly, used in a project, saved as one's own.
+#include "core/catalogue/catalogue.h"
+
+#include "tests/core/project/shipped_catalogues.h"
+#include "tests/core/support/project_fixtures.h"
+#include "tests/registry.h"
+#include "words/issue_words.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace test_catalogue {
+
+using namespace sparkout;
+using namespace catalogues;
+using fixtures::close;
+using nlohmann::json;
+
+namespace {
+
+/// One material as small as it may be.
+json smallest() {
+    return {{"format", "sparkout-catalogue"},
+            {"version", 1},
+            {"kind", "materials"},
+            {"entries",
+             {{{"name", "40Х"},
+               {"value", {{"grade", "40Х"}, {"conductivity_w_mk", 38.5}}},
+               {"sources", {{{"key", "conductivity_w_mk"}, {"source", "ALORO40X"}}}}}}}};
+}
+
+} // namespace
+
+class TestCatalogue : public QObject {
+    Q_OBJECT
+
+private slots:
+    // --- reading, strictly ----------------------------------------------------------------------
+
+    void smallestCatalogueIsRead() {
+        const auto read = readCatalogue<MaterialEntry>(smallest().dump());
+        QVERIFY(read.entries && read.entries->size() == 1 && read.issues.empty());
+        QCOMPARE(read.entries->front().value.conductivity_w_mk, 38.5);
+        QVERIFY(!isEstimate(*sourceOf(read.entries->front().sources, "conductivity_w_mk")));
+        QVERIFY(!sourceOf(read.entries->front().sources, "friction"));
+    }
+
+    void faultsAreRefusedWithTheirPath_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char* name, const json& text, const char* path, IssueCode code) {
+            QTest::newRow(name) << QByteArray::fromStdString(text.dump()) << path << int(code);
+        };
+        const auto with = [](const char* pointer, const json& value) {
+            json text = smallest();
+            text[json::json_pointer(pointer)] = value;
+            return text;
+        };
+        row("not an object", json::array(), "", IssueCode::wrongType);
+        row("another format", with("/format", "sparkout-project"), "/format", IssueCode::notOneOf);
+        row("newer", with("/version", 2), "/version", IssueCode::notOneOf);
+        row("another kind", with("/kind", "wheels"), "/kind", IssueCode::notOneOf);
+        row("unknown key", with("/author", "x"), "/author", IssueCode::unknownKey);
+        row("entries", with("/entries", 1), "/entries", IssueCode::wrongType);
+        row("entry", with("/entries/0", 1), "/entries/0", IssueCode::wrongType);
+        row("unknown key of an entry", with("/entries/0/colour", "red"), "/entries/0/colour",
+            IssueCode::unknownKey);
+        row("unknown value", with("/entries/0/value/weight_kg", 1), "/entries/0/value/weight_kg",
+            IssueCode::unknownKey);
+        row("text for a number", with("/entries/0/value/conductivity_w_mk", "38"),
+            "/entries/0/value/conductivity_w_mk", IssueCode::wrongType);
+        row("number outside the limits", with("/entries/0/value/conductivity_w_mk", -1),
+            "/entries/0/value/conductivity_w_mk", IssueCode::outOfRange);
+        row("number without a source", with("/entries/0/value/friction", 0.3),
+            "/entries/0/value/friction", IssueCode::sourceMissing);
+        row("source without a number", with("/entries/0/sources/1", {{"key", "friction"}}),
+            "/entries/0/sources/1/key", IssueCode::unknownKey);
+        row("two sources", with("/entries/0/sources/1", {{"key", "conductivity_w_mk"}}),
+            "/entries/0/sources/1/key", IssueCode::duplicateKey);
+        row("outside its own range", with("/entries/0/sources/0/range", {40, 50}),
+            "/entries/0/value/conductivity_w_mk", IssueCode::outOfRange);
+        row("half a range", with("/entries/0/sources/0/range", {40}), "/entries/0/sources/0/range",
+            IssueCode::wrongCount);
+        row("falling temperatures",
+            with("/entries/0/thermal", {{"conductivity_w_mk_at_c", {{100, 40}, {50, 41}}}}),
+            "/entries/0/thermal/conductivity_w_mk_at_c/1/0", IssueCode::outOfRange);
+        row("no conductivity",
+            with("/entries/0/thermal", {{"conductivity_w_mk_at_c", {{100, 0}, {150, 41}}}}),
+            "/entries/0/thermal/conductivity_w_mk_at_c/0/1", IssueCode::outOfRange);
+        json nameless = smallest();
+        nameless["entries"][0].erase("name");
+        row("no name", nameless, "/entries/0/name", IssueCode::missingKey);
+        json headless = smallest();
+        headless.erase("format");
+        row("no format", headless, "/format", IssueCode::missingKey);
+    }
+    void faultsAreRefusedWithTheirPath() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, path);
+        QFETCH(int, code);
+        const auto read = readCatalogue<MaterialEntry>(text.toStdString());
+        QVERIFY(!read.entries);
+        const auto found = std::ranges::find(read.issues, path.toStdString(), &Issue::path);
+        QVERIFY2(found != read.issues.end(), samples::listed(read.issues).c_str());
+        QCOMPARE(int(found->code), code);
+        QVERIFY(!issueSentence(*found).empty());
+    }
+
+    void damagedTextIsAnswered() {
+        const std::string text = shippedText("machines");
+        for (std::size_t at = 0; at < text.size(); at += 211) {
+            const auto cut = readCatalogue<MachineEntry>(text.substr(0, at));
+            QVERIFY(!cut.entries && !cut.issues.empty());
+            std::string flipped = text;
+            flipped[at] = static_cast<char>(flipped[at] ^ 0x15);
+            const auto read = readCatalogue<MachineEntry>(flipped);
+            QVERIFY(read.entries.has_value() != hasErrors(read.issues));
+        }
+    }
+
+    // --- using ----------------------------------------------------------------------------------
+
+    void entryChangesOnlyWhatItGives() {
+        Project project = fixtures::plunge();
+        project.material.friction = 0.41;
+        project.material.heat_share = 0.8;
+        const Project before = project;
+        applyEntry(readCatalogue<MaterialEntry>(smallest().dump()).entries->front(), project);
+        QCOMPARE(project.material.grade, std::string("40Х"));
+        QCOMPARE(project.material.conductivity_w_mk, 38.5);
+        QCOMPARE(project.material.friction, 0.41);
+        project.material = before.material;
+        QVERIFY(sameProject(project, before));
+    }
+
+    void machineGivesItsUnitsAndRanges() {
+        Project project = fixtures::plunge();
+        project.machine.dwell_entry_s = 0.7;
+        const auto machines = shipped<MachineEntry>();
+        const auto found = std::ranges::find(machines, "3М151", &MachineEntry::name);
+        QVERIFY(found != machines.end());
+        applyEntry(*found, project);
+        QCOMPARE(project.machine.name, std::string("3М151"));
+        QVERIFY(project.machine.stiffness_n_um && project.machine.wheel_drive_kw);
+        QCOMPARE(project.machine.stiffness_n_um->tailstock, found->value.stiffness_n_um->tailstock);
+        QCOMPARE(project.machine.dwell_entry_s, 0.7);
+        QVERIFY(std::holds_alternative<std::vector<double>>(project.machine.compliance_mm_per_n));
+    }
+
+    void ownEntryTakesThePlaceOfTheShippedOne() {
+        MaterialEntry mine = entryOf<MaterialEntry>(fixtures::plunge(), "45");
+        MaterialEntry other = mine;
+        other.name = "Сталь 10";
+        MaterialEntry third = mine;
+        third.name = "Сталь 9";
+        const auto all = mergedEntries(shipped<MaterialEntry>(), {mine, other, third});
+        QCOMPARE(all.size(), shipped<MaterialEntry>().size() + 2);
+        const auto found = std::ranges::find(all, "45", &MaterialEntry::name);
+        QCOMPARE(found->value.flow_stress_mpa, 2000.0);
+        QVERIFY(std::ranges::find(all, third.name, &MaterialEntry::name)
+                < std::ranges::find(all, other.name, &MaterialEntry::name));
+        const auto again = mergedEntries(shipped<MaterialEntry>(), {third, mine, other});
+        QVERIFY(std::ranges::equal(all, again, {}, &MaterialEntry::name, &MaterialEntry::name));
+    }
+
+    void savedAsMineComesBackWhole() {
+        Project project = fixtures::traverse();
+        project.material.hardness_hrc = 57;
+        project.machine.stiffness_n_um = Stiffness{11, 12, 13};
+        project.machine.wheel_contact = WheelContact{{{{10, 5}, {20, 9}}}};
+        project.wheel.marking = "25А F60 L 6 V";
+        const QTemporaryDir folder;
+        QVERIFY(savedAndRead<MaterialEntry>(
+            project, folder.filePath("m.json"), [](const Project& a, const Project& b) {
+                return a.material.hardness_hrc == b.material.hardness_hrc
+                       && a.material.friction == b.material.friction;
+            }));
+        QVERIFY(savedAndRead<WheelEntry>(
+            project, folder.filePath("w.json"), [](const Project& a, const Project& b) {
+                return a.wheel.marking == b.wheel.marking && a.wheel.dullness == b.wheel.dullness;
+            }));
+        QVERIFY(savedAndRead<MachineEntry>(
+            project, folder.filePath("g.json"), [](const Project& a, const Project& b) {
+                return a.machine.stiffness_n_um->wheel_head == b.machine.stiffness_n_um->wheel_head
+                       && a.machine.wheel_contact->n_um_at_n == b.machine.wheel_contact->n_um_at_n
+                       && a.machine.compliance_mm_per_n == b.machine.compliance_mm_per_n;
+            }));
+    }
+
+    void whatCannotBeReadAgainIsNotSaved() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("mine.json");
+        auto entries = shipped<MaterialEntry>();
+        QVERIFY(!saveCatalogue(path.toStdString(), entries));
+        const std::string before = samples::readText(path.toStdString());
+        entries[0].value.conductivity_w_mk = -5;
+        const auto fault = saveCatalogue(path.toStdString(), entries);
+        QVERIFY(fault && hasErrors(fault->issues) && !fault->file);
+        QCOMPARE(samples::readText(path.toStdString()), before);
+        entries[0].value.conductivity_w_mk = std::nan("");
+        QVERIFY(saveCatalogue(path.toStdString(), entries));
+        QCOMPARE(samples::readText(path.toStdString()), before);
+    }
+
+    void theDisksRefusalIsHandedBack() {
+        const auto fault = saveCatalogue("/no/such/folder/mine.json", shipped<WheelEntry>());
+        QVERIFY(fault && fault->file && fault->issues.empty());
+    }
+
+    // λ/(ρ·c) by hand, between two rows, and nothing where no row is.
+    void heatDataAreInterpolated() {
+        ThermalData data;
+        data.density_kg_m3 = 7800;
+        data.conductivity_w_mk_at_c = {{{100, 46}, {300, 42}, {500, 36}}};
+        data.heat_capacity_j_kgk_at_c = {{{100, 470}, {500, 590}}};
+        const auto at = thermalAt(data, 200);
+        QVERIFY(at && close(at->conductivity_w_mk, 44, 1e-15));
+        QVERIFY(close(at->diffusivity_mm2_s, 44 / (7800 * 500.0) * 1e6, 1e-14));
+        QVERIFY(thermalAt(data, 100) && thermalAt(data, 500));
+        QVERIFY(!thermalAt(data, 99) && !thermalAt(data, 501));
+        data.density_kg_m3.reset();
+        QVERIFY(!thermalAt(data, 200));
+        QVERIFY(!thermalAt(ThermalData{}, 400));
+    }
+
+private:
+    template <class Entry>
+    static bool savedAndRead(const Project& project, const QString& path, auto same) {
+        const std::vector<Entry> mine{entryOf<Entry>(project, "моё")};
+        if (saveCatalogue(path.toStdString(), mine)) {
+            return false;
+        }
+        const auto read = readCatalogue<Entry>(samples::readText(path.toStdString()));
+        Project other;
+        if (read.entries) {
+            applyEntry(read.entries->front(), other);
+        }
+        return read.entries && read.entries->front().name == "моё" && same(project, other);
+    }
+};
+
+} // namespace test_catalogue
+
+SPARKOUT_TEST(test_catalogue, TestCatalogue)
+#include "test_catalogue.moc"

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each code of a fault is produced by a file, and has its sentence.
+#include "tests/core/project/project_places.h"
+#include "tests/registry.h"
+#include "words/issue_words.h"
+
+namespace test_issue_codes {
+
+using namespace sparkout;
+using namespace project_places;
+
+class TestIssueCodes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { setRapidcheckRuns(1000); }
+
+    // --- every code -----------------------------------------------------------------------------
+
+    void everyCode_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<bool>("warning");
+        QTest::addColumn<QString>("path");
+        fileRows();
+        partRows();
+        cycleRows();
+    }
+
+    void everyCode() {
+        QFETCH(QByteArray, text);
+        QFETCH(int, code);
+        QFETCH(bool, warning);
+        QFETCH(QString, path);
+        const ReadResult read = readProject(text.toStdString());
+        const std::string at = path.toStdString();
+        const auto expected = static_cast<IssueCode>(code);
+        QVERIFY2(holds(read.issues, expected, at), samples::listed(read.issues).c_str());
+        for (const Issue& issue : read.issues) {
+            if (issue.code == expected && issue.path == at) {
+                QCOMPARE(issue.severity == Severity::warning, warning);
+                const std::string sentence = issueSentence(issue);
+                QVERIFY(!sentence.empty());
+                QVERIFY2(sentence.find("  ") == std::string::npos && !sentence.ends_with(' ')
+                             && !sentence.ends_with(": "),
+                         sentence.c_str());
+            }
+        }
+        QCOMPARE(read.project.has_value(), !hasErrors(read.issues));
+        if (!warning) {
+            QVERIFY(!read.project);
+        }
+        m_produced.insert(expected);
+    }
+
+    void everyCodeHasASentenceAndIsProduced() {
+        for (int i = 0; i <= static_cast<int>(IssueCode::targetOutsideField); ++i) {
+            QVERIFY2(*wordsOf(static_cast<IssueCode>(i)).sentence, std::to_string(i).c_str());
+            QVERIFY2(m_produced.count(static_cast<IssueCode>(i)), std::to_string(i).c_str());
+        }
+    }
+
+    void everyCodeHasAKeyOfItsOwn() {
+        std::set<std::string> keys;
+        for (int i = 0; i <= static_cast<int>(IssueCode::sourceMissing); ++i) {
+            keys.insert(wordsOf(static_cast<IssueCode>(i)).key);
+        }
+        QCOMPARE(keys.size(), static_cast<std::size_t>(IssueCode::sourceMissing) + 1);
+        QVERIFY(!keys.contains(""));
+    }
+
+    void everyPhraseHasItsWords() {
+        std::set<std::string> words;
+        for (int i = 0; i <= static_cast<int>(Phrase::external); ++i) {
+            words.insert(wordsOf(static_cast<Phrase>(i)));
+        }
+        QCOMPARE(words.size(), static_cast<std::size_t>(Phrase::external) + 1);
+        QVERIFY(!words.contains(""));
+    }
+
+    void detailsAreWrittenWithUnitAndOrigin_data() {
+        QTest::addColumn<QString>("written");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char* name, const Detail& detail, const char* expected) {
+            QTest::newRow(name) << QString::fromStdString(Wording().detail(detail))
+                                << QString::fromUtf8(expected);
+        };
+        row("nothing", {}, "");
+        row("number", Amount{1e-5}, "1e-05");
+        row("amount", Amount{-2.5, "mm"}, "-2.5 mm");
+        row("amount of a formula", Amount{0.5, "mm", "ΔR"}, "0.5 mm (ΔR)");
+        row("count", Count{100'000}, "100000");
+        row("bytes", Count{7, "bytes"}, "7 bytes");
+        row("count of an input", Count{4, {}, "/sections"}, "4 (/sections)");
+        row("range", Bounds{{0, 5, true}, "mm"}, "> 0…5 mm");
+        row("least of an input", Bounds{{40}, "mm", "/part/length_mm"},
+            "≥ 40 mm (/part/length_mm)");
+        row("less than", Bounds{{.high = 50}, "mm", {}, "2R_t", true}, "< 50 mm (2R_t)");
+        row("no range", Bounds{{}, "mm"}, "");
+        row("members", Keys{{"rz1", "nz"}}, "rz1, nz");
+        row("choices", Keys{{"min", "max"}, Keys::Kind::choices}, "\"min\", \"max\"");
+        row("alternatives", Keys{{"grows", "normal"}, Keys::Kind::alternatives}, "grows | normal");
+        row("phrase", Phrase::wholeNumber, "whole number");
+        row("numeral", Numeral{"18446744073709551615"}, "18446744073709551615");
+        row("quoted", Quoted{"\"a -5\""}, "\"a -5\"");
+    }
+    void detailsAreWrittenWithUnitAndOrigin() {
+        QFETCH(QString, written);
+        QFETCH(QString, expected);
+        QCOMPARE(written, expected);
+    }
+
+    void aValueMayHoldThePlacesOfATemplate() {
+        const Issue issue{IssueCode::outOfRange, Severity::error, "", Quoted{"{limit}"},
+                          Quoted{"{value}"}};
+        QCOMPARE(issueSentence(issue), std::string("{limit} is out of range; allowed: {value}"));
+    }
+
+private:
+    using Changes = std::vector<std::pair<std::string, json>>;
+
+    static void row(const char* name, IssueCode code, const std::string& path,
+                    const std::string& text, Severity severity = Severity::error) {
+        QTest::newRow(name) << QByteArray::fromStdString(text) << static_cast<int>(code)
+                            << (severity == Severity::warning) << QString::fromStdString(path);
+    }
+
+    /// A row that changes a sample; a null value stands as null.
+    static void row(const char* name, IssueCode code, const std::string& path,
+                    const char* sampleName, const Changes& changes,
+                    Severity severity = Severity::error) {
+        json file = samples::sample(sampleName);
+        for (const auto& [pointer, value] : changes) {
+            file[json::json_pointer(pointer)] = value;
+        }
+        row(name, code, path, file.dump(), severity);
+    }
+
+    static void fileRows() {
+        const char* plunge = "smallest-plunge";
+        const std::string good = samples::text(plunge);
+        std::string twice = good;
+        twice.insert(twice.find("\"width_mm\""), "\"width_mm\": 50,");
+        row("no text", IssueCode::empty, "", std::string());
+        row("blank text", IssueCode::empty, "", std::string(" \r\n\t "));
+        row("not JSON", IssueCode::notJson, "", good + "}");
+        row("too large", IssueCode::tooLarge, "", good + std::string(limits::fileBytes, ' '));
+        row("too deep", IssueCode::tooDeep, "",
+            std::string(limits::depth + 1, '[') + std::string(limits::depth + 1, ']'));
+        std::string many = "[0";
+        for (std::size_t i = 0; i < limits::values; ++i) {
+            many += ",0";
+        }
+        row("too many values", IssueCode::tooManyValues, "", many + "]");
+        row("string too long", IssueCode::stringTooLong, "/title", plunge,
+            {{"/title", std::string(limits::stringBytes + 1, 'x')}});
+        row("string too long in a list", IssueCode::stringTooLong, "/cycle/stages/1", plunge,
+            {{"/cycle/stages/1", std::string(limits::stringBytes + 1, 'x')}});
+        row("wrong format", IssueCode::wrongFormat, "/format", plunge, {{"/format", "openrocket"}});
+        row("newer version", IssueCode::newerVersion, "/version", plunge, {{"/version", 2}});
+        row("much newer version", IssueCode::newerVersion, "/version", plunge,
+            {{"/version", 18446744073709551615U}});
+        row("version 0", IssueCode::outOfRange, "/version", plunge, {{"/version", 0}});
+        row("version as text", IssueCode::wrongType, "/version", plunge, {{"/version", "1"}});
+        row("duplicate key", IssueCode::duplicateKey, "/wheel/width_mm", twice);
+        row("unknown key", IssueCode::unknownKey, "/wheel/widht_mm", plunge,
+            {{"/wheel/widht_mm", 50}});
+        row("missing key", IssueCode::missingKey, "/operation",
+            R"({"format": "sparkout-project", "version": 1})");
+        row("wrong type", IssueCode::wrongType, "/title", plunge, {{"/title", nullptr}});
+        row("whole number beyond int", IssueCode::outOfRange, "/part/radii_per_section", plunge,
+            {{"/part/radii_per_section", 4294967332LL}});
+        row("not one of", IssueCode::notOneOf, "/operation", plunge, {{"/operation", "Plunge"}});
+        row("1e309", IssueCode::outOfRange, "/part/stock_mm",
+            R"({"format": "sparkout-project", "version": 1, "part": {"stock_mm": -1e309}})");
+    }
+
+    static void partRows() {
+        const char* traverse = "smallest-traverse";
+        const char* plunge = "smallest-plunge";
+        const char* bore = "internal-plunge";
+        const Severity warning = Severity::warning;
+        row("out of range", IssueCode::outOfRange, "/wheel/dullness", plunge,
+            {{"/wheel/dullness", 2}});
+        row("unusual", IssueCode::unusual, "/wheel/dullness", plunge, {{"/wheel/dullness", 0.5}},
+            warning);
+        row("unusual whole number", IssueCode::unusual, "/part/lobes", plunge,
+            {{"/part/profile", "lobes"}, {"/part/lobes", 90}}, warning);
+        row("odd radii", IssueCode::notEven, "/part/radii_per_section", plunge,
+            {{"/part/radii_per_section", 37}});
+        row("few radii", IssueCode::fewRadii, "/part/radii_per_section", plunge,
+            {{"/part/radii_per_section", 10}}, warning);
+        row("profile length", IssueCode::wrongCount, "/part/radii_um", plunge,
+            {{"/part/profile", "measured"}, {"/part/radii_um", std::vector<int>(35, -1)}});
+        row("profile missing", IssueCode::missingKey, "/part/radii_um", plunge,
+            {{"/part/profile", "measured"}});
+        row("deviations reversed", IssueCode::deviationsReversed, "/part/lower_deviation_um",
+            plunge, {{"/part/lower_deviation_um", 0}});
+        row("machine range reversed", IssueCode::outOfRange, "/machine/limits/work_speed_rpm/1",
+            traverse, {{"/machine/limits/work_speed_rpm", {300, 50, 1}}});
+        row("no part left", IssueCode::outOfRange, "/part/lower_deviation_um", plunge,
+            {{"/part/diameter_mm", 2}, {"/part/lower_deviation_um", -4000}});
+        row("runout larger than the part", IssueCode::outOfRange, "/part/initial_runout_mm", plunge,
+            {{"/part/diameter_mm", 2}, {"/part/initial_runout_mm", 1}});
+        row("measured runout larger than the part", IssueCode::outOfRange, "/part/radii_um", bore,
+            {{"/part/diameter_mm", 30},
+             {"/wheel/diameter_mm", 20},
+             {"/part/profile", "measured"},
+             {"/part/radii_per_section", 4},
+             {"/part/radii_um", {-9000, 0, 0, 0}}});
+        row("target outside the field", IssueCode::targetOutsideField, "/part/target_diameter_mm",
+            plunge, {{"/part/target_diameter_mm", 31}}, warning);
+        row("no zone", IssueCode::zoneTooShort, "/part/length_mm", traverse,
+            {{"/part/length_mm", 76}});
+        row("overrun of the wheel width", IssueCode::outOfRange, "/machine/overrun_entry_mm",
+            traverse, {{"/machine/overrun_entry_mm", 50}});
+        row("overrun beyond the wheel width", IssueCode::outOfRange, "/machine/overrun_exit_mm",
+            traverse, {{"/machine/overrun_exit_mm", 60}});
+        row("wheel too narrow", IssueCode::wheelTooNarrow, "/wheel/width_mm", plunge,
+            {{"/wheel/width_mm", 39.999}});
+        row("wheel fills the bore", IssueCode::wheelTooLarge, "/wheel/diameter_mm", bore,
+            {{"/wheel/diameter_mm", 60}});
+        row("internal traverse", IssueCode::internalTraverse, "/part/surface", traverse,
+            {{"/part/surface", "internal"}});
+        row("shaft too short", IssueCode::shaftTooShort, "/part/shaft/segments",
+            "stiffness-traverse", {{"/part/shaft/ground_from_mm", 61}});
+        row("rest beside the shaft", IssueCode::outOfRange,
+            "/part/shaft/steady_rests/0/position_mm", "stiffness-traverse",
+            {{"/part/shaft/steady_rests/0/position_mm", 153}});
+        row("no shaft", IssueCode::complianceMissing, "/part/shaft/segments", "stiffness-traverse",
+            {{"/part/shaft/segments", json::array()}});
+        row("no quill", IssueCode::complianceMissing, "/part/shaft/quill", bore,
+            {{"/part/shaft/quill", nullptr}});
+        row("no compliance", IssueCode::complianceMissing, "/machine/compliance_mm_per_n", traverse,
+            {{"/machine/compliance_mm_per_n", nullptr}});
+        row("list in traverse", IssueCode::wrongType, "/machine/compliance_mm_per_n", traverse,
+            {{"/machine/compliance_mm_per_n", {1e-4, 1e-4, 1e-4}}});
+        row("zones in plunge", IssueCode::wrongType, "/machine/compliance_mm_per_n", plunge,
+            {{"/machine/compliance_mm_per_n", {{"rz1", 1e-4}, {"nz", 1e-4}, {"rz2", 1e-4}}}});
+        row("zone missing", IssueCode::missingKey, "/machine/compliance_mm_per_n/nz", traverse,
+            {{"/machine/compliance_mm_per_n", {{"rz1", 1e-4}, {"rz2", 1e-4}}}});
+        row("sections without compliance", IssueCode::wrongCount, "/machine/compliance_mm_per_n",
+            plunge, {{"/sections", 5}});
+    }
+
+    static void cycleRows() {
+        const char* traverse = "smallest-traverse";
+        const char* plunge = "smallest-plunge";
+        const Severity warning = Severity::warning;
+        const std::string stage = "/cycle/stages/0";
+        row("no stages", IssueCode::wrongCount, "/cycle/stages", plunge,
+            {{"/cycle/stages", json::array()}});
+        row("1001 stages", IssueCode::wrongCount, "/cycle/stages", plunge,
+            {{"/cycle/stages", std::vector<json>(1001, json::object())}});
+        row("spark-out first", IssueCode::sparkOutNotLast, stage + "/spark_out", plunge,
+            {{stage + "/spark_out", 5},
+             {"/cycle/stages/1", {{"radial_feed_mm_min", 0.1}, {"stock_mm", 0.05}}}});
+        row("feed of a spark-out", IssueCode::feedUnused, stage + "/radial_feed_mm_min", plunge,
+            {{stage + "/spark_out", "until_size"}}, warning);
+        row("no feed", IssueCode::feedMissing, stage + "/radial_feed_mm_min", plunge,
+            {{stage + "/radial_feed_mm_min", 0}});
+        row("no feed in traverse", IssueCode::feedMissing, stage + "/radial_feed_mm", traverse,
+            {{stage + "/radial_feed_mm", 1e-7}});
+        row("feed not given", IssueCode::missingKey, stage + "/radial_feed_mm_min", plunge,
+            {{stage + "/radial_feed_mm_min", nullptr}});
+        row("axial feed not given", IssueCode::missingKey, stage + "/axial_feed_mm_min", traverse,
+            {{stage + "/axial_feed_mm_min", nullptr}});
+        row("stocks do not sum up", IssueCode::stocksDoNotSumUp, "/cycle/stages", plunge,
+            {{stage + "/stock_mm", 0.1}}, warning);
+        row("more stages than commands", IssueCode::tooManyStages, "/cycle/stages", plunge,
+            {{"/gauge/commands", 1},
+             {"/cycle/stages/1", {{"radial_feed_mm_min", 0.1}, {"stock_mm", 0.05}}}},
+            warning);
+        row("gauge section", IssueCode::outOfRange, "/gauge/section", plunge,
+            {{"/gauge/section", 4}});
+        row("gauge position", IssueCode::outOfRange, "/gauge/position_mm", plunge,
+            {{"/gauge/position_mm", 40.5}});
+        row("gauge section in traverse", IssueCode::notUsedHere, "/gauge/section", traverse,
+            {{"/gauge/section", 0}}, warning);
+        row("coupled sections of given compliance", IssueCode::influenceUnknown,
+            "/sections_coupled", plunge, {{"/sections_coupled", true}});
+        const std::string rows = "/machine/wheel_contact/n_um_at_n";
+        row("no contact rows", IssueCode::wrongCount, rows, plunge, {{rows, json::array()}});
+        row("contact forces that fall", IssueCode::outOfRange, rows + "/1/0", plunge,
+            {{rows, {{10, 5}, {10, 20}}}});
+        row("contact without stiffness", IssueCode::outOfRange, rows + "/0/1", plunge,
+            {{rows, json::array({json{10, 0}})}});
+        row("numbers of a pair", IssueCode::wrongCount, "/batch/factors/dullness/uniform", plunge,
+            {{"/batch", {{"factors", {{"dullness", {{"uniform", {0.1, 0.2, 0.3}}}}}}}}});
+        row("one and a half stages", IssueCode::wrongType, "/optimisation/stages/0", plunge,
+            {{"/optimisation", {{"stages", {1.5}}}}});
+        row("half a spark-out", IssueCode::wrongType, "/optimisation/spark_out/1", plunge,
+            {{"/optimisation", {{"spark_out", {0, 0.5}}}}});
+        row("spark-outs by halves", IssueCode::wrongType, "/optimisation/spark_out/step", plunge,
+            {{"/optimisation", {{"spark_out", {{"from", 0}, {"to", 2}, {"step", 0.5}}}}}});
+        row("a stage without its most", IssueCode::wrongCount, "/optimisation/stage_stock_mm/0",
+            plunge, {{"/optimisation", {{"stage_stock_mm", json::array({json{0.1}})}}}});
+        const json dull = {{"input", "/wheel/dullness"}, {"from", 0.01}, {"to", 0.02}};
+        json gone = dull;
+        gone["input"] = "/cycle/stages/7/stock_mm";
+        const auto sweep = [](std::vector<json> inputs) { return json{{"inputs", inputs}}; };
+        row("a sweep over a stage that is not there", IssueCode::noSuchNumber,
+            "/sweep/inputs/0/input", plunge, {{"/sweep", sweep({gone})}}, warning);
+        row("a sweep over one input twice", IssueCode::variedTwice, "/sweep/inputs/1/input", plunge,
+            {{"/sweep", sweep({dull, dull})}}, warning);
+        row("a sweep over nothing", IssueCode::wrongCount, "/sweep/inputs", plunge,
+            {{"/sweep", sweep({})}});
+    }
+
+    std::set<IssueCode> m_produced;
+};
+
+} // namespace test_issue_codes
+
+SPARKOUT_TEST(test_issue_codes, TestIssueCodes)
+#include "test_issue_codes.moc"

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cuts of a run against the limits of its feed, as the view "Constraints" draws them.
+#include "core/process/profile.h"
+#include "core/quality/cycle_constraints.h"
+#include "core/quality/limit_series.h"
+#include "core/simulation/simulate.h"
+#include "tests/core/support/project_fixtures.h"
+#include "tests/registry.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_limit_series {
+
+using namespace sparkout;
+using fixtures::close;
+
+namespace {
+
+/// Of BurnTable's limiting depth, twice that of √a.
+constexpr double tableError = 4e-6;
+
+struct Drawn {
+    explicit Drawn(const Project& project)
+        : result(simulateUnchecked(project, &trajectory))
+        , series(makeLimitSeries(result, trajectory)) {}
+    Trajectory trajectory;
+    SimulationResult result;
+    LimitSeries series;
+};
+
+Project limited(Project project) {
+    project.material.burn_rise_k = 500;
+    project.machine.wheel_drive_kw = 3;
+    return project;
+}
+
+Project plungeOfThree() {
+    Project p = fixtures::plunge();
+    p.part.radii_per_section = 24;
+    p.part.initial_runout_mm = 0.03;
+    p.sections = 3;
+    p.machine.compliance_mm_per_n = std::vector<double>{4e-5, 2e-5, 7e-5};
+    p.cycle.stages = {fixtures::plungeStage(1.2, 0.15), fixtures::plungeStage(0.3, 0.05),
+                      fixtures::sparkStage(fixtures::count(7))};
+    return p;
+}
+
+/// The least limit of a cut as the engine gives it.
+double leastAt(const Project& project, double width, double stock) {
+    double least = HUGE_VAL;
+    for (const DepthLimit& limit : depthLimits(project, width, stock)) {
+        if (limit.kind != ConstraintKind::roughness) {
+            least = std::min(least, limit.depth_mm);
+        }
+    }
+    return least;
+}
+
+double valueAt(const LimitPoints& curve, double stock) {
+    const auto after = std::ranges::upper_bound(curve, stock, {}, &LimitPoint::stock_mm);
+    if (after == curve.begin() || after == curve.end()) {
+        return after == curve.begin() ? curve.front().depth_mm : curve.back().depth_mm;
+    }
+    const LimitPoint &a = *(after - 1), &b = *after;
+    return a.depth_mm
+           + (stock - a.stock_mm) / (b.stock_mm - a.stock_mm) * (b.depth_mm - a.depth_mm);
+}
+
+} // namespace
+
+class TestLimitSeries : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theUsageOfACutIsItsDepthOverTheLeastLimit() {
+        for (const Project& project : {limited(fixtures::traverse()), limited(plungeOfThree())}) {
+            const Drawn drawn(project);
+            QVERIFY(!drawn.series.groups.empty());
+            for (const LimitGroup& group : drawn.series.groups) {
+                QVERIFY(!group.cuts.empty());
+                double worst = 0;
+                for (const LimitedCut& cut : group.cuts) {
+                    const double limit = leastAt(project, cut.width_mm, cut.stock_mm);
+                    QVERIFY(close(cut.usage, cut.depth_mm / limit, tableError));
+                    worst = std::max(worst, cut.usage);
+                }
+                QCOMPARE(group.worst.usage, worst);
+            }
+        }
+    }
+
+    // Of the radii of a pass no other comes nearer to its limit.
+    void aPassIsItsWorstRadius() {
+        const Project project = limited(plungeOfThree());
+        const Drawn drawn(project);
+        const double target = targetRadius(project.part);
+        const LimitGroup& group = drawn.series.groups.front();
+        const LimitedCut& cut = group.cuts[group.cuts.size() / 2];
+        const auto pass = std::ranges::find_if(drawn.trajectory.passes, [&](const Pass& p) {
+            return p.place.section == cut.place.section
+                   && p.place.cycleCount == cut.place.cycleCount;
+        });
+        for (int k = 0; k < drawn.trajectory.radii; ++k) {
+            const Visit& visit =
+                drawn.trajectory.visits[pass->firstVisit + static_cast<std::size_t>(k)];
+            const double limit = leastAt(project, cut.width_mm, visit.radius_mm - target);
+            QVERIFY(visit.actual_mm / limit <= cut.usage * (1 + tableError));
+        }
+    }
+
+    void theWorstCutIsTheVisitNearestToBurning() {
+        for (Project project : {fixtures::traverse(), plungeOfThree()}) {
+            project.material.burn_rise_k = 500;
+            const Drawn drawn(project);
+            const auto worst = std::ranges::max_element(
+                drawn.series.groups, {}, [](const LimitGroup& g) { return g.worst.usage; });
+            const BurnState state = burnStateOf(drawn.result).value();
+            QVERIFY(
+                close(worst->worst.usage, state.visit.depth_mm / state.limitDepth_mm, tableError));
+            const auto constraints = evaluateConstraints(drawn.result);
+            const auto burn =
+                std::ranges::find(constraints, ConstraintKind::burn, &ConstraintResult::kind);
+            const LimitedCut cut = limitedCutOf(drawn.result, drawn.trajectory, *burn).value();
+            QCOMPARE(cut.depth_mm, state.visit.depth_mm);
+            QVERIFY(std::abs(std::max(cut.stock_mm, 0.0) - state.visit.stock_mm) < 1e-12);
+            QVERIFY(limitGroupAt(drawn.series, cut.place) >= 0);
+        }
+    }
+
+    void theWorstCutIsTheOneWithThePeakOfPower() {
+        for (Project project : {fixtures::traverse(), plungeOfThree()}) {
+            project.machine.wheel_drive_kw = 3;
+            const Drawn drawn(project);
+            const LimitedCut* worst = &drawn.series.groups.front().worst;
+            for (const LimitGroup& group : drawn.series.groups) {
+                worst = group.worst.usage > worst->usage ? &group.worst : worst;
+            }
+            const auto constraints = evaluateConstraints(drawn.result);
+            const auto power =
+                std::ranges::find(constraints, ConstraintKind::wheelPower, &ConstraintResult::kind);
+            const LimitedCut cut = limitedCutOf(drawn.result, drawn.trajectory, *power).value();
+            QVERIFY(close(cut.depth_mm, worst->depth_mm, 1e-12));
+            QCOMPARE(cut.width_mm, worst->width_mm);
+            QCOMPARE(cut.usage > 1, worst->usage > 1);
+        }
+    }
+
+    void groupsAreZonesByWhatTheWheelDoes() {
+        const Drawn traverse(limited(fixtures::traverse()));
+        std::vector<std::pair<Zone, bool>> groups;
+        for (const LimitGroup& group : traverse.series.groups) {
+            groups.emplace_back(group.zone, group.standing);
+            for (const LimitedCut& cut : group.cuts) {
+                QCOMPARE(wheelStands(cut.place), group.standing);
+                QCOMPARE(cut.width_mm, effectiveWidth(traverse.result.project, cut.place));
+            }
+        }
+        QVERIFY(std::ranges::is_sorted(
+            groups, {}, [](const auto& g) { return std::pair(g.first, !g.second); }));
+        QVERIFY(std::ranges::find(groups, std::pair(Zone::nz, false)) != groups.end());
+        QVERIFY(std::ranges::find(groups, std::pair(Zone::nz, true)) == groups.end());
+        QVERIFY(std::ranges::find(groups, std::pair(Zone::rz1, true)) != groups.end());
+        const Project plunge = limited(plungeOfThree());
+        QCOMPARE(Drawn(plunge).series.groups.size(), static_cast<std::size_t>(plunge.sections));
+    }
+
+    void curvesAreTheEnginesLimits() {
+        for (const Project& project : {limited(fixtures::traverse()), limited(plungeOfThree())}) {
+            const Drawn drawn(project);
+            for (const LimitPoint& point : drawn.series.burn) {
+                const auto limits = depthLimits(project, 1, point.stock_mm);
+                const auto burn =
+                    std::ranges::find(limits, ConstraintKind::burn, &DepthLimit::kind);
+                QVERIFY(close(point.depth_mm, burn->depth_mm, 1e-12));
+            }
+            for (const LimitGroup& group : drawn.series.groups) {
+                const LimitPoints stepless = steplessLimit(drawn.series, group);
+                QVERIFY(std::ranges::is_sorted(stepless, {}, &LimitPoint::stock_mm));
+                QCOMPARE(stepless.front().stock_mm, drawn.series.least_mm);
+                QCOMPARE(stepless.back().stock_mm, drawn.series.deepest_mm);
+                // Within each stage it is the least of the limits at that stage's width.
+                double from = drawn.series.least_mm;
+                for (std::size_t i = group.stages.size(); i-- > 0;) {
+                    const double to = i > 0 ? group.stages[i - 1].end_mm : drawn.series.deepest_mm;
+                    for (int part = 1; part < 20; ++part) {
+                        const double stock = from + (to - from) * part / 20;
+                        const double exact = leastAt(project, group.stages[i].width_mm, stock);
+                        QVERIFY(close(valueAt(stepless, stock), exact, 2e-3)); // chords
+                    }
+                    from = to;
+                }
+            }
+        }
+    }
+
+    void aWiderCutInAStageLowersThePowerThere() {
+        Project project = fixtures::traverse();
+        project.machine.wheel_drive_kw = 3;
+        project.cycle.stages[0].axial_feed_mm_min = 2000;
+        project.cycle.stages[1].axial_feed_mm_min = 1000;
+        const Drawn drawn(project);
+        const auto nz = std::ranges::find(drawn.series.groups, Zone::nz, &LimitGroup::zone);
+        QVERIFY(nz->stages.size() >= 2);
+        const LimitPoints power = limitCurve(drawn.series, *nz, ConstraintKind::wheelPower);
+        QVERIFY(power.back().depth_mm < power.front().depth_mm);
+        const double step = nz->stages[0].end_mm;
+        QCOMPARE(std::ranges::count(power, step, &LimitPoint::stock_mm), 2);
+    }
+
+    void coupledSectionsShareThePower() {
+        Project project = limited(plungeOfThree());
+        project.sections_coupled = true;
+        Project apart = project;
+        apart.sections_coupled = false;
+        const auto power = [](const Project& p) {
+            const Drawn drawn(p);
+            return limitCurve(drawn.series, drawn.series.groups.front(),
+                              ConstraintKind::wheelPower);
+        };
+        QVERIFY(!power(apart).empty());
+        // What is computed when coupled needs an influence that this project may lack: ask the
+        // series alone.
+        const Drawn drawn(apart);
+        SimulationResult result = drawn.result;
+        result.project.sections_coupled = true;
+        const LimitSeries coupled = makeLimitSeries(result, drawn.trajectory);
+        QVERIFY(limitCurve(coupled, coupled.groups.front(), ConstraintKind::wheelPower).empty());
+        QVERIFY(!coupled.burn.empty());
+    }
+
+    void withoutLimitsTheDeepestCutStands() {
+        Project project = plungeOfThree();
+        project.material.burn_rise_k.reset();
+        project.machine.wheel_drive_kw.reset();
+        project.machine.work_drive_kw.reset();
+        const Drawn drawn(project);
+        for (const LimitGroup& group : drawn.series.groups) {
+            QVERIFY(steplessLimit(drawn.series, group).empty());
+            for (const LimitedCut& cut : group.cuts) {
+                QCOMPARE(cut.usage, 0.0);
+                QVERIFY(cut.depth_mm <= group.worst.depth_mm);
+            }
+        }
+    }
+
+    void manyCutsAreThinnedToTheirWorst() {
+        Project project = limited(plungeOfThree());
+        for (Stage& stage : project.cycle.stages) {
+            if (stage.radial_feed_mm_min) {
+                *stage.radial_feed_mm_min /= 20;
+            }
+        }
+        const Drawn drawn(project);
+        const LimitGroup& group = drawn.series.groups.front();
+        QVERIFY(drawn.result.cycleCount > static_cast<int>(mostLimitedCuts));
+        QCOMPARE(group.cuts.size(), mostLimitedCuts);
+        QVERIFY(std::ranges::is_sorted(group.cuts, {},
+                                       [](const LimitedCut& cut) { return cut.place.cycleCount; }));
+        QVERIFY(std::ranges::find(group.cuts, group.worst.usage, &LimitedCut::usage)
+                != group.cuts.end());
+    }
+
+    void withoutARecordThereAreNoGroups() {
+        const Project project = limited(plungeOfThree());
+        const LimitSeries series = makeLimitSeries(simulateUnchecked(project), {});
+        QVERIFY(series.groups.empty());
+        QVERIFY(!series.burn.empty());
+    }
+};
+
+} // namespace test_limit_series
+
+SPARKOUT_TEST(test_limit_series, TestLimitSeries)
+#include "test_limit_series.moc"

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/support/reference_simulation.h"
+#include "tests/core/support/reference_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reference {
+namespace {
+
+constexpr Real sizeTolerance = 1e-9L; // [mm] a threshold counts as reached this much early
+constexpr Real noRemoval = 1e-9L;     // [mm] a pass that removes no more than this removes nothing
+constexpr int idleRevolutionsAllowed =
+    100; // plunge: so many in a row without removal end the cycle
+constexpr long long visitLimit = 50'000'000;
+
+// ---------------------------------------------------------------- cutting
+
+// The wheel advances by b along the body in each revolution and stays K-th of one on each radius.
+void addToStage(Sums& sums, const Cycle& c, const Body& body, Real b, Real a, Real P_y, Real P_z) {
+    const Real minutes = body.length / b / c.n / c.K;
+    sums.volume += pi * c.d / c.K * a * body.length;
+    sums.energy += P_z * c.V_k * minutes * 60; // N · m/s · s
+    sums.time += minutes;
+    sums.ground += body.length / c.K;
+    sums.a = std::max(sums.a, a);
+    sums.P_y = std::max(sums.P_y, P_y);
+    sums.P_z = std::max(sums.P_z, P_z);
+}
+
+// One radius passes under the wheel, which has been fed to t.
+void visit(Cycle& c, Body& body, int k, Real b, Real t) {
+    ++c.visits;
+    Real& R = body.radius[k];
+    const Real h = c.internal ? t - (R - c.R_min0) : t - (c.R_max0 - R);
+    const Real a = depthOfCut(h, body.gamma, b, c.k_s, c.k_r);
+    R = c.internal ? R + a : R - a;
+    c.largest_removal = std::max(c.largest_removal, a);
+    if (body.reported) {
+        const Real P_y = b * (c.k_s * a + c.k_r * std::sqrt(a));
+        const Real P_z = b * (c.z_s * a + c.z_r * std::sqrt(a));
+        c.peak_P_y = std::max(c.peak_P_y, P_y);
+        c.peak_P_z = std::max(c.peak_P_z, P_z);
+        addToStage(c.sums[c.z], c, body, b, a, P_y, P_z);
+    }
+}
+
+// Whole revolutions or strokes at constant infeed t_P.
+void passes(Cycle& c, Body& body, Real b, long long count) {
+    for (long long m = 0; m < count; ++m) {
+        for (int k = 0; k < c.K; ++k) {
+            visit(c, body, k, b, c.t_P);
+        }
+    }
+}
+
+Real laterStocks(const Cycle& c) {
+    Real sum = 0;
+    for (std::size_t j = c.z + 1; j < c.stages.size(); ++j) {
+        sum += c.stages[j].stock;
+    }
+    return sum;
+}
+
+// The t_P at which the stage ends under position control.
+Real targetInfeed(const Cycle& c) {
+    const Real whole = c.internal ? c.R_t - c.R_min0 : c.R_max0 - c.R_t;
+    return whole - laterStocks(c);
+}
+
+// The feed of this double stroke or revolution; position control cuts the last one of a stage
+// short.
+Real infeedOfThisPass(const Cycle& c) {
+    const Stage& stage = c.stages[c.z];
+    Real step = c.traverse ? stage.radial_feed : stage.radial_feed / c.n;
+    if (c.position_control && stage.end == StageEnd::Threshold) {
+        step = std::max(Real(0), std::min(step, targetInfeed(c) - c.t_P));
+    }
+    return step;
+}
+
+long long plungeInRevolutions(const Cycle& c, Real S_t) {
+    return static_cast<long long>(std::ceil(c.n * S_t / c.S_rad - 1e-9L));
+}
+
+void doubleStroke(Cycle& c) {
+    const Stage& stage = c.stages[c.z];
+    const Real S_t = infeedOfThisPass(c);
+    const long long N_E1 = plungeInRevolutions(c, S_t);
+    const Real b1 = c.B - c.o1;                           // plunge passes in РЗ1
+    const Real b2 = c.B - c.o2;                           // plunge passes in РЗ2
+    const Real b = std::min(stage.axial_feed / c.n, c.B); // traverse passes
+    Body& rz1 = c.bodies[0];
+    Body& nz = c.bodies[1];
+    Body& rz2 = c.bodies[2];
+
+    // plunge-in
+    for (long long m = 1; m <= N_E1; ++m) {
+        for (int k = 0; k < c.K; ++k) {
+            const Real fed = c.S_rad / c.n * (m - 1 + Real(k + 1) / c.K);
+            visit(c, rz1, k, b1, c.t_P + std::min(S_t, fed));
+        }
+    }
+    c.t_P += S_t;
+    // entry dwell
+    passes(c, rz1, b1, c.N1);
+    // working stroke
+    passes(c, rz1, b, 1);
+    passes(c, nz, b, 1);
+    passes(c, rz2, b, 1);
+    // exit dwell
+    passes(c, rz2, b2, c.N2);
+    // return stroke
+    passes(c, rz1, b, 1);
+    passes(c, nz, b, 1);
+    passes(c, rz2, b, 1);
+    // entry dwell
+    passes(c, rz1, b1, c.N1);
+
+    const Real travel = c.length - c.B + c.o1 + c.o2;
+    c.time += (N_E1 + 2 * c.N1 + c.N2) / c.n + 2 * travel / stage.axial_feed;
+}
+
+void revolution(Cycle& c) {
+    const Real step = infeedOfThisPass(c);
+    for (Body& body : c.bodies) {
+        for (int k = 0; k < c.K; ++k) {
+            visit(c, body, k, c.length, c.t_P + step * Real(k + 1) / c.K);
+        }
+    }
+    c.t_P += step;
+    c.time += 1 / c.n;
+}
+
+long long visitsOfNextPass(const Cycle& c) {
+    if (!c.traverse) {
+        return static_cast<long long>(c.bodies.size()) * c.K;
+    }
+    return (plungeInRevolutions(c, infeedOfThisPass(c)) + 2 * c.N1 + c.N2 + 6) * c.K;
+}
+
+// ---------------------------------------------------------------- control
+
+// Π_rem by the gauge [mm].
+Real remainingStock(const Cycle& c) {
+    const std::vector<Real>& R = c.bodies[c.gauge].radius;
+    Real smallest = R[0] + R[c.K / 2];
+    Real largest = smallest;
+    Real sum = 0;
+    for (int k = 0; k < c.K / 2; ++k) {
+        const Real D = R[k] + R[k + c.K / 2];
+        smallest = std::min(smallest, D);
+        largest = std::max(largest, D);
+        sum += D;
+    }
+    Real reading = sum / (c.K / 2);
+    if (c.rule == "min") {
+        reading = c.internal ? largest : smallest;
+    } else if (c.rule == "max") {
+        reading = c.internal ? smallest : largest;
+    }
+    return c.internal ? c.R_t - reading / 2 : reading / 2 - c.R_t;
+}
+
+bool stageHasEnded(const Cycle& c) {
+    const Stage& stage = c.stages[c.z];
+    if (stage.end == StageEnd::Count) {
+        return c.passes_in_stage >= stage.count;
+    }
+    if (stage.end == StageEnd::Threshold && c.position_control) {
+        return c.t_P >= targetInfeed(c) - sizeTolerance;
+    }
+    return remainingStock(c) <= laterStocks(c) + sizeTolerance;
+}
+
+// After a pass of a spark-out until size: has it stopped removing anything?
+bool progressHasStopped(Cycle& c) {
+    if (c.largest_removal > noRemoval) {
+        c.idle_revolutions = 0;
+        return false;
+    }
+    ++c.idle_revolutions;
+    return c.traverse || c.idle_revolutions >= idleRevolutionsAllowed;
+}
+
+void run(Cycle& c, Result& result) {
+    for (;;) {
+        if (c.visits + visitsOfNextPass(c) > visitLimit) {
+            result.status = "too_long";
+            return;
+        }
+        const bool untilSize = c.stages[c.z].end == StageEnd::Size;
+        c.largest_removal = 0;
+        if (c.traverse) {
+            doubleStroke(c);
+        } else {
+            revolution(c);
+        }
+        ++result.passes;
+        ++result.passes_by_stage[c.z];
+        ++c.passes_in_stage;
+        while (stageHasEnded(c)) {
+            ++c.z;
+            c.passes_in_stage = 0;
+            if (c.z == c.stages.size()) {
+                result.status = "completed";
+                return;
+            }
+        }
+        if (untilSize && progressHasStopped(c)) {
+            result.status = "cannot_reach_size";
+            return;
+        }
+    }
+}
+
+Place measured(const Cycle& c, const Body& body) {
+    Place place;
+    const std::vector<Real>& R = body.radius;
+    Real smallest = R[0] + R[c.K / 2];
+    Real largest = smallest;
+    for (int k = 0; k < c.K; ++k) {
+        const Real D = R[k] + R[(k + c.K / 2) % c.K];
+        smallest = std::min(smallest, D);
+        largest = std::max(largest, D);
+        place.radii_um.push_back((R[k] - c.d / 2) * 1000);
+    }
+    const auto [lowest, highest] = std::minmax_element(R.begin(), R.end());
+    place.diameter_deviation_min_um = static_cast<double>((smallest - c.d) * 1000);
+    place.diameter_deviation_max_um = static_cast<double>((largest - c.d) * 1000);
+    place.radial_runout_um =
+        static_cast<double>((*highest - *lowest) * 1000 + c.geometric_runout_um);
+    return place;
+}
+
+StageSums inDoubles(const Sums& sums, Real V_k) {
+    StageSums stage;
+    stage.volume_mm3 = static_cast<double>(sums.volume);
+    stage.energy_j = static_cast<double>(sums.energy);
+    stage.grinding_min = static_cast<double>(sums.time);
+    stage.ground_mm = static_cast<double>(sums.ground);
+    stage.largest_depth_mm = static_cast<double>(sums.a);
+    stage.peak_normal_force_n = static_cast<double>(sums.P_y);
+    stage.peak_power_w = static_cast<double>(sums.P_z * V_k);
+    return stage;
+}
+
+} // namespace
+
+long double depthOfCut(long double h, long double gamma, long double b, long double k_s,
+                       long double k_r) {
+    if (h <= 0) {
+        return 0;
+    }
+    // The left side of the balance grows with a, is below h at a = 0 and not below h at a = h.
+    long double low = 0;
+    long double high = h;
+    for (;;) {
+        const long double a = low + (high - low) / 2;
+        if (a <= low || a >= high) {
+            return high; // no number lies between the two any more
+        }
+        const long double P_y = b * (k_s * a + k_r * std::sqrt(a));
+        if (a + gamma * P_y < h) {
+            low = a;
+        } else {
+            high = a;
+        }
+    }
+}
+
+Result simulate(const nlohmann::json& project) {
+    Cycle c = readCycle(project);
+    Result result;
+    result.passes_by_stage.assign(c.stages.size(), 0);
+    c.sums.resize(c.stages.size());
+    run(c, result);
+    for (const Sums& sums : c.sums) {
+        result.stages.push_back(inDoubles(sums, c.V_k));
+    }
+    result.time_min = static_cast<double>(c.time);
+    result.peak_normal_force_n = static_cast<double>(c.peak_P_y);
+    result.peak_power_w = static_cast<double>(c.peak_P_z * c.V_k); // N · m/s
+    for (const Body& body : c.bodies) {
+        if (body.reported) {
+            result.places.push_back(measured(c, body));
+        }
+    }
+    return result;
+}
+
+} // namespace reference

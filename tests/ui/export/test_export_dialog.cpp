@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dialog of an export: what it says, how it is stopped, what it leaves behind.
+#include "tests/registry.h"
+#include "tests/ui/export/export_bench.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/file_trouble.h"
+#include "tests/ui/support/text_checks.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/dialogs/watched_work.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/views/feeds/feeds_view.h"
+#include "ui/window/dialogs/export_dialog.h"
+#include "ui/window/view_tabs.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDeadlineTimer>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QThread>
+#include <QTimer>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <utility>
+
+namespace test_export_dialog {
+
+using namespace sparkout;
+using namespace export_bench;
+
+namespace {
+
+/// An outcome whose middle zone has more rows than a sheet takes.
+OutcomePtr longOutcome() {
+    const OutcomePtr small = fixtures::run(smallProject(Operation::traverse));
+    auto outcome = std::make_shared<Outcome>(*small);
+    auto& trajectory = outcome->trajectory;
+    const auto nz = std::ranges::find_if(
+        trajectory.passes, [](const Pass& pass) { return pass.place.zone == Zone::nz; });
+    const Pass pass = *nz;
+    trajectory.passes.insert(trajectory.passes.end(), xlsxRows / 4, pass);
+    return outcome;
+}
+
+} // namespace
+
+class TestExportDialog : public ExportTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { begin(); }
+
+    void whatDoesNotFitIsSaidBeforeAnythingIsWritten() {
+        const OutcomePtr outcome = longOutcome();
+        ExportDialog dialog(outcome, ExportFormat::xlsx, nullptr);
+        auto* go = dialog.findChild<QPushButton*>(QStringLiteral("exportGo"));
+        auto* note = dialog.findChild<QLabel*>(QStringLiteral("exportNote"));
+        auto* content = dialog.findChild<QComboBox*>(QStringLiteral("exportContent"));
+        QVERIFY(!go->isEnabled());
+        QVERIFY2(note->text().contains(QStringLiteral("Trace NZ"))
+                     && note->text().contains(QLocale().toString(qulonglong(xlsxRows))),
+                 qPrintable(note->text()));
+        content->setCurrentIndex(1); // without the trace
+        QVERIFY(go->isEnabled());
+        dialog.findChild<QComboBox*>(QStringLiteral("exportFormat"))->setCurrentIndex(1);
+        QVERIFY(go->isEnabled() && dialog.choice().hasTrace());
+        auto unrecorded = std::make_shared<Outcome>(*outcome);
+        unrecorded->trajectory = {};
+        QVERIFY(
+            !exportObstacle(unrecorded, {ExportFormat::csvEnglish, {ResultPart::trace}}).isEmpty());
+        QVERIFY(exportObstacle(unrecorded, {ExportFormat::json, everyPart()}).isEmpty());
+    }
+
+    void theWindowExportsInItsLanguage_data() { languageRows(); }
+    void theWindowExportsInItsLanguage() {
+        QFETCH(QString, language);
+        Bench bench(language);
+        QVERIFY(bench.open(examplePaths().front()));
+        const QString path = m_folder.filePath(language + QStringLiteral(".xlsx"));
+        DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path});
+        QStringList english, cut;
+        answers.seen = [&](QDialog& dialog) {
+            auto* format = dialog.findChild<QComboBox*>(QStringLiteral("exportFormat"));
+            for (int i = 0; format && i < format->count(); ++i) {
+                format->setCurrentIndex(format->count() - 1 - i); // XLSX last
+                QCoreApplication::processEvents();
+                for (const ShownText& shown : textsOf(dialog)) {
+                    english << englishIn(shown.text);
+                }
+                cut << textsWithoutRoom(dialog);
+            }
+            if (format) {
+                dialog.findChild<QComboBox*>(QStringLiteral("exportContent"))->setCurrentIndex(1);
+            }
+        };
+        bench.action("exportResults")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        english.removeAll(QString());
+        QVERIFY2(language == u"en" || english.isEmpty(), qPrintable(english.join(u'\n')));
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+        const XlsxReader read(path);
+        QCOMPARE(read.fault(), QString());
+        QCOMPARE(read.names().value(0),
+                 language == u"ru" ? QStringLiteral("Исходные данные") : QStringLiteral("Inputs"));
+        QCOMPARE(read.names().size(), 6);
+    }
+
+    void everyExportSaysWhereTheFileIs_data() { languageRows(); }
+    void everyExportSaysWhereTheFileIs() {
+        QFETCH(QString, language);
+        Bench bench(language);
+        QVERIFY(bench.open(examplePaths().front()));
+        const auto* bar = bench.window->findChild<QStatusBar*>();
+        auto* feeds = bench.window->findChild<FeedsView*>();
+        bench.window->viewTabs().detach(feeds); // a window of its own has no status bar
+        const std::pair<QAction*, const char*> exports[] = {
+            {bench.action("pdf-card"), "card.pdf"},
+            {feeds->tools()->pdf, "plot.pdf"},
+            {feeds->tools()->csvRussian, "curves.csv"},
+            {bench.action("exportResults"), "results.xlsx"},
+        };
+        for (const auto& [action, name] : exports) {
+            QVERIFY(action);
+            const QString file = QString::fromLatin1(name);
+            QStringList wanted{QStringLiteral("file:") + m_folder.filePath(language + file)};
+            if (file.startsWith(u"results")) {
+                wanted.prepend(QStringLiteral("exportGo"));
+            }
+            const DialogAnswers answers(wanted);
+            action->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(QFile::exists(m_folder.filePath(language + file)));
+            const QString said = bar->currentMessage();
+            QVERIFY2(said.contains(language + file) && said.contains(m_folder.path()),
+                     qPrintable(file + QStringLiteral(": ") + said));
+            QVERIFY2(language == u"en" || said.startsWith(QStringLiteral("Сохранено")),
+                     qPrintable(said));
+        }
+    }
+
+    void anExportThatIsGivenUpConfirmsNothing() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const auto* bar = bench.window->findChild<QStatusBar*>();
+        const QString before = bar->currentMessage();
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        bench.action("pdf-card")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(bar->currentMessage(), before);
+    }
+
+    void aFullDiskLeavesTheOldFileWithAMessage() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const QString path = m_folder.filePath(QStringLiteral("old.xlsx"));
+        trouble::write(path, "what was there");
+        const DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path,
+                                     QStringLiteral("Yes"), QStringLiteral("Escape")});
+        {
+            const trouble::NoBytes full;
+            bench.action("exportResults")->trigger();
+        }
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(answers.texts().last().contains(QStringLiteral("old.xlsx")),
+                 qPrintable(answers.texts().join(u'\n')));
+        QCOMPARE(trouble::bytesOf(path), QByteArray("what was there"));
+        QVERIFY(trouble::entries(m_folder.path()).filter(QStringLiteral(".tmp")).isEmpty());
+    }
+
+    void aLongExportIsStoppedAtOnceAndLeavesNothing() {
+        Bench bench(QStringLiteral("en"), Theme::light, [](const Project&, const auto&) {
+            static const OutcomePtr outcome = longOutcome();
+            return outcome;
+        });
+        bench.window->document().startUntitled(smallProject(Operation::traverse));
+        QTRY_VERIFY(bench.window->outcome());
+        const QString path = m_folder.filePath(QStringLiteral("stopped.csv"));
+        DialogAnswers answers({QStringLiteral("exportGo"), QStringLiteral("file:") + path,
+                               QStringLiteral("stopWork")});
+        QElapsedTimer clock;
+        answers.seen = [&clock](QDialog& dialog) {
+            if (auto* format = dialog.findChild<QComboBox*>(QStringLiteral("exportFormat"))) {
+                format->setCurrentIndex(2);
+            }
+            clock.start();
+        };
+        bench.action("exportResults")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(clock.elapsed() < 400, qPrintable(QString::number(clock.elapsed())));
+        QVERIFY(!QFile::exists(path));
+    }
+
+    void aLongWorkNamesItsFileWithoutControlCharacters() {
+        QString title;
+        std::atomic<bool> seen = false;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, &watch, [&] {
+            if (const QWidget* shown = QApplication::activeModalWidget()) {
+                title = shown->windowTitle() + u'|' + shown->findChild<QLabel*>()->text();
+                seen = true;
+            }
+        });
+        watch.start(10);
+        const QDeadlineTimer tooLong(10'000);
+        QVERIFY(runWatched(nullptr, QStringLiteral("Opening a\u202Eb\x1b.sparkout"),
+                           [&](const KeepGoing&) {
+                               while (!seen && !tooLong.hasExpired()) {
+                                   QThread::msleep(10);
+                               }
+                           }));
+        QCOMPARE(title, QStringLiteral("Opening a\\u202Eb\\u001B.sparkout|"
+                                       "Opening a\\u202Eb\\u001B.sparkout"));
+    }
+
+    /// Its progress is shown, and asks nothing: the question after it gets the answer.
+    void aLongWorkEndsByItself() {
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        std::atomic<bool> progressSeen = false;
+        QTimer watch;
+        connect(&watch, &QTimer::timeout, &watch,
+                [&] { progressSeen = progressSeen || QApplication::activeModalWidget(); });
+        watch.start(10);
+        const QDeadlineTimer tooLong(10'000);
+        QVERIFY(runWatched(nullptr, QStringLiteral("work"), [&](const KeepGoing& keepGoing) {
+            while (!progressSeen && !tooLong.hasExpired() && keepGoing(0.5)) {
+                QThread::msleep(10);
+            }
+            QThread::msleep(50); // time for a wrong answer to it
+        }));
+        watch.stop();
+        QVERIFY(progressSeen);
+        QMessageBox question(QMessageBox::Warning, {}, QStringLiteral("after it"));
+        question.exec();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(answers.text(), QStringLiteral("after it"));
+    }
+
+    void withoutAResultItSaysWhy() {
+        Bench bench(QStringLiteral("en"));
+        Project project = smallProject(Operation::traverse);
+        project.part.diameter_mm = -2;
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        bench.action("exportResults")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(answers.text().contains(QStringLiteral("There is no result")));
+    }
+};
+
+} // namespace test_export_dialog
+
+SPARKOUT_TEST(test_export_dialog, TestExportDialog)
+#include "test_export_dialog.moc"

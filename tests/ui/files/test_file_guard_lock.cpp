@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lock beside a project: who has it, who may take it over, and how it follows the document.
+#include "tests/registry.h"
+#include "tests/ui/support/file_guard_bench.h"
+
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QLockFile>
+#include <QProcess>
+
+namespace test_file_guard_lock {
+
+using namespace sparkout;
+using namespace file_guard_bench;
+
+namespace {
+
+/// The lock file as a program on another computer writes it.
+QByteArray foreignLock() {
+    return "1234\nsparkout\nanother-host\n0123456789abcdef\n00000000-0000-0000-0000-000000000000\n";
+}
+
+} // namespace
+
+class TestFileGuardLock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aLockIsAHiddenFileBesideTheProjectAndGoesWithIt() {
+        Bench bench;
+        QCOMPARE(bench.lock, bench.folder.filePath(QStringLiteral(".~вал.sparkout.lock")));
+        FileLock lock;
+        QCOMPARE(lock.acquire(bench.path), State::held);
+        QVERIFY(QFileInfo::exists(bench.lock));
+        QVERIFY(lock.stillOurs());
+        lock.release();
+        QVERIFY(!QFileInfo::exists(bench.lock));
+        QCOMPARE(lock.state(), State::none);
+    }
+
+    void theSecondOpenerIsToldWhoHasTheFile() {
+        Bench bench;
+        FileLock first;
+        FileLock second;
+        QCOMPARE(first.acquire(bench.path), State::held);
+        QCOMPARE(second.acquire(bench.path), State::conflict);
+        const LockHolder& holder = second.holder();
+        QVERIFY(holder.readable);
+        QCOMPARE(holder.process, QCoreApplication::applicationPid());
+        QCOMPARE(holder.host, QSysInfo::machineHostName());
+        QVERIFY(!holder.user.isEmpty());
+        QVERIFY(qAbs(holder.since.secsTo(QDateTime::currentDateTime())) < 60);
+        second.release();
+        QVERIFY2(first.stillOurs(), "asking takes nothing away");
+    }
+
+    void oneLockServesAllTheWaysToAFile() {
+        Bench bench;
+        const QString link = bench.folder.filePath(QStringLiteral("link.sparkout"));
+        QVERIFY(QFile::link(bench.path, link));
+        FileLock first;
+        FileLock second;
+        QCOMPARE(first.acquire(bench.path), State::held);
+        QCOMPARE(second.acquire(link), State::conflict);
+    }
+
+    void theLockOfADeadProgramIsTakenOverWithItsHelper() {
+        Bench bench;
+        QProcess gone;
+        gone.start(QStringLiteral("true"), QStringList());
+        QVERIFY(gone.waitForFinished());
+        trouble::write(bench.lock,
+                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        trouble::write(bench.lock + QStringLiteral(".rmlock"),
+                       "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        FileLock lock;
+        QCOMPARE(lock.acquire(bench.path), State::held);
+        lock.release();
+        QCOMPARE(trouble::entries(bench.folder.path()),
+                 QStringList{QStringLiteral("вал.sparkout")});
+    }
+
+    void theLockOfAnotherComputerIsRespectedHoweverOld() {
+        Bench bench;
+        trouble::write(bench.lock, foreignLock());
+        QFile file(bench.lock);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-400),
+                                 QFile::FileModificationTime));
+        file.close();
+        FileLock lock;
+        QCOMPARE(lock.acquire(bench.path), State::conflict);
+        QCOMPARE(lock.holder().host, QStringLiteral("another-host"));
+        QCOMPARE(lock.holder().process, 1234);
+        QCOMPARE(trouble::bytesOf(bench.lock), foreignLock());
+        QCOMPARE(lock.takeOver(), State::held);
+        QVERIFY(lock.stillOurs());
+    }
+
+    void aLockWithoutSenseIsRespectedUntilItIsTakenOver() {
+        for (const QByteArray& text :
+             {QByteArray("garbage"), QByteArray(), QByteArray("\xff\x00\x01", 3)}) {
+            Bench bench;
+            trouble::write(bench.lock, text);
+            FileLock lock;
+            QCOMPARE(lock.acquire(bench.path), State::conflict);
+            QVERIFY(!lock.holder().readable);
+            QVERIFY(!lock.holder().user.isEmpty());
+            QCOMPARE(trouble::bytesOf(bench.lock), text);
+            QCOMPARE(lock.takeOver(), State::held);
+        }
+    }
+
+    // To open a pipe is to wait for a writer, and /dev/zero has no end.
+    void whatIsNoLockIsNamedAndPassedOver_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::addColumn<QString>("ending");
+        for (const char* kind : {"pipe", "zero", "huge", "folder", "dangling"}) {
+            for (const char* ending : {"", ".rmlock"}) {
+                QTest::addRow("%s%s", kind, ending)
+                    << QString::fromLatin1(kind) << QString::fromLatin1(ending);
+            }
+        }
+    }
+
+    void whatIsNoLockIsNamedAndPassedOver() {
+        QFETCH(QString, kind);
+        QFETCH(QString, ending);
+        Bench bench;
+        const QString path = bench.lock + ending;
+        if (!ending.isEmpty()) { // the helper counts when a dead lock is to be removed
+            trouble::write(bench.lock, "999999999\nsparkout\n"
+                                           + QSysInfo::machineHostName().toUtf8() + "\n\n\n");
+        }
+        trouble::putStrange(kind, path);
+        const auto before = stampOf(path);
+        QElapsedTimer clock;
+        clock.start();
+        bench.open();
+        QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
+        QCOMPARE(bench.access, Access::write);
+        QCOMPARE(bench.guard.strangeLock(), path);
+        QVERIFY(stampOf(path) == before);
+        setDiameter(bench.document, 31);
+        QCOMPARE(bench.guard.claim(bench.path), Access::write);
+        QVERIFY(!bench.guard.save(bench.path));
+        QCOMPARE(bench.guard.strangeLock(), path);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(31));
+        bench.document.startUntitled(newProject(Operation::traverse));
+        QVERIFY(bench.guard.strangeLock().isEmpty());
+        QVERIFY(stampOf(path) == before);
+    }
+
+    // QLockFile removes its file by name, whoever it belongs to by then.
+    void whoLostTheLockDoesNotRemoveTheOneOfWhoTookIt() {
+        Bench bench;
+        FileLock first;
+        FileLock second;
+        QCOMPARE(first.acquire(bench.path), State::held);
+        QCOMPARE(second.acquire(bench.path), State::conflict);
+        QCOMPARE(second.takeOver(), State::held);
+        QVERIFY(!first.stillOurs());
+        QVERIFY(second.stillOurs());
+        first.release();
+        QVERIFY(second.stillOurs());
+        FileLock third;
+        QCOMPARE(third.acquire(bench.path), State::conflict);
+        second.release();
+        QVERIFY(!QFileInfo::exists(bench.lock));
+    }
+
+    // A file system gives the number of a removed file to the next one.
+    void aLockLikeOursOfAnotherTimeIsNotOurs() {
+        Bench bench;
+        FileLock lock;
+        QCOMPARE(lock.acquire(bench.path), State::held);
+        const auto before = stampOf(bench.lock);
+        QFile file(bench.lock);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(60),
+                                 QFile::FileModificationTime));
+        file.close();
+        const auto now = stampOf(bench.lock);
+        QVERIFY(before && now && now->inode == before->inode && now->size == before->size);
+        QVERIFY(!lock.stillOurs());
+        lock.release();
+        QVERIFY2(QFileInfo::exists(bench.lock), "it is whose it is by now");
+    }
+
+    void aFolderThatTakesNoFilesMeansReadOnly() {
+        Bench bench;
+        trouble::setMode(bench.folder.path(), 0555);
+        {
+            const trouble::Unprivileged user;
+            FileLock lock;
+            QCOMPARE(lock.acquire(bench.path), State::noRight);
+            bench.open();
+        }
+        trouble::setMode(bench.folder.path(), 0755);
+        QCOMPARE(bench.access, Access::readOnly);
+        QVERIFY(bench.document.readOnly());
+        QVERIFY(!QFileInfo::exists(bench.lock));
+    }
+
+    void aWriteProtectedFileMeansReadOnly() {
+        Bench bench;
+        trouble::setMode(bench.path, 0444);
+        bench.open();
+        QCOMPARE(bench.access, Access::readOnly);
+        QVERIFY2(!QFileInfo::exists(bench.lock), "who only reads keeps nobody out");
+    }
+
+    void theLockFollowsTheDocument() {
+        Bench bench;
+        bench.open();
+        QVERIFY(QFileInfo::exists(bench.lock));
+        const QString other = bench.folder.filePath(QStringLiteral("other.sparkout"));
+        QCOMPARE(bench.guard.claim(other), Access::write);
+        QVERIFY2(QFileInfo::exists(bench.lock), "until the save has worked both are kept");
+        QVERIFY(!bench.guard.save(other));
+        QVERIFY(!QFileInfo::exists(bench.lock));
+        QVERIFY(QFileInfo::exists(FileLock::lockPath(other)));
+        bench.document.startUntitled(newProject(Operation::plunge));
+        QVERIFY(!QFileInfo::exists(FileLock::lockPath(other)));
+    }
+
+    void aSaveThatFailsLeavesTheLockWhereItWas() {
+        Bench bench;
+        bench.open();
+        setDiameter(bench.document, 31);
+        const QString other = bench.folder.filePath(QStringLiteral("nowhere/other.sparkout"));
+        (void)bench.guard.claim(other);
+        QVERIFY(bench.guard.save(other).has_value());
+        bench.guard.dropClaim();
+        QVERIFY(QFileInfo::exists(bench.lock));
+        QCOMPARE(bench.document.filePath(), bench.path);
+        QVERIFY(bench.document.modified());
+    }
+};
+
+} // namespace test_file_guard_lock
+
+SPARKOUT_TEST(test_file_guard_lock, TestFileGuardLock)
+#include "test_file_guard_lock.moc"

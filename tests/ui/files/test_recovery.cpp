@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/operation.h"
+#include "tests/registry.h"
+#include "tests/tries.h"
+#include "tests/ui/support/file_trouble.h"
+#include "ui/files/autosave.h"
+#include "ui/session/document.h"
+
+#include "core/project/project_file.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QSysInfo>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <atomic>
+#include <ctime>
+#include <thread>
+
+#include <unistd.h>
+
+namespace test_recovery {
+
+using namespace sparkout;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr EditText editText{"Input", "Diameter"};
+
+void setDiameter(Document& document, double diameter_mm) {
+    Project project = document.project();
+    project.part.diameter_mm = diameter_mm;
+    document.edit(project, editText);
+}
+
+/// A document with a recovery file in a folder of its own.
+struct Bench {
+    explicit Bench(Autosave::Times times = {20ms, 300ms}) {
+        document.startUntitled(newProject(Operation::traverse));
+        autosave = std::make_unique<Autosave>(document, store, times);
+    }
+    QTemporaryDir folder;
+    RecoveryStore store{folder.path() + QStringLiteral("/state")};
+    Document document;
+    std::unique_ptr<Autosave> autosave;
+};
+
+/// The lock of a program that no longer runs.
+QByteArray deadLock() {
+    return "999999999\nsparkout\n" + QSysInfo::machineHostName().toUtf8() + "\n\n\n";
+}
+
+RecoveryContent contentOf(const QString& file) {
+    return readRecovery(trouble::bytesOf(file).toStdString());
+}
+
+} // namespace
+
+class TestRecovery : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theRecoveryFileHoldsTheProjectAndAllThatBelongsToIt() {
+        Project project = newProject(Operation::plunge);
+        project.title = "Вал \"30h6\"\n<b>";
+        const RecoveryHeader header{QString::fromStdString(project.title),
+                                    QStringLiteral("/tmp/вал [*].sparkout"),
+                                    QDateTime::currentDateTimeUtc(),
+                                    QByteArray::fromHex("00ff"),
+                                    true,
+                                    true};
+        const RecoveryContent content = readRecovery(recoveryText(header, project));
+        QVERIFY(content.project && sameProject(*content.project, project));
+        QCOMPARE(content.header.title, header.title);
+        QCOMPARE(content.header.path, header.path);
+        QCOMPARE(content.header.when.toMSecsSinceEpoch(), header.when.toMSecsSinceEpoch());
+        QCOMPARE(content.header.diskHash, header.diskHash);
+        QVERIFY(content.header.readOnly);
+        QVERIFY(content.header.modified);
+    }
+
+    // Cut at every byte, every bit of every byte turned: never a crash, never another project.
+    void noDamageOfTheTextGoesUnnoticed() {
+        const Project project = newProject(Operation::plunge);
+        const std::string whole = recoveryText({}, project);
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            QVERIFY(!readRecovery(std::string_view(whole).substr(0, length)).project);
+        }
+        int told = 0;
+        for (std::size_t at = 0; at < whole.size(); ++at) {
+            std::string damaged = whole;
+            damaged[at] = char(damaged[at] ^ (1 << (at % 8)));
+            const RecoveryContent content = readRecovery(damaged);
+            told += !content.project;
+            QVERIFY(!content.project || sameProject(*content.project, project));
+        }
+        QVERIFY2(std::size_t(told) + 400 > whole.size(),
+                 "only the header's plain words may differ");
+    }
+
+    void anEditIsKeptAfterAPauseAndNeverInTheUsersFile() {
+        Bench bench;
+        const QString path = bench.folder.filePath(QStringLiteral("part.sparkout"));
+        QVERIFY(!bench.document.saveAs(path));
+        const QByteArray before = trouble::bytesOf(path);
+        QVERIFY(bench.autosave->file().isEmpty());
+        setDiameter(bench.document, 31);
+        QTRY_VERIFY(!bench.autosave->file().isEmpty());
+        const RecoveryContent content = contentOf(bench.autosave->file());
+        QVERIFY(content.project && sameProject(*content.project, bench.document.project()));
+        QCOMPARE(content.header.path, path);
+        QCOMPARE(content.header.diskHash, contentHash(before.toStdString()));
+        QCOMPARE(trouble::bytesOf(path), before);
+        // Nobody else can read it, and nothing is left beside the user's file.
+        const QFileInfo folder(bench.store.folder());
+        QVERIFY(!(folder.permissions() & (QFile::ReadGroup | QFile::ReadOther)));
+        QCOMPARE(trouble::entries(bench.folder.path()),
+                 (QStringList{QStringLiteral("part.sparkout"), QStringLiteral("state")}));
+    }
+
+    void typingWithoutAPauseIsKeptAllTheSame() {
+        Bench bench({50ms, 250ms});
+        QSignalSpy written(bench.autosave.get(), &Autosave::written);
+        QElapsedTimer clock;
+        clock.start();
+        for (int i = 0; clock.elapsed() < 1000; ++i) {
+            setDiameter(bench.document, 30 + 0.001 * i);
+            QTest::qWait(10);
+        }
+        QVERIFY2(written.count() >= 2 && written.count() <= 5,
+                 qPrintable(QString::number(written.count())));
+    }
+
+    void anUntouchedDocumentLeavesNothing() {
+        Bench bench;
+        QTest::qWait(100);
+        bench.autosave.reset();
+        QVERIFY(!QFileInfo::exists(bench.store.folder()));
+    }
+
+    void theRecoveryFileGoesWithASaveAndOnlyThen() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QString file = bench.autosave->file();
+        QVERIFY(QFileInfo::exists(file));
+        QVERIFY(bench.document.saveAs(QStringLiteral("/nowhere/at/all.sparkout")).has_value());
+        QVERIFY(QFileInfo::exists(file));
+        QVERIFY(!bench.document.saveAs(bench.folder.filePath(QStringLiteral("a.sparkout"))));
+        bench.autosave->saved();
+        QVERIFY(!QFileInfo::exists(file));
+        QVERIFY(trouble::entries(bench.store.folder()).isEmpty());
+        // After a save undo still goes back, and that is unsaved work again.
+        bench.document.undo();
+        bench.autosave->flush();
+        const RecoveryContent content = contentOf(bench.autosave->file());
+        QVERIFY(content.project && content.project->part.diameter_mm == 30);
+        QVERIFY(content.header.modified);
+    }
+
+    void editsThatAreGivenUpStayAmongTheDiscardedOnes() {
+        Bench bench({1h, 1h});
+        setDiameter(bench.document, 31); // a moment ago: not written yet
+        bench.autosave->discard();
+        QVERIFY(bench.autosave->file().isEmpty());
+        QVERIFY(bench.store.left().empty());
+        const auto discarded = bench.store.discarded();
+        QCOMPARE(discarded.size(), std::size_t{1});
+        QVERIFY(discarded[0].state == RecoveryItem::State::discarded);
+        QCOMPARE(contentOf(discarded[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void anotherDocumentNeverOverwritesTheRecoveryFileOfTheLast() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        bench.document.startUntitled(newProject(Operation::plunge));
+        setDiameter(bench.document, 50);
+        bench.autosave->flush();
+        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 50.0);
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+        QCOMPARE(contentOf(bench.store.discarded()[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void aProgramThatEndsWithoutAskingKeepsTheLastKeystroke() {
+        Bench bench({1h, 1h});
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QCOMPARE(contentOf(left[0].file).project->part.diameter_mm, 31.0);
+    }
+
+    void editsThatWereUndoneAreNotOffered() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        bench.document.undo();
+        bench.autosave->flush();
+        bench.autosave.reset();
+        QVERIFY(bench.store.left().empty());
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+    }
+
+    void workOfARunningSessionIsNotOfferedToAnother() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QVERIFY(bench.store.left().empty());
+        // What one instance is just offering, another does not offer as well.
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QVERIFY(bench.store.left().empty());
+    }
+
+    /// Two windows that start together both keep their work: none fails because the other has made
+    /// the folder between its look and its attempt.
+    void instancesThatMakeTheFolderTogetherBothHaveIt() {
+        const QTemporaryDir folder;
+        constexpr int rounds = 300;
+        std::atomic<int> waiting = 0;
+        std::atomic<int> made = 0;
+        const auto instance = [&] {
+            for (int round = 0; round < rounds; ++round) {
+                ++waiting;
+                while (waiting < 2 * (round + 1)) { // both at once
+                }
+                made += makePrivateFolder(folder.filePath(QStringLiteral("%1/a/b").arg(round)));
+            }
+        };
+        std::thread other(instance);
+        instance();
+        other.join();
+        QCOMPARE(made.load(), 2 * rounds);
+    }
+
+    void whatIsLeftIsOfferedTheNewestFirst() {
+        const Bench bench;
+        QVERIFY(makePrivateFolder(bench.store.folder()));
+        const QDateTime now(QDate(2026, 11, 22), QTime(12, 0), Qt::UTC);
+        for (const int hours : {5, 1, 3}) { // in another order by name
+            RecoveryHeader header;
+            header.title = QString::number(hours);
+            header.when = now.addSecs(-3600 * hours);
+            const std::string text = recoveryText(header, newProject(Operation::plunge));
+            const QString name = QStringLiteral("/%1.recovery").arg(9 - hours);
+            trouble::write(bench.store.folder() + name, QByteArray::fromStdString(text));
+        }
+        const auto titles = [](const std::vector<RecoveryItem>& items) {
+            QStringList list;
+            for (const RecoveryItem& item : items) {
+                list << item.header.title;
+            }
+            return list;
+        };
+        const QStringList newestFirst{QStringLiteral("1"), QStringLiteral("3"),
+                                      QStringLiteral("5")};
+        const std::vector<RecoveryItem> left = bench.store.left();
+        QCOMPARE(titles(left), newestFirst);
+        for (const std::size_t i : {1, 0, 2}) {
+            QVERIFY(bench.store.discard(left[i].file));
+        }
+        QCOMPARE(titles(bench.store.discarded()), newestFirst);
+    }
+
+    // The times of the files are turned around: they must not matter.
+    void whatIsOfferedIsDecidedByContentAndNotByTime() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const QString path = bench.folder.filePath(QStringLiteral("newer.sparkout"));
+        trouble::write(path, "newer than the recovery file");
+        auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        QFile file(left[0].file);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::fromSecsSinceEpoch(1000), QFile::FileModificationTime));
+        file.close();
+        left.clear();
+        QCOMPARE(bench.store.left().size(), std::size_t{1});
+    }
+
+    void damagedFilesAreListedAsSuchAndStopNothing() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->discard();
+        const QList<QByteArray> bad{
+            {},
+            "x",
+            "{}",
+            "{}\n",
+            QByteArray(1000, '\0'),
+            good.left(good.size() / 2),
+            good.left(good.size() - 1),
+            QByteArray(good).replace("\"diameter_mm\": 31", "\"diameter_mm\": 32"),
+            QByteArray(good).replace("sparkout-recovery", "sparkout-something"),
+            QByteArray(200'000, '['),
+        };
+        for (qsizetype i = 0; i < bad.size(); ++i) {
+            trouble::write(bench.store.folder() + QStringLiteral("/%1.recovery").arg(i), bad[i]);
+        }
+        QVERIFY(QDir(bench.store.folder()).mkdir(QStringLiteral("folder.recovery")));
+        QVERIFY(QFile::link(QStringLiteral("/dev/zero"),
+                            bench.store.folder() + QStringLiteral("/zero.recovery")));
+        const auto left = bench.store.left();
+        for (const RecoveryItem& item : left) {
+            QVERIFY2(item.state == RecoveryItem::State::damaged, qPrintable(item.file));
+        }
+        QCOMPARE(left.size(), std::size_t(bad.size()) + 1); // and the link, which is not followed
+        for (qsizetype i = 0; i < bad.size(); ++i) {        // looking changes nothing
+            QCOMPARE(trouble::bytesOf(bench.store.folder() + QStringLiteral("/%1.recovery").arg(i)),
+                     bad[i]);
+        }
+    }
+
+    void whatIsNoOrdinaryFileIsListedAndNeverOpened() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->saved();
+        const QString folder = bench.store.folder() + u'/';
+        for (const char* kind : {"pipe", "zero", "huge", "dangling"}) {
+            const QString name = QString::fromLatin1(kind);
+            trouble::putStrange(name, folder + name + QStringLiteral(".recovery"));
+            // And a good one whose lock is none.
+            trouble::write(folder + QStringLiteral("locked-") + name + QStringLiteral(".recovery"),
+                           good);
+            trouble::putStrange(name, folder + QStringLiteral("locked-") + name
+                                          + QStringLiteral(".lock"));
+        }
+        QElapsedTimer clock;
+        clock.start();
+        auto left = bench.store.left();
+        QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
+        QCOMPARE(left.size(), std::size_t{8});
+        for (const RecoveryItem& item : left) {
+            const bool locked = QFileInfo(item.file).fileName().startsWith(u"locked-");
+            QCOMPARE(item.state == RecoveryItem::State::ready, locked);
+            if (locked) {
+                QVERIFY(!bench.store.claim(item) && !bench.store.inUse(item));
+            }
+            QVERIFY2(bench.store.discard(item.file), qPrintable(item.file));
+        }
+        left.clear();
+        QVERIFY(bench.store.left().empty());
+        QCOMPARE(bench.store.discarded().size(), std::size_t{8});
+        QVERIFY(clock.elapsed() < 2000);
+    }
+
+    void thousandsOfRecoveryFilesAreListedWithinASecond_data() {
+        QTest::addColumn<bool>("locked");
+        QTest::newRow("without locks") << false;
+        QTest::newRow("with the locks of dead programs") << true;
+    }
+
+    void thousandsOfRecoveryFilesAreListedWithinASecond() {
+        QFETCH(bool, locked);
+        constexpr int files = 5000;
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        const QByteArray good = trouble::bytesOf(bench.autosave->file());
+        bench.autosave->saved();
+        const QString first = bench.store.folder() + QStringLiteral("/0");
+        trouble::write(first + QStringLiteral(".recovery"), good);
+        trouble::write(first + QStringLiteral(".lock"), deadLock());
+        for (int i = 1; i < files; ++i) { // other names of the same file cost nothing to make
+            const QString name = bench.store.folder() + QStringLiteral("/%1").arg(i);
+            for (const QString& ending : {QStringLiteral(".recovery"), QStringLiteral(".lock")}) {
+                QVERIFY((!locked && ending == u".lock")
+                        || ::link(QFile::encodeName(first + ending).constData(),
+                                  QFile::encodeName(name + ending).constData())
+                               == 0);
+            }
+        }
+        std::vector<RecoveryItem> left;
+        // The time of the processor: what the disk and other programs take is not the window's.
+        const double time_ms = leastOfTries_ms(1000, [&] {
+            left.clear(); // the offer ends
+            const std::clock_t before = std::clock();
+            left = bench.store.left();
+            return 1000.0 * double(std::clock() - before) / CLOCKS_PER_SEC;
+        });
+        qInfo("5,000 recovery files are listed in %.0f ms", time_ms);
+        QCOMPARE(left.size(), std::size_t(files));
+        QVERIFY2(time_ms < 1000, qPrintable(QString::number(time_ms)));
+        QVERIFY(bench.store.claim(left.back())); // the last of them can be recovered, too
+    }
+
+    void recoveredWorkIsOfferedToNobodyElse() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        const RecoveryClaimPtr claim = bench.store.claim(left[0]);
+        QVERIFY(claim);
+        QCOMPARE(claim->file(), left[0].file);
+        QVERIFY(bench.store.inUse(left[0]));
+        QVERIFY(!bench.store.claim(left[0]));
+        left.clear();
+        QVERIFY2(bench.store.left().empty(), "its session runs");
+    }
+
+    void discardedFilesAreKeptFourteenDays() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->discard();
+        const QDateTime now = QDateTime::currentDateTimeUtc();
+        bench.store.removeOldDiscarded(now.addDays(14));
+        QCOMPARE(bench.store.discarded().size(), std::size_t{1});
+        bench.store.removeOldDiscarded(now.addDays(16));
+        QVERIFY(bench.store.discarded().empty());
+    }
+
+    void recoveredWorkGoesOnInTheSameFile() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave.reset();
+        const auto left = bench.store.left();
+        QCOMPARE(left.size(), std::size_t{1});
+        const RecoveryContent content = contentOf(left[0].file);
+
+        Document document;
+        Autosave autosave(document, bench.store, {20ms, 300ms});
+        document.recover(*content.project, content.header.path, content.header.diskHash, true);
+        autosave.adopt(bench.store.claim(left[0]));
+        QVERIFY(document.modified());
+        QVERIFY(document.readOnly());
+        QVERIFY(!document.canUndo());
+        setDiameter(document, 32);
+        QTRY_COMPARE(contentOf(left[0].file).project->part.diameter_mm, 32.0);
+        QCOMPARE(autosave.file(), left[0].file);
+        document.undo();
+        QVERIFY2(document.modified(), "the state that was recovered is saved nowhere");
+        autosave.saved();
+        QVERIFY(!QFileInfo::exists(left[0].file));
+    }
+
+    void aFolderThatTakesNoFilesIsReportedAndLosesNothing() {
+        Bench bench;
+        QVERIFY(QDir(bench.folder.path()).mkdir(QStringLiteral("state")));
+        trouble::setMode(bench.folder.path(), 0755);
+        trouble::setMode(bench.folder.filePath(QStringLiteral("state")), 0555);
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        {
+            const trouble::Unprivileged user;
+            setDiameter(bench.document, 31);
+            bench.autosave->flush();
+        }
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(failed[0][0].value<FileError>().step, FileStep::create);
+        QVERIFY(bench.document.modified());
+        trouble::setMode(bench.folder.filePath(QStringLiteral("state")), 0755);
+        setDiameter(bench.document, 32); // tried again with the next edit
+        bench.autosave->flush();
+        QVERIFY(!bench.autosave->file().isEmpty());
+    }
+
+    void aFullDiskKeepsTheRecoveryFileBefore() {
+        Bench bench;
+        setDiameter(bench.document, 31);
+        bench.autosave->flush();
+        QSignalSpy failed(bench.autosave.get(), &Autosave::failed);
+        {
+            const trouble::NoBytes disk;
+            setDiameter(bench.document, 32);
+            bench.autosave->flush();
+        }
+        QCOMPARE(failed.count(), 1);
+        QCOMPARE(contentOf(bench.autosave->file()).project->part.diameter_mm, 31.0);
+    }
+
+    void whatAKilledSessionLeftHalfWrittenIsTidiedAway() {
+        Bench bench;
+        QVERIFY(makePrivateFolder(bench.store.folder()));
+        trouble::write(bench.store.folder() + QStringLiteral("/abc.lock"), deadLock());
+        QVERIFY(bench.store.left().empty());
+        QVERIFY(trouble::entries(bench.store.folder()).isEmpty());
+    }
+};
+
+} // namespace test_recovery
+
+SPARKOUT_TEST(test_recovery, TestRecovery)
+#include "test_recovery.moc"

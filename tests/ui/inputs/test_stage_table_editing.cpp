@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cells of the stage table: typed over, refused, taken back.
+#include "tests/registry.h"
+#include "tests/ui/inputs/stage_table_bench.h"
+#include "tests/ui/support/window_bench.h"
+
+#include <QApplication>
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <functional>
+#include <initializer_list>
+
+namespace test_stage_table_editing {
+
+using namespace sparkout;
+using namespace stage_table_bench;
+using stage_table_bench::Bench;
+
+class TestStageTableEditing : public QObject {
+    Q_OBJECT
+
+private slots:
+    void deleteEmptiesACellWhetherItIsBeingEditedOrNot() {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("editing failed")));
+        for (const bool edited : {false, true}) {
+            Bench bench;
+            bench.select(0, 0);
+            QVERIFY(!edited || bench.openEditor());
+            QTest::keyClick(&bench.table.view(), Qt::Key_Delete);
+            auto* field = bench.table.view().findChild<NumberField*>();
+            QVERIFY(field && field->isVisible() && field->text().isEmpty());
+            QTest::keyClick(field, Qt::Key_Escape);
+            QVERIFY(bench.stages()[0].radial_feed_mm.has_value()); // as it was
+        }
+    }
+
+    void returnAndAClickElsewhereAtOnceStoreTheNumberOnce() {
+        Bench bench;
+        QWidget elsewhere(&bench.table);
+        elsewhere.setFocusPolicy(Qt::StrongFocus);
+        elsewhere.show();
+        bench.select(0, 0);
+        NumberField* editor = bench.openEditor();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0.003"));
+        WarningCatcher warnings;
+        QTest::keyClick(editor, Qt::Key_Return); // commits later in the event loop …
+        elsewhere.setFocus();                    // … in which the editor is closed by now
+        QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+        QCOMPARE(warnings.take(), QStringList());
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.003);
+        editor = bench.openEditor();
+        QVERIFY(editor);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(!bench.table.view().findChild<NumberField*>());
+        QVERIFY(bench.table.view().hasFocus());
+    }
+
+    /// By the view itself or by its rows; what the editor then says on losing the focus is late.
+    void anEditorThatTheViewLetsGoOfIsSilent() {
+        QTest::failOnWarning(QRegularExpression(QStringLiteral("editor")));
+        using Close = std::function<void(Bench&)>;
+        const std::initializer_list<Close> closings{
+            [](Bench& bench) { bench.select(0, 1); },
+            [](Bench& bench) { bench.table.view().setCurrentIndex({}); },
+            [](Bench& bench) { bench.document.undo(); },
+            [](Bench& bench) { bench.document.startUntitled(newProject(Operation::plunge)); },
+            [](Bench& bench) { bench.table.hide(); },
+        };
+        for (const Close& close : closings) {
+            for (const bool sparkOut : {false, true}) {
+                Bench bench;
+                QTest::keyClick(&bench.table.view(), Qt::Key_Insert);
+                QApplication::setActiveWindow(&bench.table);
+                QWidget* editor = nullptr;
+                if (sparkOut) {
+                    QComboBox* mode = sparkOutEditor(bench);
+                    QTest::keyClick(mode, Qt::Key_Down);
+                    QTest::keyClick(mode, Qt::Key_Tab);
+                    editor = bench.table.view().findChild<NumberField*>();
+                } else {
+                    bench.select(int(bench.stages().size()) - 1, 0);
+                    editor = bench.openEditor();
+                }
+                QTRY_COMPARE(QApplication::focusWidget(), editor);
+                QTest::keyClicks(editor, QStringLiteral("0.0"));
+                close(bench);
+                QCoreApplication::processEvents();
+            }
+        }
+    }
+
+    void typingOverACellChangesTheStageWhileTyping() {
+        Bench bench;
+        bench.select(0, 0);
+        QTest::keyClick(&bench.table.view(), Qt::Key_0);
+        auto* editor = bench.table.view().findChild<NumberField*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral(",003"));
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.003);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.table.view().currentIndex().row(), 0);
+        bench.document.undo();
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.004);
+    }
+
+    void aRefusedTextStaysInTheCellMarkedAndTheStageKeepsItsValue() {
+        Bench bench;
+        bench.select(1, 2);
+        auto* editor = bench.openEditor();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0.9"));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.9); // followed while it is a number
+        QTest::keyClicks(editor, QStringLiteral("x"));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04); // and taken back when it is none
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04);
+        const QModelIndex cell = bench.table.view().model()->index(1, 2);
+        QTRY_COMPARE(cell.data().toString(), QStringLiteral("0.9x"));
+        QVERIFY(!cell.data(Qt::DecorationRole).isNull());
+        QCOMPARE(bench.table.refusals().size(), 1u);
+        QCOMPARE(bench.table.refusals().front().path, std::string("/cycle/stages/1/stock_mm"));
+    }
+
+    void aGoodNumberOverARefusedTextIsTaken() {
+        Bench bench;
+        bench.select(1, 2);
+        auto* editor = bench.openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("2 um"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        editor = bench.openEditor();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.0);
+        QVERIFY(bench.table.refusals().empty());
+    }
+
+    // The second click on a cell must not wait for a third: keys typed meanwhile belong to the
+    // cell.
+    void typingAfterASecondClickEditsTheClickedCell() {
+        Bench bench;
+        QTableView& view = bench.table.view();
+        bench.select(1, 0);
+        const QPoint middle = view.visualRect(view.model()->index(1, 0)).center();
+        QTest::mouseClick(view.viewport(), Qt::LeftButton, {}, middle);
+        QTest::qWait(100);
+        QTest::keyClick(&view, Qt::Key_0);
+        auto* editor = view.findChild<NumberField*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral(".0015"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCOMPARE(bench.stages()[1].radial_feed_mm.value(), 0.0015);
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.004);
+    }
+
+    void escapeTakesBackWhatWasTyped() {
+        Bench bench;
+        bench.select(1, 2);
+        auto* editor = bench.openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("0.07"));
+        QCOMPARE(bench.stages()[1].stock_mm, 0.07);
+        QTest::keyClick(editor, Qt::Key_Escape);
+        QCOMPARE(bench.stages()[1].stock_mm, 0.04);
+    }
+
+    void aRefusedTextOfACellGivesWayToItsValue() {
+        Bench bench;
+        bench.select(0, 0);
+        auto* editor = bench.openEditor();
+        editor->selectAll();
+        QTest::keyClicks(editor, QStringLiteral("much"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(bench.table.refusals().size(), 1u); // the editor closes by a later event
+        QVERIFY(!bench.table.dropRefusal("/cycle/stages/1/radial_feed_mm"));
+        QVERIFY(bench.table.dropRefusal("/cycle/stages/0/radial_feed_mm"));
+        QCOMPARE(bench.table.view().model()->index(0, 0).data().toString(),
+                 QLocale().toString(0.004));
+    }
+};
+
+} // namespace test_stage_table_editing
+
+SPARKOUT_TEST(test_stage_table_editing, TestStageTableEditing)
+#include "test_stage_table_editing.moc"

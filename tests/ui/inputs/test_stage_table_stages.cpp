@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages of the table: added, removed, moved, made to spark out.
+#include "core/project/validate.h"
+#include "tests/registry.h"
+#include "tests/ui/inputs/stage_table_bench.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace test_stage_table_stages {
+
+using namespace sparkout;
+using namespace stage_table_bench;
+using stage_table_bench::Bench;
+
+class TestStageTableStages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void insertAddsAStageAndControlDeleteRemovesItWithTheSumOfStocksKept() {
+        Bench bench;
+        const double sum = bench.stockSum();
+        bench.select(0, 0);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Insert);
+        QCOMPARE(bench.stages().size(), 3u);
+        QCOMPARE(bench.table.view().currentIndex().row(), 1);
+        QVERIFY(std::abs(bench.stockSum() - sum) < 1e-12);
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+        QTest::keyClick(&bench.table.view(), Qt::Key_Delete, Qt::ControlModifier);
+        QCOMPARE(bench.stages().size(), 2u);
+        QVERIFY(std::abs(bench.stockSum() - sum) < 1e-12);
+        bench.document.undo();
+        bench.document.undo();
+        QCOMPARE(bench.stages().size(), 2u);
+        QVERIFY(!bench.document.canUndo());
+    }
+
+    void theLastStageThatIsLeftCannotBeRemoved() {
+        Bench bench;
+        QTest::keyClick(&bench.table.view(), Qt::Key_Delete, Qt::ControlModifier);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Delete, Qt::ControlModifier);
+        QCOMPARE(bench.stages().size(), 1u);
+    }
+
+    void controlArrowsMoveTheStageAndTheSelectionGoesWithIt() {
+        Bench bench;
+        bench.select(1, 1);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Up, Qt::ControlModifier);
+        QCOMPARE(bench.stages()[0].radial_feed_mm.value(), 0.002);
+        QCOMPARE(bench.table.view().currentIndex().row(), 0);
+        QCOMPARE(bench.table.view().currentIndex().column(), 1);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Down, Qt::ControlModifier);
+        QCOMPARE(bench.stages()[1].radial_feed_mm.value(), 0.002);
+        QCOMPARE(bench.table.view().currentIndex().row(), 1);
+    }
+
+    void theButtonsDoTheSameAsTheKeys() {
+        Bench bench;
+        bench.select(0, 0);
+        const auto buttons = bench.table.findChildren<QToolButton*>();
+        const auto click = [&buttons](const char* icon) {
+            for (QToolButton* button : buttons) {
+                if (button->accessibleName() == QLatin1String(icon)) {
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    return;
+                }
+            }
+            QFAIL(icon);
+        };
+        click("Add a stage");
+        QCOMPARE(bench.stages().size(), 3u);
+        click("Move the stage down");
+        QCOMPARE(bench.table.view().currentIndex().row(), 2);
+        click("Move the stage up");
+        click("Remove the stage");
+        QCOMPARE(bench.stages().size(), 2u);
+    }
+
+    void theMenuKeyOffersTheSameCommands() {
+        Bench bench;
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, {5, 5},
+                                bench.table.view().mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(&bench.table.view(), &event);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        const auto actions = menu->actions();
+        actions.first()->trigger();
+        menu->close();
+        QCOMPARE(bench.stages().size(), 3u);
+        actions.constLast()->trigger();
+        QVERIFY(QApplication::clipboard()->text().startsWith(QStringLiteral("Stage\t")));
+    }
+
+    void aStageCanBeAddedBeforeASparkOut() {
+        Bench bench;
+        Project project = bench.document.project();
+        project.cycle.stages[1].radial_feed_mm.reset();
+        project.cycle.stages[1].spark_out = {SparkOut::Mode::count, 4};
+        bench.document.startUntitled(project);
+        bench.select(1, 1);
+        QTest::keyClick(&bench.table.view(), Qt::Key_Insert);
+        QCOMPARE(bench.stages().size(), 3u);
+        QCOMPARE(bench.stages()[2].spark_out.count, 4);
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+    }
+
+    void theLastStageBecomesASparkOutUntilSizeByKeysAndFeedsNothing() {
+        Bench bench;
+        bench.select(1, 3);
+        QTest::keyClick(&bench.table.view(), Qt::Key_F2);
+        auto* mode = bench.table.view().findChild<QComboBox*>();
+        QVERIFY(mode);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QVERIFY(bench.stages()[1].spark_out.count > 0);
+        QVERIFY(!bench.stages()[1].radial_feed_mm.has_value());
+        QTest::keyClick(mode, Qt::Key_Down);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::untilSize);
+        QVERIFY(!hasErrors(validate(bench.document.project())));
+        QTest::keyClick(mode, Qt::Key_Up);
+        QTest::keyClick(mode, Qt::Key_Up);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::none);
+        QVERIFY(bench.stages()[1].radial_feed_mm.has_value());
+    }
+
+    void aRefusedCountOfASparkOutStaysInTheCellAsLongAsThereIsSomethingToCount() {
+        Bench bench;
+        auto* mode = sparkOutEditor(bench);
+        QVERIFY(mode);
+        QTest::keyClick(mode, Qt::Key_Down);
+        auto* count = bench.table.view().findChild<NumberField*>();
+        QVERIFY(count && count->isVisible());
+        const int good = bench.stages()[1].spark_out.count;
+        count->setFocus();
+        count->selectAll();
+        QTest::keyClicks(count, QStringLiteral("2.5"));
+        bench.select(0, 0); // closes the editor
+        const QModelIndex cell = bench.table.view().model()->index(1, 3);
+        QCOMPARE(cell.data().toString(), QStringLiteral("2.5"));
+        QVERIFY(!cell.data(Qt::DecorationRole).isNull());
+        QCOMPARE(bench.table.refusals().size(), 1u);
+        QCOMPARE(bench.table.refusals().front().path, std::string("/cycle/stages/1/spark_out"));
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QVERIFY(bench.stages()[1].spark_out.count == 2
+                || bench.stages()[1].spark_out.count == good);
+
+        mode = sparkOutEditor(bench); // opened again it shows what was refused
+        count = bench.table.view().findChild<NumberField*>();
+        QCOMPARE(count->text(), QStringLiteral("2.5"));
+        QTest::keyClick(mode, Qt::Key_Down); // until size: nothing to count
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::untilSize);
+        QVERIFY(bench.table.refusals().empty());
+        QTest::keyClick(mode, Qt::Key_Up); // and to be counted again
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QCOMPARE(bench.table.refusals().size(), 1u);
+        QVERIFY(bench.table.dropRefusal("/cycle/stages/1/spark_out"));
+        QVERIFY(bench.table.refusals().empty());
+    }
+
+    void theCountOfASparkOutIsReachedByTab() {
+        Bench bench;
+        QApplication::setActiveWindow(&bench.table);
+        auto* mode = sparkOutEditor(bench);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QTest::keyClick(mode, Qt::Key_Tab);
+        auto* count = bench.table.view().findChild<NumberField*>();
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(count));
+        count->selectAll();
+        QTest::keyClicks(count, QStringLiteral("6"));
+        QTest::keyClick(count, Qt::Key_Return);
+        QTRY_COMPARE(bench.stages()[1].spark_out.count, 6);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+    }
+
+    void escapeTakesBackAnotherSparkOut() {
+        Bench bench;
+        auto* mode = sparkOutEditor(bench);
+        QTest::keyClick(mode, Qt::Key_Down);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::count);
+        QTest::keyClick(mode, Qt::Key_Escape);
+        QCOMPARE(bench.stages()[1].spark_out.mode, SparkOut::Mode::none);
+    }
+};
+
+} // namespace test_stage_table_stages
+
+SPARKOUT_TEST(test_stage_table_stages, TestStageTableStages)
+#include "test_stage_table_stages.moc"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The formats of the course hand-out, read back: pages, a web page, Markdown; languages, figures.
+#include "tests/registry.h"
+#include "tests/ui/report/handout_bench.h"
+#include "tests/ui/support/report_reading.h"
+#include "ui/report/format/formula_markup.h"
+#include "ui/report/format/pages.h"
+#include "ui/text/source_names.h"
+
+#include <QRegularExpression>
+
+#include <utility>
+
+namespace test_handout_formats {
+
+using namespace sparkout;
+using namespace handout_bench;
+
+class TestHandoutFormats : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_language.apply(QStringLiteral("en")); }
+
+    void everyExampleMakesPagesWithEmbeddedFonts_data() {
+        addCases();
+        QTest::newRow("every input there is")
+            << QStringLiteral(SPARKOUT_SOURCE_DIR "/tests/data/projects/everything.sparkout")
+            << QStringLiteral("en");
+    }
+
+    void everyExampleMakesPagesWithEmbeddedFonts() {
+        QFETCH(QString, path);
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const OutcomePtr outcome = exampleOutcome(path);
+        const Report made = handout(outcome);
+        const QByteArray pdf = bytesOf(made, Format::pdf);
+        const QString text = reading::textOf(pdf);
+        for (const Formula& formula : formulasOf(made)) {
+            const QString number = inOneLine(formula.sides.back()).section(QChar::Nbsp, 0, 0);
+            QVERIFY2(text.contains(number), qPrintable(number));
+            QVERIFY(text.contains(formula.label));
+        }
+        const QString info = reading::told(QStringLiteral("pdfinfo"), {}, pdf);
+        QVERIFY2(info.contains(made.title) && info.contains(QStringLiteral("(A4)")),
+                 qPrintable(info));
+        const QStringList fonts = reading::told(QStringLiteral("pdffonts"), {}, pdf)
+                                      .split(u'\n', Qt::SkipEmptyParts)
+                                      .mid(2);
+        static const QRegularExpression embedded(QStringLiteral("\\byes +(yes|no) +(yes|no) +\\d"));
+        QVERIFY(!fonts.isEmpty());
+        for (const QString& font : fonts) {
+            QVERIFY2(font.contains(embedded), qPrintable(font));
+        }
+    }
+
+    void theWebPageHasTheFormulasAsMathMl_data() { addCases({"ru"}); }
+    void theWebPageHasTheFormulasAsMathMl() {
+        QFETCH(QString, path);
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Report made = handout(exampleOutcome(path));
+        const QByteArray html = bytesOf(made, Format::html);
+        QVERIFY(!reading::textOfHtml(html).isEmpty());
+        QCOMPARE(html.count("<math "), qsizetype(formulasOf(made).size()));
+        QVERIFY(html.contains("<mfrac>") && html.contains("<msqrt>") && html.contains("<msub>"));
+        QVERIFY(!html.contains("src=") && !html.contains("<link"));
+        QCOMPARE(html.count("<svg"), 4); // the sketch and three figures
+    }
+
+    void theMarkdownHasTheFormulasInALine_data() { addCases({"en"}); }
+    void theMarkdownHasTheFormulasInALine() {
+        QFETCH(QString, path);
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Report made = handout(exampleOutcome(path));
+        QString text = QString::fromUtf8(bytesOf(made, Format::markdown));
+        QVERIFY(text.contains(QStringLiteral("k<sub>s</sub> = ")));
+        static const QRegularExpression tags(QStringLiteral("</?su[bp]>|<br>"));
+        QVERIFY(!text.remove(tags).contains(u'<'));
+        static const QRegularExpression bar(QStringLiteral("(?<!\\\\)\\|"));
+        qsizetype columns = 0;
+        for (const QString& line : text.split(u'\n')) {
+            const qsizetype now = line.startsWith(u'|') ? line.count(bar) : 0;
+            QVERIFY2(columns == 0 || now == 0 || now == columns, qPrintable(line));
+            QVERIFY2(!line.contains(QStringLiteral("|  |")), qPrintable(line));
+            columns = now;
+        }
+    }
+
+    void theRussianHandoutHasNoEnglishWord() {
+        m_language.apply(QStringLiteral("ru"));
+        for (Project project :
+             {fullProject(fixtures::traverseProject()), fullProject(fixtures::plungeProject(2))}) {
+            project.machine.name = project.material.grade = project.wheel.marking = {};
+            HandoutOptions options;
+            options.views.insert(HandoutView::limits);
+            QString text = reading::textOfHtml(
+                bytesOf(handout(fixtures::run(project), options), Format::html));
+            for (const auto& [key, name] : sourceTexts()) {
+                text.remove(key);
+            }
+            static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
+            QStringList words;
+            for (auto it = english.globalMatch(text); it.hasNext();) {
+                words << it.next().captured();
+            }
+            for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "rad", "max0",
+                                     "exp", "ierfc", "RONt"}) { // names, symbols, functions
+                words.removeAll(QString::fromLatin1(kept));
+            }
+            QVERIFY2(words.isEmpty(), qPrintable(words.join(u' ')));
+        }
+    }
+
+    void hostileTextsStayTexts() {
+        Project project = fixtures::traverseProject();
+        project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
+        project.part.name = "</title><svg onload=x>";
+        project.author = "<math><mi>x</mi></math>";
+        const Report made = handout(fixtures::run(project));
+        const QByteArray html = bytesOf(made, Format::html);
+        QVERIFY(!reading::textOfHtml(html).isEmpty());
+        QVERIFY(!html.contains("<script") && html.count("<svg") == 4);
+        QCOMPARE(html.count("<math "), qsizetype(formulasOf(made).size()));
+        QVERIFY(!html.contains("<math>"));
+        const QString markdown = QString::fromUtf8(bytesOf(made, Format::markdown));
+        QVERIFY(!markdown.contains(QStringLiteral("<script"))
+                && !markdown.contains(QStringLiteral("<math")));
+    }
+
+    void onlyTheFiguresAskedForAreThere() {
+        const OutcomePtr outcome = fixtures::run(fullProject(fixtures::traverseProject()));
+        for (const auto& [words, count] :
+             {std::pair("", 0), std::pair("limits", 1), std::pair("profiles,feeds", 2),
+              std::pair("feeds,cycle,profiles,limits", 4)}) {
+            const HandoutOptions options{.views = *report::readHandoutViews(QLatin1String(words))};
+            const QByteArray html = bytesOf(handout(outcome, options), Format::html);
+            QCOMPARE(html.count("<svg"), 1 + count);
+            QCOMPARE(report::readHandoutViews(report::handoutViewText(options.views)),
+                     std::optional(options.views));
+        }
+        QVERIFY(!report::readHandoutViews(QStringLiteral("feeds,film")));
+    }
+
+    void theFeedsOfTheStepNameItsStages() {
+        const OutcomePtr outcome = fixtures::run(fixtures::traverseProject());
+        const HandoutOptions options{.views = {HandoutView::feeds}};
+        const QString text = reading::textOfHtml(bytesOf(handout(outcome, options), Format::html));
+        for (const char* step : {"E1", "E2", "E3", "E4"}) {
+            QVERIFY2(text.contains(QLatin1String(step) + u' '), step);
+        }
+    }
+
+private:
+    Language m_language;
+};
+
+} // namespace test_handout_formats
+
+SPARKOUT_TEST(test_handout_formats, TestHandoutFormats)
+#include "test_handout_formats.moc"

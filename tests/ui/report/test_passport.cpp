@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The accuracy passport: its numbers and verdict are those of the engine's own batch, and what it
+// prints is enough to compute them again.
+#include "core/batch/moments.h"
+#include "core/batch/scenario_source.h"
+#include "core/project/leaves.h"
+#include "core/project/member.h"
+#include "core/study/batch_edits.h"
+#include "tests/registry.h"
+#include "tests/ui/support/passport_bench.h"
+#include "ui/text/field_text.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+#include "ui/views/batch/batch_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace test_passport {
+
+using namespace sparkout;
+using namespace passport_bench;
+
+namespace {
+
+/// What the prediction says, in the present language.
+Fitness fitness(const Project& project) {
+    const QString text = textOfHtml(made(project, Format::html)).simplified();
+    for (const Fitness found : {Fitness::unfit, Fitness::conditional, Fitness::fit}) {
+        if (text.contains(QStringLiteral(" %1 What decided ").arg(BatchText::fitness(found)))) {
+            return found;
+        }
+    }
+    throw std::runtime_error("no verdict");
+}
+
+bool conforms(const Project& project) {
+    return fitness(project) == Fitness::fit;
+}
+
+/// The row of a web page whose first cells are these.
+QStringList rowOf(const QList<QStringList>& rows, const QStringList& first) {
+    for (const QStringList& row : rows) {
+        if (row.mid(0, first.size()) == first) {
+            return row;
+        }
+    }
+    return {};
+}
+
+/// A printed number, or NaN.
+double numberOf(const QString& text) {
+    return parseNumber(text).value_or(std::nan(""));
+}
+
+/// As printed, to half of its last digit.
+bool isRounded(const QString& printed, double value) {
+    const qsizetype at = printed.indexOf(QLocale().decimalPoint());
+    const auto decimals = at < 0 ? 0 : double(printed.size() - at - 1);
+    return std::abs(numberOf(printed) - value) <= 0.5 * std::pow(10.0, -decimals) + 1e-9;
+}
+
+} // namespace
+
+class TestPassport : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_language.apply(QStringLiteral("en")); }
+    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
+
+    void itsNumbersAreThoseOfTheEnginesBatch_data() { addLanguages(); }
+    void itsNumbersAreThoseOfTheEnginesBatch() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = example("30h6-factory");
+        const BatchResult result = runBatch(project, {}); // apart from the window's road
+        const BatchSummary summary = summarise(result);
+        QCOMPARE(summary.parts, std::int64_t{50});
+        const QList<QStringList> rows = rowsOfHtml(made(project, Format::html));
+        for (const CharacteristicSummary& of : summary.characteristics) {
+            const QStringList row =
+                rowOf(rows, {BatchText::full(of.characteristic), unitText(of.characteristic.unit)});
+            QCOMPARE(row.size(), 9);
+            const std::array expected{of.least.value, of.moments.mean, of.most.value,
+                                      of.moments.deviation};
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                const QString& cell = row[4 + qsizetype(i)];
+                QVERIFY2(isRounded(cell, expected[i]), qPrintable(row.join(u' ')));
+                QCOMPARE(cell, BatchText::value(expected[i], of.characteristic));
+            }
+            const bool limited = of.characteristic.low || of.characteristic.high;
+            QCOMPARE(row[2] == u"–", !limited);
+        }
+        QVERIFY(textOf(made(project, Format::pdf))
+                    .contains(BatchText::share(summary.bad).replace(QChar(0x00a0), u' ')));
+    }
+
+    /// Every number of the appendix reads back to that of the project, and a number that is not
+    /// there makes no other batch.
+    void whatItPrintsIsEnoughToComputeItAgain() {
+        Project project = smallBatch();
+        project.batch->parts = 3;
+        const QList<QStringList> rows = rowsOfHtml(made(project, Format::html));
+        const BatchResult before = runBatch(project, {});
+        int printed = 0, silent = 0;
+        for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
+            const std::optional<double> number = singleNumberIn(*leaf.field, leaf.owner);
+            const QStringList row = rowOf(rows, {locationText(leaf.path)});
+            if (number && !row.isEmpty()) {
+                QCOMPARE(numberOf(row[1]), *number);
+                ++printed;
+                continue;
+            }
+            Project other = project;
+            const Member member = findMember(other, leaf.path);
+            if (!row.isEmpty() || !number || !member
+                || leaf.field->kind == sparkout::Kind::objectList) {
+                continue;
+            }
+            setNumberIn(*member.field, member.owner, *number + 1);
+            const BatchOutcomePtr again = runWholeBatch(other, {});
+            if (again->ran()) {
+                QVERIFY2(again->result.statistics == before.statistics, leaf.path.c_str());
+                ++silent;
+            }
+        }
+        QVERIFY2(printed > 30 && silent > 0, qPrintable(QString::number(printed)));
+        Project other = project;
+        other.batch->seed += 1;
+        QVERIFY(!(runBatch(other, {}).statistics == before.statistics));
+        QVERIFY(!rowOf(rows, {locationText("/batch/seed"), QStringLiteral("1")}).isEmpty());
+    }
+
+    void theVerdictTurnsWithATolerance_data() {
+        QTest::addColumn<double>("tolerance_um");
+        QTest::addColumn<bool>("good");
+        QTest::newRow("wide") << 20.0 << true;
+        QTest::newRow("narrow") << 0.5 << false;
+    }
+    void theVerdictTurnsWithATolerance() {
+        QFETCH(double, tolerance_um);
+        QFETCH(bool, good);
+        Project project = smallBatch();
+        project.part.upper_deviation_um = 40;
+        project.part.lower_deviation_um = -40;
+        project.machine.geometric_runout_um = 1;
+        project.part.tolerance.radial_runout_um = tolerance_um;
+        QVERIFY(fitness(project) == (good ? Fitness::fit : Fitness::unfit));
+        project.batch.reset(); // nothing is known of the scatter
+        QVERIFY(fitness(project) == (good ? Fitness::conditional : Fitness::unfit));
+    }
+
+    /// Every part holds, but the bound of the capability is below what is asked: the passport says
+    /// so, and by which figure.
+    void aLowBoundOfPpkMakesItConditional_data() { addLanguages(); }
+    void aLowBoundOfPpkMakesItConditional() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        Project project = smallBatch();
+        project.part.upper_deviation_um = 40;
+        project.part.lower_deviation_um = -40;
+        const BatchSummary summary = summarise(runBatch(project, {}));
+        QCOMPARE(summary.bad.count, std::int64_t{0});
+        const BatchVerdict verdict = weigh(summary, runBatch(project, {}));
+        QVERIFY(verdict.fitness == Fitness::fit && verdict.characteristic);
+        project.batch->least_ppk = verdict.value + 0.01;
+        const QString text = textOfHtml(made(project, Format::html));
+        QVERIFY(text.contains(language == u"ru" ? QStringLiteral(" условно годен ")
+                                                : QStringLiteral("conforms conditionally")));
+        const CharacteristicSummary& of = summary.characteristics[*verdict.characteristic];
+        QVERIFY(text.contains(BatchText::full(of.characteristic)));
+        QVERIFY(text.contains(BatchText::capability(of.ppk)));
+        QVERIFY(text.contains(Names::significant(project.batch->least_ppk)));
+    }
+
+    /// The nominal part holds, but not all of the batch.
+    void oneBadPartOfTheBatchIsEnough() {
+        Project project = smallBatch();
+        project.part.upper_deviation_um = 40;
+        project.part.lower_deviation_um = -40;
+        project.part.tolerance.radial_runout_um = 20;
+        QVERIFY(conforms(project));
+        const BatchSummary summary = summarise(runBatch(project, {}));
+        double most = 0;
+        for (const CharacteristicSummary& of : summary.characteristics) {
+            most = std::string_view(of.characteristic.name) == "radial_runout"
+                       ? std::max(most, of.most.value)
+                       : most;
+        }
+        const report::Subject nominal = subjectOf(project);
+        double own = 0;
+        for (const ConstraintResult& c : nominal.outcome->constraints) {
+            own = c.kind == ConstraintKind::radialRunout ? std::max(own, c.value) : own;
+        }
+        QVERIFY2(most > own + 1e-6, "the batch scatters");
+        project.part.tolerance.radial_runout_um = (most + own) / 2;
+        QVERIFY(!conforms(project));
+        QVERIFY(textOfHtml(made(project, Format::html)).contains(QStringLiteral("Worst part, ")));
+        project.batch.reset();
+        QVERIFY(fitness(project) == Fitness::conditional);
+    }
+
+    /// The worst part is made of the factors that stand beside it, and no other part is.
+    void theWorstPartIsTheOneOfItsFactors_data() {
+        QTest::addColumn<int>("parts");
+        QTest::newRow("many") << 24;
+        QTest::newRow("one") << 1;
+    }
+    void theWorstPartIsTheOneOfItsFactors() {
+        QFETCH(int, parts);
+        Project project = smallBatch();
+        project.batch->parts = parts;
+        project.batch->factors.compliance.emplace().uniform = {0.8, 1.2};
+        const BatchResult result = runBatch(project, {});
+        const std::int64_t worst = summarise(result).worstPart;
+        QVERIFY(worst >= 0 && worst < parts);
+        const ScenarioSource source(project);
+        if (parts > 1) { // else the test would not tell it from the first part
+            QVERIFY(worst > 0);
+        }
+        const QString text = textOfHtml(made(project, Format::html));
+        const qsizetype at = text.indexOf(QStringLiteral("number %1 has the least").arg(worst));
+        QVERIFY(at >= 0);
+        const QString there = text.mid(at, 800);
+        const std::vector<double> values = source.values(worst);
+        QCOMPARE(values.size(), std::size_t{3});
+        for (const double value : values) {
+            QVERIFY2(there.contains(Names::significant(value, 6)), qPrintable(there));
+        }
+    }
+
+    void withoutABatchItSaysSoAndTellsTheNominalPart_data() { addLanguages(); }
+    void withoutABatchItSaysSoAndTellsTheNominalPart() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        Project project = smallBatch();
+        project.batch.reset();
+        const QByteArray html = made(project, Format::html);
+        QVERIFY(textOfHtml(html).contains(language == u"ru"
+                                              ? QStringLiteral("не описана партия")
+                                              : QStringLiteral("describes no batch")));
+        QVERIFY(!textOfHtml(html).contains(QStringLiteral("Ppk (")));
+        PartOutcome part;
+        const std::vector<Characteristic> all = characteristicsOf(project);
+        measure(fixtures::run(project)->result, all, part);
+        const QList<QStringList> rows = rowsOfHtml(html);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const QStringList row = rowOf(rows, {BatchText::full(all[i]), unitText(all[i].unit)});
+            QVERIFY2(row.size() == 4 && isRounded(row[3], part.values[i]), all[i].name);
+        }
+    }
+
+private:
+    Language m_language;
+};
+
+} // namespace test_passport
+
+SPARKOUT_TEST(test_passport, TestPassport)
+#include "test_passport.moc"

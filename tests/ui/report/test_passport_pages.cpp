@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages of the accuracy passport in its three formats: whole, in one language, whatever the
+// batch and the texts.
+#include "tests/check_line.h"
+#include "tests/registry.h"
+#include "tests/tries.h"
+#include "tests/ui/support/passport_bench.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <ctime>
+
+namespace test_passport_pages {
+
+using namespace sparkout;
+using namespace passport_bench;
+
+namespace {
+
+/// What this thread has computed so far, however busy the machine is.
+double ownTime_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
+}
+
+} // namespace
+
+class TestPassportPages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_language.apply(QStringLiteral("en")); }
+    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
+
+    void thePagesAreWhole_data() { addLanguages(); }
+    void thePagesAreWhole() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const Project project = example("30h6-factory");
+        const report::Report report = report::passport(subjectOf(project));
+        const QByteArray pdf = bytesOf(report, Format::pdf);
+        const QStringList pages = textOf(pdf).split(u'\f', Qt::SkipEmptyParts);
+        QVERIFY(pages.size() >= 4);
+        for (qsizetype i = 0; i < pages.size(); ++i) {
+            const QString number = (language == u"ru" ? QStringLiteral("стр. %1 из %2")
+                                                      : QStringLiteral("page %1 of %2"))
+                                       .arg(i + 1)
+                                       .arg(pages.size());
+            QVERIFY2(pages[i].contains(number), qPrintable(pages[i]));
+        }
+        const QString info = told(QStringLiteral("pdfinfo"), {}, pdf);
+        for (const QString& line :
+             {QStringLiteral("Title: +%1").arg(report.title), QStringLiteral("Author: +Sparkout\n"),
+              QStringLiteral("Subject: +\\S"), QStringLiteral("Creator: +Sparkout 0")}) {
+            QVERIFY2(info.contains(QRegularExpression(line)), qPrintable(info));
+        }
+        const QStringList fonts =
+            told(QStringLiteral("pdffonts"), {}, pdf).split(u'\n', Qt::SkipEmptyParts).mid(2);
+        static const QRegularExpression embedded(QStringLiteral("\\byes +(yes|no) +(yes|no) +\\d"));
+        QVERIFY(!fonts.isEmpty());
+        for (const QString& font : fonts) {
+            QVERIFY2(font.contains(embedded), qPrintable(font));
+        }
+    }
+
+    void theOutlineLeadsToEveryHeading() {
+        const report::Report report = report::passport(subjectOf(example("30h6-factory")));
+        const QByteArray pdf = bytesOf(report, Format::pdf);
+        const QStringList pages = textOf(pdf).split(u'\f', Qt::SkipEmptyParts);
+        QStringList headings;
+        for (const report::Block& block : report.blocks) {
+            if (const auto* heading = std::get_if<report::Heading>(&block)) {
+                headings << heading->text;
+            }
+        }
+        QStringList entries;
+        for (const OutlineEntry& entry : outlineOf(pdf)) {
+            entries << entry.text;
+            const QString page = pages.value(entry.page - 1)
+                                     .simplified()
+                                     .normalized(QString::NormalizationForm_KC); // no ligatures
+            QVERIFY2(page.contains(entry.text), qPrintable(entry.text + u'\n' + page));
+        }
+        QVERIFY(headings.size() > 10);
+        QCOMPARE(entries, headings);
+    }
+
+    void theRussianPassportHasNoEnglishWord_data() {
+        QTest::addColumn<bool>("batch");
+        QTest::newRow("batch") << true;
+        QTest::newRow("no batch") << false;
+    }
+    void theRussianPassportHasNoEnglishWord() {
+        QFETCH(bool, batch);
+        m_language.apply(QStringLiteral("ru"));
+        Project project = example("30h6-factory");
+        project.title = project.notes = project.author = project.part.name = {};
+        project.machine.name = project.material.grade = project.wheel.marking = {};
+        if (!batch) {
+            project.batch.reset();
+        }
+        static const QRegularExpression pictures( // of the Markdown text, by their names
+            QStringLiteral("\\[figure-\\d+\\](: data:\\S+)?"));
+        const QString text = textOfHtml(made(project, Format::html))
+                             + QString::fromUtf8(made(project, Format::markdown)).remove(pictures);
+        static const QRegularExpression english(QStringLiteral("\\b[A-Za-z]{3,}\\b"));
+        QStringList words;
+        for (auto it = english.globalMatch(text); it.hasNext();) {
+            words << it.next().captured();
+        }
+        for (const char* kept : {"Sparkout", "part", "sparkout", "HRC", "Srad", "Ppk", "RONt",
+                                 "report", "passport", "pdf"}) { // names, symbols, the command
+            words.removeAll(QString::fromLatin1(kept));
+        }
+        QVERIFY2(words.isEmpty(), qPrintable(words.join(u' ')));
+    }
+
+    /// Corners have no mean; parts that do not reach size have no values; factors may be none.
+    void oddBatchesAreReported_data() {
+        QTest::addColumn<QString>("what");
+        for (const char* name : {"corners", "no factors", "none reaches size", "one part"}) {
+            QTest::newRow(name) << QString::fromUtf8(name);
+        }
+    }
+    void oddBatchesAreReported() {
+        QFETCH(QString, what);
+        Project project = smallBatch();
+        if (what == u"corners") {
+            project.batch->scenarios = Scenarios::corners;
+            project.batch->factors.dullness->grows.reset();
+            project.batch->factors.dullness->uniform = {0.01, 0.03};
+        } else if (what == u"no factors") {
+            project.batch->factors = {};
+        } else if (what == u"one part") {
+            project.batch->parts = 1;
+        } else {
+            project.cycle.stages.back().spark_out = {SparkOut::Mode::count, 1};
+            project.cycle.stages.back().radial_feed_mm.reset();
+        }
+        const report::Subject subject = subjectOf(project);
+        QVERIFY(subject.outcome->ran() && subject.batch->ran());
+        const report::Report report = report::passport(subject);
+        for (const report::Block& block : report.blocks) {
+            if (const auto* table = std::get_if<report::Table>(&block)) {
+                QVERIFY(!table->rows.empty());
+                for (const QStringList& row : table->rows) {
+                    QCOMPARE(row.size(), table->head.size());
+                    QVERIFY2(!row.contains(QString()), qPrintable(row.join(u'|')));
+                }
+            }
+        }
+        const QString text = textOf(bytesOf(report, Format::pdf));
+        QVERIFY(!text.isEmpty());
+        QVERIFY2(!text.contains(QStringLiteral("nan")) && !text.contains(QStringLiteral("inf ")),
+                 qPrintable(text));
+    }
+
+    void aRowLongerThanAPageGoesOn() {
+        Project project = smallBatch();
+        project.batch->factors.dullness.reset();
+        std::vector<double> values;
+        for (int i = 0; i < 3000; ++i) {
+            values.push_back((140'000 + i) / 1e6);
+        }
+        project.batch->factors.stock_mm->uniform.reset();
+        project.batch->factors.stock_mm->measured = values;
+        QString text = textOf(made(project, Format::pdf));
+        text.remove(QRegularExpression(QStringLiteral("\\s")));
+        for (const char* value : {"0.14;", "0.1415;", "0.142998;0.142999"}) {
+            QVERIFY2(text.contains(QString::fromUtf8(value)), value);
+        }
+    }
+
+    void aLongTableRepeatsItsHead() {
+        Project project = fixtures::plungeProject(16);
+        project.part.radii_per_section = 12;
+        project.batch = smallBatch().batch;
+        project.batch->parts = 6;
+        project.batch->factors.dullness->parts_between_dressings.reset();
+        const QStringList pages =
+            textOf(made(project, Format::pdf)).split(u'\f', Qt::SkipEmptyParts);
+        static const QRegularExpression row(QStringLiteral("Section \\d+ +µm"));
+        int withRows = 0;
+        for (const QString& page : pages) {
+            if (page.count(row) > 2) {
+                ++withRows;
+                QVERIFY2(page.contains(QStringLiteral("Characteristic")), qPrintable(page));
+            }
+        }
+        QVERIFY2(withRows >= 2, qPrintable(QString::number(withRows)));
+    }
+
+    /// It is put together in the window's thread; laying out and writing are done beside it.
+    void puttingItTogetherHoldsTheWindowBriefly() {
+        report::Subject subject = subjectOf(example("30h6-factory"));
+        (void)report::passport(subject); // fonts are loaded once
+        int breaths = 0;
+        const double worst_ms = leastOfTries_ms(200, [&] {
+            double began_ms = ownTime_ms(), longest_ms = 0;
+            subject.breathe = [&] {
+                const double now_ms = ownTime_ms();
+                longest_ms = std::max(longest_ms, now_ms - began_ms);
+                began_ms = now_ms;
+                ++breaths;
+            };
+            (void)report::passport(subject);
+            subject.breathe();
+            return longest_ms;
+        });
+        qInfo("PASSPORT at most %.1f ms between two breaths, target 50 ms: %s", worst_ms,
+              beside(worst_ms, 50));
+        QVERIFY(breaths > 3 && worst_ms <= 200);
+    }
+
+    void hostileTextsStayTexts() {
+        Project project = smallBatch();
+        project.title = "<script>alert(1)</script> | a\nb \x01 & \"q\"";
+        project.part.name = "</title><svg onload=x>";
+        project.machine.name = "a | b <img src=x>";
+        project.notes = "<script>alert(2)</script>";
+        const report::Report report = report::passport(subjectOf(project));
+        const QByteArray html = bytesOf(report, Format::html);
+        QVERIFY(!textOfHtml(html).isEmpty());
+        QVERIFY(!html.contains("<script") && !html.contains("<img"));
+        static const QRegularExpression outside(
+            QStringLiteral("<(link|[^>]* (src|href)=)|url\\(h"));
+        QVERIFY(!QString::fromUtf8(html).contains(outside)); // nothing from elsewhere
+        const QString markdown = QString::fromUtf8(bytesOf(report, Format::markdown));
+        QCOMPARE(markdown.count(u'<'), markdown.count(QStringLiteral("<br>")));
+        QVERIFY(textOf(bytesOf(report, Format::pdf))
+                    .contains(QStringLiteral("<script>alert(2)</script>")));
+    }
+
+private:
+    Language m_language;
+};
+
+} // namespace test_passport_pages
+
+SPARKOUT_TEST(test_passport_pages, TestPassportPages)
+#include "test_passport_pages.moc"

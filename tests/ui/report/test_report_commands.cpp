@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports from the window: preview, printing into a file, export, and none without a result.
+#include "core/study/operation.h"
+#include "tests/registry.h"
+#include "tests/ui/support/dialog_answers.h"
+#include "tests/ui/support/text_checks.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/report/documents/batch_wait.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/batch/batch_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QPrintPreviewDialog>
+#include <QPrintPreviewWidget>
+#include <QProgressBar>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+namespace test_report_commands {
+
+using namespace sparkout;
+
+namespace {
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QString batchExample() {
+    const QStringList found = examplePaths().filter(QStringLiteral("30h6-factory"));
+    return found.value(0);
+}
+
+} // namespace
+
+class TestReportCommands : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thePreviewShowsEveryPageInTheWindowsLanguage() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        DialogAnswers answers({QStringLiteral("Escape")});
+        int pages = 0;
+        QString title, english;
+        answers.seen = [&](QDialog& dialog) {
+            pages = dialog.findChild<QPrintPreviewWidget*>()->pageCount();
+            title = dialog.windowTitle();
+            for (const QAction* action : dialog.findChildren<QAction*>()) {
+                english += action->isVisible() ? englishIn(action->text()) : QString();
+            }
+        };
+        bench.action("preview-card")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(pages >= 2, qPrintable(QString::number(pages)));
+        QCOMPARE(englishIn(title), QString());
+        QCOMPARE(english, QString());
+    }
+
+    void whatCannotBeChosenWithoutAPrinterIsNotOffered() {
+        WarningCatcher warnings;
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        DialogAnswers answers({QStringLiteral("Escape")});
+        answers.seen = [](QDialog& dialog) {
+            for (QAction* action : dialog.findChildren<QAction*>()) {
+                if (action->isVisible() && action->text() == QStringLiteral("Page setup")) {
+                    action->trigger();
+                }
+            }
+        };
+        bench.action("preview-card")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QCOMPARE(warnings.take(), QStringList());
+    }
+
+    void theCardIsExportedAsItsEndingSays_data() {
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("beginning");
+        QTest::newRow("PDF") << "pdf-card"
+                             << "card.pdf" << QByteArray("%PDF-");
+        QTest::newRow("HTML") << "html-card"
+                              << "card.html" << QByteArray("<!DOCTYPE html>");
+        QTest::newRow("Markdown") << "markdown-card"
+                                  << "card.md" << QByteArray("# ");
+    }
+
+    void theCardIsExportedAsItsEndingSays() {
+        QFETCH(QString, action);
+        QFETCH(QString, name);
+        QFETCH(QByteArray, beginning);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(name);
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        bench.action(qPrintable(action))->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).startsWith(beginning));
+    }
+
+    void theCardIsOfTheInputsAsTheyAreNow() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("card.md"));
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        Project project = bench.window->document().project();
+        project.part.name = "Sleeve 4711";
+        bench.window->document().edit(project, {"Input", "Name"});
+        const DialogAnswers answers({QStringLiteral("file:") + path});
+        bench.action("markdown-card")->trigger(); // before the run has ended
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).contains("Sleeve 4711"));
+    }
+
+    void thePassportTakesTheBatchThatIsShown() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("passport.md"));
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        QVERIFY(bench.window->showView(QStringLiteral("batch")));
+        const auto* view = bench.window->findChild<BatchView*>();
+        QTRY_VERIFY_WITH_TIMEOUT(!view->busy() && view->batch() && !view->stale(), 60'000);
+        const DialogAnswers answers({QStringLiteral("file:") + path}); // no other dialog comes up
+        bench.action("markdown-passport")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY(bytesOf(path).startsWith("# Accuracy passport"));
+        QVERIFY(bytesOf(path).contains(BatchText::share(view->batch()->summary.bad).toUtf8()));
+    }
+
+    void aBatchThatTakesLongIsStoppedAndNothingIsWritten() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->parts = 1'000'000;
+        bench.window->document().edit(project, {"Input", "Parts"});
+        DialogAnswers answers({QStringLiteral("stopWaiting")});
+        QString text;
+        answers.seen = [&text](QDialog& dialog) {
+            text = dialog.findChild<QProgressBar*>()->format();
+        };
+        QElapsedTimer clock;
+        clock.start();
+        bench.action("pdf-passport")->trigger(); // no file dialog follows
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(clock.elapsed() < 5000, qPrintable(QString::number(clock.elapsed())));
+        QVERIFY2(text.contains(QStringLiteral("of 1000000 parts")), qPrintable(text));
+    }
+
+    void whatIsWaitedForIsTheWholeBatchWhileTheWindowLives() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->parts = 300;
+        int beats = 0;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, this, [&beats] { ++beats; });
+        timer.start(5);
+        QElapsedTimer clock;
+        clock.start();
+        const BatchOutcomePtr batch =
+            BatchWait(project, QStringLiteral("Batch"), bench.window.get()).wait();
+        const qint64 took_ms = clock.elapsed();
+        QVERIFY(batch && batch->ran());
+        QVERIFY(batch->result.statistics == runBatch(project, {}).statistics);
+        QVERIFY2(beats > took_ms / 50, qPrintable(QString::number(beats)));
+    }
+
+    void aBatchThatCannotBeRunIsToldAndNotReported() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(batchExample()));
+        Project project = bench.window->document().project();
+        project.batch->factors.dullness->grows = {0.5, 2};
+        bench.window->document().edit(project, {"Input", "Dullness"});
+        QTRY_VERIFY(bench.window->outcome() && bench.window->outcome()->ran());
+        const DialogAnswers answers({QStringLiteral("Escape")});
+        bench.action("pdf-passport")->trigger();
+        QCOMPARE(answers.fault(), QString());
+        QVERIFY2(answers.text().contains(QStringLiteral("cannot be run")),
+                 qPrintable(answers.text()));
+    }
+
+    void theHandoutAsksWhatItIsToHave() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("handout.md"));
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open(examplePaths().front()));
+        bench.window->cursor().toStroke(7);
+        DialogAnswers answers({QStringLiteral("makeHandout"), QStringLiteral("file:") + path,
+                               QStringLiteral("Escape")});
+        QString english;
+        answers.seen = [&english](QDialog& dialog) {
+            if (const auto* step = dialog.findChild<QComboBox*>(QStringLiteral("handoutStep"))) {
+                english = englishIn(dialog.windowTitle() + step->currentText());
+            }
+        };
+        bench.action("markdown-handout")->trigger();
+        QCOMPARE(english, QString());
+        const QString text = QString::fromUtf8(bytesOf(path));
+        QVERIFY(text.startsWith(QStringLiteral("# Раздаточный материал")));
+        static const QRegularExpression count(
+            QStringLiteral("\\* (Двойной ход|Оборот): \\*\\*7\\*"));
+        QVERIFY2(text.contains(count), qPrintable(text.left(3000)));
+        bench.action("pdf-handout")->trigger(); // left by Escape, no file dialog follows
+        QCOMPARE(answers.fault(), QString());
+    }
+
+    void withoutAResultItSaysWhy() {
+        Bench bench(QStringLiteral("en"));
+        Project project = newProject(Operation::traverse);
+        project.part.diameter_mm = -2;
+        bench.window->document().startUntitled(project);
+        QTRY_VERIFY(bench.window->outcome() && !bench.window->outcome()->ran());
+        for (const char* name :
+             {"preview-card", "print-card", "pdf-card", "pdf-passport", "pdf-handout"}) {
+            const DialogAnswers answers({QStringLiteral("Escape")});
+            bench.action(name)->trigger();
+            QCOMPARE(answers.fault(), QString());
+            QVERIFY(answers.text().contains(QStringLiteral("There is no result")));
+        }
+    }
+};
+
+} // namespace test_report_commands
+
+SPARKOUT_TEST(test_report_commands, TestReportCommands)
+#include "test_report_commands.moc"

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of the reports, straight from their tables and figures: those of the outcome, each at
+// its own place.
+#include "tests/registry.h"
+#include "tests/ui/support/passport_bench.h"
+#include "ui/report/documents/passport_parts.h"
+#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/parts/report_values.h"
+#include "ui/text/names.h"
+#include "ui/views/batch/batch_text.h"
+
+#include <memory>
+
+namespace test_report_numbers {
+
+using namespace sparkout;
+using namespace passport_bench;
+using report::CycleCard;
+using report::Passport;
+
+namespace {
+
+ConstraintResult requirement(ConstraintKind kind, int section, double value) {
+    ConstraintResult made{kind};
+    made.section = section;
+    made.value = value;
+    made.limit = 10;
+    made.margin = 10 - value;
+    made.relativeMargin = made.margin / made.limit;
+    made.holds = true;
+    return made;
+}
+
+/// Every zone with deviations and a roughness of its own.
+Outcome unlikeZones() {
+    Outcome outcome = *fixtures::run(fixtures::traverseProject());
+    outcome.constraints.clear();
+    auto& sections = outcome.result.sections;
+    for (std::size_t i = sections.size(); i-- > 0;) { // the last zone's requirement stands first
+        const double own = 1 + double(i);
+        sections[i].diameterDeviationMin_mm = -0.001 * own;
+        sections[i].diameterDeviationMax_mm = 0.002 * own;
+        outcome.constraints.push_back(
+            requirement(ConstraintKind::roughness, static_cast<int>(i), 0.1 * own));
+    }
+    return outcome;
+}
+
+/// The first characteristics of a shaft with such Ppk, one number each.
+BatchSummary summaryWith(const std::vector<double>& ppk) {
+    const std::vector<Characteristic> all = characteristicsOf(fixtures::traverseProject());
+    BatchSummary summary;
+    summary.parts = 50;
+    for (std::size_t i = 0; i < ppk.size(); ++i) {
+        CharacteristicSummary of;
+        of.characteristic = all.at(i);
+        of.count = summary.parts;
+        of.ppk = Capability{ppk[i], {ppk[i] - 0.2, ppk[i] + 0.2}};
+        summary.characteristics.push_back(of);
+    }
+    return summary;
+}
+
+} // namespace
+
+class TestReportNumbers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_language.apply(QStringLiteral("en")); }
+    void cleanupTestCase() { m_language.apply(QStringLiteral("en")); }
+
+    void aDeviationIsWrittenAsADrawingWritesIt_data() { addLanguages(); }
+    void aDeviationIsWrittenAsADrawingWritesIt() {
+        QFETCH(QString, language);
+        m_language.apply(language);
+        const QString minus(QChar(0x2212));
+        const QString point = language == u"ru" ? QStringLiteral(",") : QStringLiteral(".");
+        Part part;
+        part.diameter_mm = 30;
+        part.upper_deviation_um = 18;
+        part.lower_deviation_um = -16;
+        QCOMPARE(report::drawnSize(part), QStringLiteral("⌀30 (+0") + point
+                                              + QStringLiteral("018; ") + minus + u'0' + point
+                                              + QStringLiteral("016)"));
+        QCOMPARE(report::plainNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
+        QCOMPARE(report::plainNumber(2.5), QStringLiteral("2") + point + u'5');
+    }
+
+    void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {
+        const Outcome outcome = unlikeZones();
+        const report::Table table = CycleCard::accuracy(outcome);
+        QCOMPARE(table.head.value(2), QStringLiteral("Smallest deviation, µm"));
+        QCOMPARE(table.head.value(3), QStringLiteral("Largest deviation, µm"));
+        QCOMPARE(table.head.last(), QStringLiteral("Ra, µm"));
+        QCOMPARE(table.rows.size(), std::size_t{3});
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            const double own = 1 + double(i);
+            QCOMPARE(table.rows[i].size(), table.head.size());
+            QCOMPARE(table.rows[i][2], Names::signedMicrometres(-1 * own));
+            QCOMPARE(table.rows[i][3], Names::signedMicrometres(2 * own));
+            QCOMPARE(table.rows[i].last(), Names::micrometres(0.1 * own));
+        }
+    }
+
+    void aZoneWithoutARoughnessHasADash() {
+        Outcome outcome = unlikeZones();
+        std::erase_if(outcome.constraints,
+                      [](const ConstraintResult& c) { return c.section == 1; });
+        const report::Table table = CycleCard::accuracy(outcome);
+        QCOMPARE(table.rows.at(0).last(), Names::micrometres(0.1));
+        QCOMPARE(table.rows.at(1).last(), QStringLiteral("–"));
+        QCOMPARE(table.rows.at(2).last(), Names::micrometres(0.3));
+    }
+
+    /// A deviation has a sign, what is never negative has none.
+    void onlyDeviationsAmongTheRequirementsHaveASign() {
+        Outcome outcome = unlikeZones();
+        outcome.constraints = {requirement(ConstraintKind::diameterMin, 0, 1.25),
+                               requirement(ConstraintKind::diameterMax, 0, 3.5),
+                               requirement(ConstraintKind::radialRunout, 0, 2.75)};
+        for (const report::Table& table :
+             {CycleCard::requirements(outcome), Passport::requirements(outcome)}) {
+            QCOMPARE(table.head.value(2), QStringLiteral("Value"));
+            QCOMPARE(table.rows.at(0).value(2), QStringLiteral("+1.25"));
+            QCOMPARE(table.rows.at(1).value(2), QStringLiteral("+3.50"));
+            QCOMPARE(table.rows.at(2).value(2), QStringLiteral("2.75"));
+        }
+    }
+
+    void theLeastPpkIsThatOfTheLeastCapable() {
+        BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
+        QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[1]);
+        summary.characteristics[1].ppk.reset(); // not limited
+        QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[2]);
+        for (CharacteristicSummary& of : summary.characteristics) {
+            of.ppk.reset();
+        }
+        QVERIFY(!Passport::leastCapable(summary));
+    }
+
+    /// What rejects most parts decides; without rejects the least Ppk does.
+    void theCharacteristicOfMostRejectsDecides() {
+        BatchSummary summary = summaryWith({1.5, 1.4, 0.9});
+        QCOMPARE(Passport::deciding(summary), &summary.characteristics[2]);
+        summary.characteristics[0].outside.count = 1;
+        summary.characteristics[1].outside.count = 3;
+        summary.characteristics[2].outside.count = 2;
+        QCOMPARE(Passport::deciding(summary), &summary.characteristics[1]);
+    }
+
+    void theCapabilityChartBeginsWithTheLeastPpk() {
+        const BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
+        const std::optional<report::Figure> chart = Passport::capabilityChart(summary);
+        QVERIFY(chart.has_value());
+        QStringList expected;
+        for (const std::size_t i : {1, 2, 0}) {
+            const CharacteristicSummary& of = summary.characteristics[i];
+            expected << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
+                                                     BatchText::capability(of.ppk));
+        }
+        QCOMPARE(chart->told, expected.join(QStringLiteral("; ")));
+    }
+
+    void aLimitIsShownOnTheSideItStandsOn() {
+        Project project = fixtures::traverseProject();
+        project.part.tolerance.radial_runout_um = 6;
+        const Outcome outcome = *fixtures::run(project);
+        const std::vector<Characteristic> all = characteristicsOf(project);
+        const report::Table table = Passport::nominal(outcome);
+        QCOMPARE(table.head.value(2), QStringLiteral("Limits"));
+        QCOMPARE(table.rows.size(), all.size());
+        int above = 0, between = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const QString& shown = table.rows[i][2];
+            if (all[i].low && all[i].high) {
+                QCOMPARE(shown, report::plainNumber(*all[i].low) + QStringLiteral("…")
+                                    + report::plainNumber(*all[i].high));
+                ++between;
+            } else if (all[i].high) {
+                QCOMPARE(shown, QStringLiteral("≤ ") + report::plainNumber(*all[i].high));
+                ++above;
+            }
+        }
+        QVERIFY(above > 0 && between > 0);
+    }
+
+    /// The settings are those of every part: the worst one is told by what it was measured at.
+    void theWorstPartsRequirementsAreWithoutSettings() {
+        Project project = smallBatch();
+        project.batch->parts = 2;
+        report::Subject subject = subjectOf(project);
+        auto worst = std::make_shared<Outcome>(*subject.worst);
+        std::erase_if(worst->constraints, [](const ConstraintResult& c) {
+            return requirementOf(c.kind).scope == ConstraintScope::setting;
+        });
+        subject.worst = worst;
+        const auto tableOf = [&subject] {
+            const std::vector<report::Block> blocks = Passport::worst(subject);
+            return std::get<report::Table>(blocks.back());
+        };
+        const std::vector<QStringList> rows = tableOf().rows;
+        QVERIFY(!rows.empty());
+        worst->constraints.push_back(requirement(ConstraintKind::rangeWorkSpeed, -1, 5));
+        worst->constraints.push_back(requirement(ConstraintKind::gaugeCommands, -1, 3));
+        QCOMPARE(tableOf().rows, rows);
+    }
+
+private:
+    Language m_language;
+};
+
+} // namespace test_report_numbers
+
+SPARKOUT_TEST(test_report_numbers, TestReportNumbers)
+#include "test_report_numbers.moc"

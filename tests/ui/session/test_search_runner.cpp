@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searches beside the window: the answer is the engine's, a stop keeps the best and its bound, the
+// newest wins.
+#include "core/batch/scenario_source.h"
+#include "core/optimisation/limit.h"
+#include "core/project/validate.h"
+#include "core/quality/constraints.h"
+#include "core/simulation/simulate.h"
+#include "core/study/search_edits.h"
+#include "tests/core/support/batch_fixtures.h"
+#include "tests/registry.h"
+#include "tests/tries.h"
+#include "tests/ui/support/search_fixtures.h"
+#include "ui/session/search_runner.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_search_runner {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int patience_ms = 120'000;
+
+struct Listener {
+    explicit Listener(SearchRunner& runner) {
+        QObject::connect(&runner, &SearchRunner::finished, &runner,
+                         [this](const SearchOutcomePtr& outcome) { outcomes.push_back(outcome); });
+        QObject::connect(&runner, &SearchRunner::progressed, &runner,
+                         [this](const SearchState& state) { states.push_back(state); });
+    }
+    std::vector<SearchOutcomePtr> outcomes;
+    std::vector<SearchState> states;
+};
+
+SearchOutcomePtr searched(const Project& project, SearchWish wish = {}) {
+    SearchRunner runner;
+    Listener heard(runner);
+    runner.start(project, wish);
+    const bool done = QTest::qWaitFor([&] { return !heard.outcomes.empty(); }, patience_ms);
+    return done ? heard.outcomes.front() : nullptr;
+}
+
+bool holdsAll(const Project& project) {
+    const SimulationResult result = simulate(project);
+    const auto all = evaluateConstraints(result);
+    return result.status == RunStatus::completed
+           && std::ranges::all_of(all, [](const ConstraintResult& each) { return each.holds; });
+}
+
+bool sameCycle(const Cycle& a, const Cycle& b) {
+    return std::ranges::equal(a.stages, b.stages, [](const Stage& x, const Stage& y) {
+        return x.radial_feed_mm == y.radial_feed_mm && x.axial_feed_mm_min == y.axial_feed_mm_min
+               && x.radial_feed_mm_min == y.radial_feed_mm_min && x.stock_mm == y.stock_mm;
+    });
+}
+
+} // namespace
+
+class TestSearchRunner : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theAnswerIsThatOfTheEngine() {
+        const Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(outcome && outcome->ran() && outcome->proved());
+        const SearchSummary engine = optimise(project);
+        QVERIFY(engine.best.has_value());
+        QCOMPARE(outcome->best()->time_s, engine.best->time_s);
+        QCOMPARE(outcome->best()->leastRelativeMargin, engine.best->leastRelativeMargin);
+        QVERIFY(sameCycle(outcome->best()->cycle, engine.cycle));
+        QCOMPARE(outcome->limit_s, steplessLimit_s(project));
+        QCOMPARE(outcome->bound_s, outcome->best()->time_s);
+        QCOMPARE(outcome->numbers.size(), std::size_t{2});
+        for (const SearchedNumber& number : outcome->numbers) {
+            Project alone = project;
+            alone.optimisation->stages = {double(number.stages)};
+            const SearchSummary own = optimise(alone);
+            QVERIFY(own.best.has_value() == number.search.best.has_value());
+            QVERIFY(!own.best || own.best->time_us == number.search.best->time_us);
+        }
+    }
+
+    void theMachineFoundGoesWithTheCycle() {
+        Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr usual = searched(project);
+        project.optimisation->work_speed_rpm =
+            std::vector<double>{project.machine.work_speed_rpm, 260};
+        project.optimisation->spark_out = std::vector<double>{0, 1};
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(usual && outcome && outcome->proved());
+        QVERIFY(outcome->best()->time_s <= usual->best()->time_s);
+        QCOMPARE(outcome->best()->machine.work_speed_rpm, optimise(project).machine.work_speed_rpm);
+        for (const FoundCycle& found : outcome->found) {
+            Project part = project;
+            part.cycle = found.cycle;
+            setMachine(part, found.machine);
+            QVERIFY(holdsAll(part));
+            QVERIFY(std::abs(simulate(part).time_s - found.time_s) <= 1e-6);
+            QVERIFY(sameSearch(part, project)); // taken, the search is not out of date
+        }
+    }
+
+    // Every cycle of the list is one of the grid that holds, none is quicker than the first, and
+    // the best of each number of stages is marked.
+    void whatWasFoundHoldsAndTheQuickestIsFirst() {
+        const Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(outcome && outcome->found.size() > 1);
+        double before = 0;
+        for (const FoundCycle& found : outcome->found) {
+            Project part = project;
+            part.cycle = found.cycle;
+            QVERIFY(holdsAll(part));
+            QVERIFY(std::abs(simulate(part).time_s - found.time_s) <= 1e-6);
+            QVERIFY(found.time_s >= before);
+            before = found.time_s;
+            const auto stages = static_cast<int>(found.cycle.stages.size());
+            const auto number =
+                std::ranges::find(outcome->numbers, stages, &SearchedNumber::stages);
+            QVERIFY(number != outcome->numbers.end());
+            QVERIFY(!found.isBestOfItsNumber || found.time_s == number->search.best->time_s);
+        }
+        QCOMPARE(std::ranges::count_if(outcome->found, &FoundCycle::isBest), 1);
+    }
+
+    void slowerCyclesFartherFromTheirLimitsAreListed() {
+        const SearchOutcomePtr outcome = searched(fixtures::searchedShaft());
+        QVERIFY(outcome && outcome->proved());
+        QVERIFY(outcome->best()->by == FoundBy::margin); // the first of them
+        int offered = 0;
+        for (const FoundCycle& one : outcome->found) {
+            const auto beats = [&one](const FoundCycle& other) {
+                return other.time_s <= one.time_s
+                       && other.leastRelativeMargin > one.leastRelativeMargin;
+            };
+            if (one.by == FoundBy::margin) {
+                QVERIFY(std::ranges::none_of(outcome->found, beats));
+                ++offered;
+            }
+        }
+        QVERIFY(offered > 1);
+    }
+
+    void aRefinedCycleStandsBeforeTheBestOfTheGrid() {
+        const Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr plain = searched(project);
+        const SearchOutcomePtr outcome = searched(project, {.refine = true});
+        QVERIFY(plain && outcome && !plain->refined() && outcome->proved());
+        QCOMPARE(outcome->best()->time_s, plain->best()->time_s);
+        const FoundCycle* refined = outcome->refined();
+        QVERIFY(refined && refined->time_s < outcome->best()->time_s);
+        Project part = project;
+        part.cycle = refined->cycle;
+        QVERIFY(holdsAll(part));
+        QVERIFY(std::abs(simulate(part).time_s - refined->time_s) <= 1e-6);
+    }
+
+    void aStopKeepsTheBestAndAProvenBound() {
+        SearchRunner runner;
+        Listener heard(runner);
+        const double stop_ms = leastOfTries_ms(4 * 100, [&] {
+            heard.states.clear();
+            heard.outcomes.clear();
+            runner.start(fixtures::endlessSearch(), {});
+            const bool found = QTest::qWaitFor(
+                [&] { return !heard.states.empty() && heard.states.back().best_s; }, patience_ms);
+            runner.stop();
+            QElapsedTimer took;
+            took.start();
+            const bool told = QTest::qWaitFor([&] { return !heard.outcomes.empty(); }, patience_ms);
+            return found && told ? double(took.elapsed()) : std::numeric_limits<double>::infinity();
+        });
+        qInfo("stopped after %g ms", stop_ms);
+        QVERIFY2(stop_ms <= 4 * 100, qPrintable(QString::number(stop_ms)));
+        QVERIFY(!heard.outcomes.empty());
+        const SearchOutcome& outcome = *heard.outcomes.front();
+        QVERIFY(outcome.stopped && !outcome.proved() && outcome.best());
+        QVERIFY(outcome.bound_s > 0 && outcome.bound_s <= outcome.best()->time_s);
+        QVERIFY(outcome.bound_s >= outcome.limit_s);
+        QVERIFY(!runner.running());
+    }
+
+    void theNewestSearchWinsAndADroppedOneSaysNothing() {
+        SearchRunner runner;
+        Listener heard(runner);
+        runner.start(fixtures::endlessSearch(), {});
+        QTest::qWait(50);
+        const Project newest = fixtures::searchedShaft();
+        runner.start(newest, {});
+        QTRY_VERIFY_WITH_TIMEOUT(!heard.outcomes.empty(), patience_ms);
+        QVERIFY(sameSearch(heard.outcomes.front()->project, newest));
+        runner.start(fixtures::endlessSearch(), {});
+        QTest::qWait(50);
+        runner.drop();
+        QTest::qWait(300);
+        QCOMPARE(heard.outcomes.size(), std::size_t{1});
+    }
+
+    void whatCannotBeSearchedIsTold() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation->axial_feed_mm_min = {};
+        QVERIFY(searched(project)->fault == GridFault::noLevels);
+        project = fixtures::searchedShaft();
+        project.optimisation->scenarios = OptimisationScenarios::corners;
+        project.batch = Batch{};
+        project.batch->factors.dullness = fixtures::uniform(0.03, 0.01);
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(outcome->fault == GridFault::none && !outcome->batchIssues.empty());
+        QVERIFY(!outcome->ran() && !outcome->best());
+    }
+
+    // The cycle that holds in all corners holds in each of them, and is no quicker than that of the
+    // part alone.
+    void aCycleForAllCornersHoldsInEachOfThem() {
+        Project project = fixtures::searchedShaft();
+        const SearchOutcomePtr alone = searched(project);
+        project.batch = Batch{};
+        project.batch->factors.dullness = fixtures::uniform(0.01, 0.05);
+        project.batch->factors.initial_runout_mm = fixtures::uniform(0.01, 0.04);
+        project.optimisation->scenarios = OptimisationScenarios::corners;
+        const SearchOutcomePtr outcome = searched(project);
+        QVERIFY(outcome && outcome->robust && outcome->best());
+        QVERIFY(outcome->best()->time_s >= alone->best()->time_s);
+        QCOMPARE(outcome->nominal_s(), alone->best()->time_s);
+        QCOMPARE(alone->nominal_s(), 0.0);
+        Project corners = project;
+        corners.cycle = outcome->best()->cycle;
+        corners.batch->scenarios = Scenarios::corners;
+        const ScenarioSource source(corners);
+        QCOMPARE(source.parts(), std::int64_t{4});
+        for (std::int64_t part = 0; part < source.parts(); ++part) {
+            QVERIFY(holdsAll(source.project(part)));
+        }
+    }
+
+    void aUsualSearchCanBeSearchedWhateverTheProject() {
+        for (Project project : {fixtures::traverse(), fixtures::plunge()}) {
+            for (const double scale : {0.03, 1.0, 7.0}) {
+                Project scaled = project;
+                scaled.part.stock_mm *= scale;
+                for (Stage& stage : scaled.cycle.stages) {
+                    stage.stock_mm *= scale;
+                }
+                const Project usual = withUsualSearch(scaled);
+                QVERIFY(usual.optimisation.has_value());
+                QVERIFY(!hasErrors(validate(usual)));
+                QVERIFY(Grid(usual).fault() == GridFault::none);
+                QVERIFY(Grid(usual).size() > 50);
+            }
+        }
+    }
+
+    /// Also at the end of what a feed may be, and where the machine's range begins beyond it.
+    void aUsualSearchHasLevelsThatAFileMayHold() {
+        Project project = fixtures::plunge();
+        for (const auto& range :
+             {std::vector<double>{}, {50.0, 1000.0, 1.0}, {900.0, 1000.0, 1.0}}) {
+            for (const double feed : {0.5, 80.0, 100.0}) {
+                for (Stage& stage : project.cycle.stages) {
+                    stage.radial_feed_mm_min = feed;
+                }
+                project.machine.limits.plunge_feed_mm_min.reset();
+                if (!range.empty()) {
+                    project.machine.limits.plunge_feed_mm_min = range;
+                }
+                for (const Issue& issue : validate(withUsualSearch(project))) {
+                    QVERIFY2(issue.severity != Severity::error
+                                 || issue.path.find("/optimisation/radial_feed_mm_min/") != 0,
+                             issue.path.c_str());
+                }
+            }
+        }
+    }
+
+    void onlyWhatTheAnswerRestsOnMakesAnotherSearch() {
+        const Project project = fixtures::searchedShaft();
+        Project other = project;
+        other.title = "Another name";
+        other.cycle.stages.pop_back();
+        other.batch = Batch{};
+        QVERIFY(sameSearch(project, other));
+        other.optimisation->scenarios = OptimisationScenarios::batch;
+        QVERIFY(!sameSearch(project, other));
+        other = project;
+        other.wheel.dullness *= 1.01;
+        QVERIFY(!sameSearch(project, other));
+    }
+};
+
+} // namespace test_search_runner
+
+SPARKOUT_TEST(test_search_runner, TestSearchRunner)
+#include "test_search_runner.moc"

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/registry.h"
+#include "tests/ui/support/file_trouble.h"
+#include "ui/session/settings.h"
+
+#include <QFileInfo>
+#include <QLocale>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace test_settings {
+
+using namespace sparkout;
+
+class TestSettings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsSetIsThereAtTheNextStart() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("new/settings.json"));
+        const QByteArray geometry("\x01\x00\xff\x7f", 4);
+        {
+            Settings settings(file);
+            settings.setLanguage(QStringLiteral("ru"));
+            settings.setTheme(QStringLiteral("contrast"));
+            settings.setFontSize(115);
+            settings.setCsvDialect(QStringLiteral("en"));
+            settings.setLastFolder(QStringLiteral("/tmp/детали"));
+            settings.setWindow(geometry, "state");
+            settings.addRecentFile(QStringLiteral("/tmp/вал.sparkout"));
+        }
+        const Settings again(file);
+        QCOMPARE(again.language(), QStringLiteral("ru"));
+        QCOMPARE(again.theme(), QStringLiteral("contrast"));
+        QCOMPARE(again.fontSize(), 115);
+        QCOMPARE(again.csvDialect(), QStringLiteral("en"));
+        QCOMPARE(again.lastFolder(), QStringLiteral("/tmp/детали"));
+        QCOMPARE(again.windowGeometry(), geometry);
+        QCOMPARE(again.windowState(), QByteArray("state"));
+        QCOMPARE(again.recentFiles(), QStringList{QStringLiteral("/tmp/вал.sparkout")});
+        QVERIFY(again.damaged().isEmpty());
+    }
+
+    void settingsAreWrittenSoonAfterTheyAreSet() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        Settings settings(file);
+        settings.setTheme(QStringLiteral("dark"));
+        QTRY_COMPARE(Settings(file).theme(), QStringLiteral("dark"));
+    }
+
+    void theNewestRecentFileComesFirstAndNineAreKept() {
+        Settings settings = Settings::transient();
+        for (int i = 0; i < 12; ++i) {
+            settings.addRecentFile(QStringLiteral("/tmp/%1.sparkout").arg(i));
+        }
+        settings.addRecentFile(QStringLiteral("/tmp/../tmp/7.sparkout")); // as given, made absolute
+        settings.addRecentFile(QStringLiteral("/tmp/7.sparkout"));
+        QCOMPARE(settings.recentFiles().size(), 9);
+        QCOMPARE(settings.recentFiles().first(), QStringLiteral("/tmp/7.sparkout"));
+        QCOMPARE(settings.recentFiles().count(QStringLiteral("/tmp/7.sparkout")), 1);
+    }
+
+    // Both write the whole file; neither may take the other's away.
+    void twoInstancesKeepEachOthersSettings() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        Settings one(file);
+        Settings two(file);
+        one.setTheme(QStringLiteral("dark"));
+        one.addRecentFile(QStringLiteral("/tmp/one.sparkout"));
+        QVERIFY(!one.flush());
+        two.setLanguage(QStringLiteral("ru"));
+        two.addRecentFile(QStringLiteral("/tmp/two.sparkout"));
+        QVERIFY(!two.flush());
+        const Settings again(file);
+        QCOMPARE(again.theme(), QStringLiteral("dark"));
+        QCOMPARE(again.language(), QStringLiteral("ru"));
+        QCOMPARE(again.recentFiles().size(), 2);
+    }
+
+    void aDamagedFileIsKeptAsideAndTheDefaultsHold_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("cut") << QByteArray("{\"language\": \"r");
+        QTest::newRow("binary") << QByteArray("\x00\xff\xfe{", 4);
+        QTest::newRow("a list") << QByteArray("[1, 2]");
+        QTest::newRow("too large") << QByteArray(2 << 20, ' ');
+        QTest::newRow("nested") << QByteArray(100'000, '[');
+    }
+
+    void aDamagedFileIsKeptAsideAndTheDefaultsHold() {
+        QFETCH(QByteArray, bytes);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(file, bytes);
+        Settings settings(file);
+        QCOMPARE(settings.theme(), QStringLiteral("system"));
+        QCOMPARE(settings.damaged(), file + QStringLiteral(".damaged"));
+        QCOMPARE(trouble::bytesOf(settings.damaged()), bytes);
+        settings.setTheme(QStringLiteral("light"));
+        QVERIFY(!settings.flush());
+        QCOMPARE(Settings(file).theme(), QStringLiteral("light"));
+    }
+
+    void valuesWithoutSenseCountAsNotSet() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(
+            file,
+            R"({"language": 7, "theme": "pink", "fontSize": 1000, "csvDialect": [], "recentFiles": 3,
+                                 "window/state": {"a": 1}, "lastFolder": null, "later": "kept"})");
+        Settings settings(file);
+        QVERIFY(settings.language() == u"en" || settings.language() == u"ru");
+        QCOMPARE(settings.theme(), QStringLiteral("system"));
+        QCOMPARE(settings.fontSize(), 100);
+        QCOMPARE(settings.csvDialect(), settings.language());
+        QVERIFY(settings.recentFiles().isEmpty());
+        QVERIFY(settings.windowState().isEmpty());
+        QCOMPARE(settings.lastFolder(), QDir::homePath());
+        settings.setTheme(QStringLiteral("dark"));
+        QVERIFY(!settings.flush());
+        QVERIFY2(trouble::bytesOf(file).contains("\"later\""), "a newer version's key survives");
+    }
+
+    void aFolderThatTakesNoFilesOrAFullDiskStopsNobody() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(file, R"({"theme": "dark"})");
+        trouble::setMode(folder.path(), 0555);
+        {
+            const trouble::Unprivileged user;
+            Settings settings(file);
+            settings.setTheme(QStringLiteral("light"));
+            QVERIFY(settings.flush().has_value());
+            QCOMPARE(settings.theme(), QStringLiteral("light"));
+        }
+        trouble::setMode(folder.path(), 0755);
+        {
+            const trouble::NoBytes disk;
+            Settings settings(file);
+            settings.setTheme(QStringLiteral("light"));
+            const auto error = settings.flush();
+            QVERIFY(error && error->step == FileStep::write);
+        }
+        QVERIFY(Settings(file).theme() == u"dark" || Settings(file).theme() == u"light");
+        QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+    }
+
+    void somethingElseInItsPlaceIsLeftAlone() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("settings.json")));
+        Settings settings(file);
+        settings.setTheme(QStringLiteral("dark"));
+        const auto error = settings.flush();
+        QVERIFY(error && error->step == FileStep::notRegular);
+        QVERIFY(QFileInfo(file).isDir());
+    }
+
+    void whatCannotBeReadIsNamedAndLeftAlone_data() {
+        QTest::addColumn<QString>("kind");
+        QTest::newRow("pipe") << QStringLiteral("pipe");
+        QTest::newRow("zero") << QStringLiteral("zero");
+        QTest::newRow("folder") << QStringLiteral("folder");
+    }
+
+    void whatCannotBeReadIsNamedAndLeftAlone() {
+        QFETCH(QString, kind);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::putStrange(kind, file);
+        {
+            Settings settings(file);
+            QVERIFY(settings.unreadable());
+            QCOMPARE(settings.unreadable()->step, FileStep::notRegular);
+            QCOMPARE(QString::fromStdString(settings.unreadable()->path), file);
+            QCOMPARE(settings.theme(), QStringLiteral("system"));
+            settings.setTheme(QStringLiteral("dark"));
+        }
+        QCOMPARE(trouble::entries(folder.path()), QStringList{QStringLiteral("settings.json")});
+        QVERIFY(!Settings(folder.filePath(QStringLiteral("absent.json"))).unreadable());
+    }
+
+    // Its owner may write it, and for a while not read it.
+    void whatCannotBeReadForAWhileIsNotWrittenOver() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        const QByteArray before = R"({"theme": "dark", "later": "kept"})";
+        trouble::write(file, before);
+        trouble::giveAway(folder.path());
+        trouble::giveAway(file);
+        const trouble::Unprivileged user;
+        Settings settings(file);
+        QCOMPARE(settings.theme(), QStringLiteral("dark"));
+        trouble::setMode(file, 0200);
+        settings.addRecentFile(QStringLiteral("/tmp/1.sparkout")); // looks what others have written
+        QCOMPARE(settings.theme(), QStringLiteral("dark"));
+        const auto error = settings.flush();
+        QVERIFY(error && error->step != FileStep::write);
+        trouble::setMode(file, 0600);
+        QCOMPARE(trouble::bytesOf(file), before);
+        QVERIFY(!settings.flush());
+        const QByteArray after = trouble::bytesOf(file);
+        QVERIFY(after.contains("\"later\"") && after.contains("1.sparkout"));
+        QCOMPARE(Settings(file).theme(), QStringLiteral("dark"));
+    }
+
+    void aDamagedFileThatCannotBePutAsideStays_data() {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("cut") << QByteArray("{\"language\": \"ru\", \"theme");
+        QTest::newRow("too large") << QByteArray(2 << 20, ' ');
+    }
+
+    void aDamagedFileThatCannotBePutAsideStays() {
+        QFETCH(QByteArray, bytes);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::write(file, bytes);
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("settings.json.damaged")));
+        Settings settings(file);
+        QVERIFY(settings.damaged().isEmpty());
+        QVERIFY(settings.unreadable() && settings.unreadable()->systemError != 0);
+        settings.setTheme(QStringLiteral("dark"));
+        QVERIFY(settings.flush());
+        QCOMPARE(trouble::bytesOf(file), bytes);
+        QVERIFY(QDir(folder.path()).rmdir(QStringLiteral("settings.json.damaged")));
+        QVERIFY(!settings.flush()); // there is room for it now
+        QCOMPARE(trouble::bytesOf(settings.damaged()), bytes);
+        QCOMPARE(Settings(file).theme(), QStringLiteral("dark"));
+    }
+
+    void aHugeFileIsPutAsideUnread() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("settings.json"));
+        trouble::putStrange(QStringLiteral("huge"), file);
+        const Settings settings(file);
+        QCOMPARE(settings.damaged(), file + QStringLiteral(".damaged"));
+        QVERIFY(!QFileInfo::exists(file));
+    }
+
+    void transientSettingsTouchNoDisk() {
+        Settings settings = Settings::transient();
+        settings.setTheme(QStringLiteral("dark"));
+        QVERIFY(!settings.flush());
+        QCOMPARE(settings.theme(), QStringLiteral("dark"));
+    }
+};
+
+} // namespace test_settings
+
+SPARKOUT_TEST(test_settings, TestSettings)
+#include "test_settings.moc"

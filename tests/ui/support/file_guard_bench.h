@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/project_file.h"
+#include "core/study/operation.h"
+#include "tests/ui/support/file_trouble.h"
+#include "ui/files/file_guard.h"
+#include "ui/session/document.h"
+
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QTest>
+
+/// The guard of a file, and what it guards it from.
+namespace file_guard_bench {
+
+using namespace sparkout;
+using State = FileLock::State;
+using Access = FileGuard::Access;
+
+inline constexpr EditText editText{"Input", "Diameter"};
+inline QString smallDisk; ///< a file system of 64 KB; empty: not allowed here
+
+inline void setDiameter(Document& document, double diameter_mm) {
+    Project project = document.project();
+    project.part.diameter_mm = diameter_mm;
+    document.edit(project, editText);
+}
+
+inline QByteArray textWith(double diameter_mm) {
+    Project project = newProject(Operation::traverse);
+    project.part.diameter_mm = diameter_mm;
+    return QByteArray::fromStdString(writeProject(project));
+}
+
+/// A document that guards its file, in a folder of its own.
+struct Bench {
+    Bench() {
+        guard.protect(state.path());
+        trouble::write(path, textWith(30));
+    }
+    void open() {
+        access = guard.claim(path);
+        LoadedProject loaded = loadProject(path);
+        QVERIFY(loaded.project);
+        document.take(*loaded.project, path, loaded.hash, access != Access::write);
+    }
+    QTemporaryDir state;
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("вал.sparkout"));
+    QString lock = FileLock::lockPath(path);
+    Document document;
+    FileGuard guard{document};
+    Access access = Access::conflict;
+};
+
+} // namespace file_guard_bench

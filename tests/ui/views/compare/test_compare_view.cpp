@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
+// renames and deletes.
+#include "core/project/project_file.h"
+#include "tests/registry.h"
+#include "tests/ui/support/window_bench.h"
+#include "tests/ui/views/compare/compare_bench.h"
+#include "ui/charts/runs_model.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/session/project_io.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/notice_bar.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <variant>
+
+namespace test_compare_view {
+
+using namespace sparkout;
+using namespace compare_bench;
+
+class TestCompareView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theTableHoldsWhatDiffersAndNothingElse() {
+        Desk desk;
+        const Project first = desk.document.project();
+        desk.keep();
+        QCOMPARE(desk.view.table()->rowCount(), 0);
+        QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("have the inputs")));
+        desk.change(quicker);
+        const Project& now = desk.document.project();
+        QStringList inputs;
+        for (const RunRow& row : desk.view.table()->rows()) {
+            QCOMPARE(row.shown.size(), 2);
+            QVERIFY2(row.shown[0] != row.shown[1], qPrintable(row.what));
+            inputs += row.isResult ? QStringList() : QStringList{row.what};
+        }
+        QCOMPARE(inputs, (QStringList{QStringLiteral("Wheel › Dullness"),
+                                      QStringLiteral("Cycle › Stages › Stage 1 › Axial feed")}));
+        const RunRow* feed = desk.find(inputs[1]);
+        QCOMPARE(std::get<double>(feed->cells[0]), *now.cycle.stages[0].axial_feed_mm_min);
+        QCOMPARE(std::get<double>(feed->cells[1]), *first.cycle.stages[0].axial_feed_mm_min);
+        QCOMPARE(feed->unit, QStringLiteral("mm/min"));
+        const RunRow* time = desk.find(QStringLiteral("Cycle time"));
+        QVERIFY(time && time->isResult);
+        QCOMPARE(std::get<double>(time->cells[0]) * 60, desk.outcome->result.time_s);
+        const RunRow* largest = desk.find(QStringLiteral("NZ › Largest diameter, deviation"));
+        QVERIFY(largest);
+        QCOMPARE(std::get<double>(largest->cells[0]),
+                 desk.outcome->result.sections[1].diameterDeviationMax_mm * 1e3);
+    }
+
+    void aStageThatOnlyOneRunHasStandsBesideADash() {
+        Desk desk;
+        desk.keep();
+        desk.change([](Project& project) {
+            Stage last = project.cycle.stages.back();
+            project.cycle.stages.back().stock_mm /= 2;
+            last.stock_mm = project.cycle.stages.back().stock_mm;
+            last.axial_feed_mm_min = 250;
+            project.cycle.stages.push_back(last);
+        });
+        const RunRow* feed = desk.find(QStringLiteral("Cycle › Stages › Stage 3 › Axial feed"));
+        QVERIFY(feed);
+        QCOMPARE(feed->shown, (QStringList{QStringLiteral("250"), QStringLiteral("–")}));
+        const RunRow* stages = desk.find(QStringLiteral("Cycle › Stages"));
+        QVERIFY(stages);
+        QCOMPARE(stages->shown, (QStringList{QStringLiteral("3"), QStringLiteral("2")}));
+    }
+
+    void theValuesThatDifferAreInSight() {
+        Desk desk;
+        desk.keep();
+        auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
+        auto* curves = desk.view.plot();
+        const int alone = curves->height();
+        QVERIFY(!table->isVisible());
+        desk.change(quicker);
+        desk.keep();
+        desk.change([](Project& project) { project.cycle.stages[1].axial_feed_mm_min = 450; });
+        QVERIFY(table->isVisible() && curves->height() < alone - 80);
+        const QHeaderView* head = table->horizontalHeader();
+        QCOMPARE(head->count(), 4); // what, present, two kept
+        QVERIFY(head->length() <= table->viewport()->width());
+        const QModelIndex longest = desk.view.table()->index(1, 0);
+        QVERIFY(table->rowHeight(1) >= table->sizeHintForIndex(longest).height());
+    }
+
+    void theTableGoesToASpreadsheetWithAllDigits() {
+        Desk desk;
+        desk.keep();
+        desk.change(quicker);
+        auto* table = desk.view.findChild<CopyTable*>(QStringLiteral("compareTable"));
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+        const QStringList lines =
+            QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+        QCOMPARE(lines.size(), qsizetype(desk.view.table()->rows().size()) + 1);
+        QVERIFY(lines[0].contains(QStringLiteral("Run 1")));
+        QVERIFY(lines[1].startsWith(QStringLiteral("Wheel › Dullness\t")));
+        const QString numbers = QStringLiteral("0.03\t0.02");
+        QVERIFY(lines[1].trimmed().endsWith(QString(numbers).replace(
+            QStringLiteral("."), QLocale().decimalPoint()))); // of this computer
+    }
+
+    void aRunIsDeletedWhileItsNameIsTyped() {
+        Desk desk;
+        desk.keep();
+        auto* list = desk.view.list();
+        list->setCurrentIndex(list->model()->index(1, 0));
+        list->setFocus();
+        list->edit(list->currentIndex());
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral("half typed"));
+        desk.view.findChild<QAction*>(QStringLiteral("compareDelete"))->trigger();
+        QCoreApplication::processEvents();
+        QCOMPARE(list->model()->rowCount(), 1); // the present run
+    }
+
+    void theEmptyStateSaysWhatToDoAndDoesIt() {
+        Desk desk;
+        QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("No run is kept yet")));
+        QCOMPARE(desk.plot().runs().size(), 1u); // the present one
+        QSignalSpy wanted(&desk.view, &CompareView::keepWanted);
+        auto* start = desk.view.findChild<QPushButton*>(QStringLiteral("compareStart"));
+        QVERIFY(start->isVisible());
+        QTest::mouseClick(start, Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        desk.keep();
+        QVERIFY(!start->isVisible());
+    }
+
+    void spaceTakesARunOutOfThePlotAndBackIn() {
+        Desk desk;
+        desk.keep();
+        desk.change(quicker);
+        desk.keep();
+        QCOMPARE(desk.plot().runs().size(), 3u);
+        desk.view.list()->setFocus();
+        desk.view.list()->setCurrentIndex(desk.row(0));
+        QTest::keyClick(desk.view.list(), Qt::Key_Space);
+        desk.settle();
+        QVERIFY(!desk.kept.isChosen(0));
+        QCOMPARE(desk.plot().runs().size(), 2u);
+        QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("Run 2"));
+        QTest::keyClick(desk.view.list(), Qt::Key_Space);
+        desk.settle();
+        QCOMPARE(desk.plot().runs().size(), 3u);
+        desk.view.list()->setCurrentIndex(desk.view.list()->model()->index(0, 0));
+        QTest::keyClick(desk.view.list(), Qt::Key_Space); // the present one stays
+        desk.settle();
+        QCOMPARE(desk.plot().runs().size(), 3u);
+    }
+
+    void theListRenamesDeletesAndRestoresByKeys() {
+        Desk desk;
+        QVERIFY(QTest::qWaitForWindowActive(&desk.view));
+        desk.keep();
+        desk.change(quicker);
+        QListView* const list = desk.view.list();
+        list->setFocus();
+        list->setCurrentIndex(desk.row(0));
+        QTest::keyClick(list, Qt::Key_F2);
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QCOMPARE(editor->text(), QStringLiteral("Run 1"));
+        QTest::keyClicks(editor, QStringLiteral("slow"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        desk.settle();
+        QCOMPARE(desk.kept.all()[0].name, std::string("slow"));
+        QCOMPARE(desk.plot().runs()[1].name, QStringLiteral("slow"));
+        QTest::keyClick(list, Qt::Key_Return, Qt::ControlModifier);
+        QCOMPARE(*desk.document.project().cycle.stages[0].axial_feed_mm_min, 1800.0);
+        QCOMPARE(desk.kept.count(), 1);
+        QTest::keyClick(list, Qt::Key_Delete);
+        desk.settle();
+        QCOMPARE(desk.kept.count(), 0);
+        desk.document.undo();
+        desk.settle();
+        QCOMPARE(desk.kept.count(), 1);
+    }
+
+    void refusedInputsLeaveThePresentRunDimmed() {
+        Desk desk;
+        desk.keep();
+        desk.view.setOutcome(fixtures::refused());
+        desk.settle();
+        QVERIFY(desk.text("compareNotice").contains(QStringLiteral("refused")));
+        QCOMPARE(desk.plot().runs().size(), 2u);
+    }
+
+    void theWindowKeepsTheRunOfTheInputsJustTyped() {
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(examplePaths().front()));
+        Project project = bench.window->document().project();
+        const std::size_t before = project.runs.size();
+        project.part.initial_runout_mm *= 0.5;
+        bench.window->document().edit(project, editText);
+        QVERIFY(bench.window->runs().running());
+        bench.action("keepRun")->trigger();
+        QTRY_COMPARE(bench.window->document().project().runs.size(), before + 1);
+        const ReadResult kept =
+            readProject(bench.window->document().project().runs.back().inputs.text);
+        QCOMPARE(kept.project->part.initial_runout_mm, project.part.initial_runout_mm);
+    }
+
+    /// The summary was kept by another version and one value of it is another.
+    void aRunWithoutItsResultsHasNoLight_data() {
+        QTest::addColumn<QByteArray>("summary");
+        QTest::newRow("empty") << QByteArray("{}");
+        QTest::newRow("no requirement")
+            << QByteArray(R"({"status":"completed","requirements":[]})");
+        QTest::newRow("nonsense") << QByteArray(R"({"status":7})");
+    }
+
+    void aRunWithoutItsResultsHasNoLight() {
+        QFETCH(QByteArray, summary);
+        Project project = fixtures::traverseProject();
+        const OutcomePtr outcome = fixtures::run(project);
+        project.runs = {keptRun(outcome->result,
+                                summarise(outcome->result, outcome->accuracy, outcome->constraints),
+                                "whole", "2026-03-04T05:06:07Z")};
+        project.runs.push_back(project.runs[0]);
+        project.runs[1].name = "bare";
+        project.runs[1].summary.text = summary.toStdString();
+        Desk desk(project);
+        const auto told = [&](int run) { return desk.row(run).data(Qt::ToolTipRole).toString(); };
+        const auto light = [&](int run) {
+            const QPixmap mark =
+                desk.row(run).data(Qt::DecorationRole).value<QIcon>().pixmap(RunsModel::sample);
+            return mark.toImage().copy(RunsModel::sample.width() - RunsModel::sample.height(), 0,
+                                       RunsModel::sample.height(), RunsModel::sample.height());
+        };
+        const auto isBlank = [](const QImage& image) {
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    if (image.pixelColor(x, y).alpha() > 0) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        };
+        QVERIFY(!isBlank(light(0)));
+        QVERIFY(isBlank(light(1)));
+        for (const Light each : {Light::holds, Light::close, Light::fails}) {
+            QVERIFY2(!told(1).split(u'\n').contains(lightName(each)), qPrintable(told(1)));
+        }
+        QVERIFY2(!told(1).contains(QStringLiteral("0 min")), qPrintable(told(1)));
+    }
+
+    void reopeningSaysPlainlyWhatComesOutDifferently() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("older.sparkout"));
+        Project project = fixtures::traverseProject();
+        const OutcomePtr outcome = fixtures::run(project);
+        RunSummary summary = summarise(outcome->result, outcome->accuracy, outcome->constraints);
+        const double now_um = summary.zones[0].roundness_um;
+        summary.zones[0].roundness_um += 0.5;
+        project.runs = {keptRun(outcome->result, summary, "spring", "2026-03-04T05:06:07Z")};
+        project.runs[0].engine_version = "0.0.1";
+        QVERIFY(!saveProject(project, path).error);
+
+        Bench bench(QStringLiteral("en"));
+        QVERIFY(bench.open(path));
+        NoticeBar& notices = bench.window->files().notices();
+        QTRY_VERIFY(notices.holds(QStringLiteral("changed-runs")));
+        QVERIFY(notices.textOf(QStringLiteral("changed-runs")).contains(QStringLiteral("spring")));
+        QVERIFY(bench.window->showView(QStringLiteral("compare")));
+        bench.settle();
+        const QString told =
+            bench.window->findChild<QLabel*>(QStringLiteral("compareNotice"))->text();
+        QVERIFY2(told.contains(QStringLiteral("0.0.1")), qPrintable(told));
+        const QString change = QStringLiteral("RZ1 › Roundness: %1 → %2")
+                                   .arg(now_um + 0.5, 0, 'f', 2)
+                                   .arg(now_um, 0, 'f', 2);
+        QVERIFY2(told.contains(change), qPrintable(told));
+        auto* view = bench.window->findChild<CompareView*>();
+        QCOMPARE(view->table()->columnCount(), 4); // present, as kept, computed now
+        QVERIFY(bench.open(examplePaths().front()));
+        QVERIFY(!notices.holds(QStringLiteral("changed-runs")));
+    }
+};
+
+} // namespace test_compare_view
+
+SPARKOUT_TEST(test_compare_view, TestCompareView)
+#include "test_compare_view.moc"

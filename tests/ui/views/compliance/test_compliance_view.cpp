@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view "Compliance": what it draws is the engine's, the part is to scale, the legend works.
+#include "core/project/project_file.h"
+#include "tests/ui/support/view_fixtures.h"
+#include "ui/plot/legend_strip.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/session/project_io.h"
+#include "ui/views/compliance/compliance_curves.h"
+#include "ui/views/compliance/compliance_plot.h"
+#include "ui/views/compliance/compliance_view.h"
+
+#include "tests/registry.h"
+
+#include <QLabel>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_compliance_view {
+
+using namespace sparkout;
+
+namespace {
+
+OutcomePtr example(const char* name) {
+    const QString path = QStringLiteral(SPARKOUT_SOURCE_DIR "/resources/examples/%1.sparkout")
+                             .arg(QString::fromLatin1(name));
+    return evaluate(loadProject(path).project.value(), {});
+}
+
+/// A view as it stands in the window, with a run drawn.
+struct Bench {
+    explicit Bench(const OutcomePtr& outcome) {
+        view.resize(700, 620);
+        view.show();
+        show(outcome);
+    }
+    void show(const OutcomePtr& outcome) {
+        fixtures::draw(view, outcome);
+        QTest::qWait(20);
+    }
+    [[nodiscard]] CompliancePlot& plot() { return *view.plot(); }
+    [[nodiscard]] QLabel& label(const char* name) {
+        return *view.findChild<QLabel*>(QString::fromLatin1(name));
+    }
+    ComplianceView view;
+};
+
+double graphAt(const QCPGraph& graph, double x) {
+    const auto after = graph.data()->findBegin(x, false);
+    const auto before = after == graph.data()->constBegin() ? after : after - 1;
+    if (after->key <= before->key) {
+        return after->value;
+    }
+    return before->value
+           + (x - before->key) / (after->key - before->key) * (after->value - before->value);
+}
+
+} // namespace
+
+class TestComplianceView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theCurveGoesThroughWhatTheZonesAreGroundWith() {
+        const OutcomePtr outcome = example("slender-shaft");
+        Bench bench(outcome);
+        for (const SectionResult& zone : outcome->result.sections) {
+            const double used = zone.compliance_mm_per_n * 1e6;
+            // Between two of 241 places the curve is taken for straight.
+            QVERIFY(std::abs(graphAt(*bench.plot().gamma().sum(), zone.position_mm) - used)
+                    < 1e-3 * used);
+        }
+        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
+    }
+
+    void thePartsAreStackedToTheSum() {
+        Bench bench(example("slender-shaft"));
+        const std::vector<CompliantPlace>& places = bench.plot().gamma().places();
+        QVERIFY(places.size() > 100);
+        const QCPGraph& top = *bench.plot().gamma().stack(CompliancePart::bending);
+        const QCPGraph& sum = *bench.plot().gamma().sum();
+        QCOMPARE(top.dataCount(), static_cast<int>(places.size()));
+        for (int i = 0; i < top.dataCount(); ++i) {
+            QVERIFY(std::abs(top.data()->at(i)->value - sum.data()->at(i)->value)
+                    <= 1e-12 * sum.data()->at(i)->value);
+        }
+        // Without the wheel head the stack is lower by 1/j_w everywhere, the sum stays.
+        const double before = top.data()->at(50)->value;
+        const double wheelHead = places[50].parts.wheelHead * 1e6;
+        bench.plot().toggleCurve(static_cast<int>(CompliancePart::wheelHead));
+        QVERIFY(std::abs(before - wheelHead - top.data()->at(50)->value) <= 1e-12 * before);
+        QCOMPARE(sum.data()->at(50)->value, before);
+    }
+
+    void thePartIsDrawnToScale() {
+        for (const char* name : {"slender-shaft", "shaft-30h6-factory", "internal-plunge"}) {
+            Bench bench(example(name));
+            for (const QSize size : {QSize(700, 620), QSize(1200, 500)}) {
+                bench.view.resize(size);
+                QTest::qWait(20);
+                bench.plot().replot();
+                const QCPAxisRect& rect = *bench.plot().shaftRect();
+                const double x = rect.axis(QCPAxis::atBottom)->range().size() / rect.width();
+                const double y = rect.axis(QCPAxis::atLeft)->range().size() / rect.height();
+                QVERIFY2(std::abs(x / y - 1) < 1e-9, name);
+                QCOMPARE(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().lower,
+                         rect.axis(QCPAxis::atBottom)->range().lower);
+                QCOMPARE(bench.plot().curveRect()->left(), rect.left());
+            }
+        }
+    }
+
+    void givenComplianceIsShownAndSaid() {
+        Bench bench(example("shaft-30h6-factory"));
+        QVERIFY(bench.plot().gamma().places().empty());
+        QVERIFY(bench.label("complianceNotice").isVisible());
+        QCOMPARE(bench.plot().gamma().used()->dataCount(), 3);
+        QCOMPARE(bench.plot().table().rows.size(), 3u);
+        bench.show(example("slender-shaft"));
+        QVERIFY(!bench.label("complianceNotice").isVisible());
+        QVERIFY(bench.plot().table().rows.size() > 100);
+    }
+
+    void aBoreYieldsAlikeAllAlong() {
+        Bench bench(example("internal-plunge"));
+        const QCPGraph& sum = *bench.plot().gamma().sum();
+        QVERIFY(sum.dataCount() > 2);
+        QCOMPARE(sum.data()->at(0)->value, sum.data()->at(sum.dataCount() - 1)->value);
+        QVERIFY(bench.label("complianceSummary").text().contains(QStringLiteral("Equal")));
+    }
+
+    void theMouseReadsValuesAndTheLegendHides() {
+        Bench bench(example("slender-shaft"));
+        QTest::mouseMove(&bench.plot(), bench.plot().curveRect()->center());
+        QTRY_VERIFY(bench.label("complianceValues").text().contains(QStringLiteral("nm/N")));
+        auto* legend = bench.view.findChild<LegendStrip*>();
+        const int last = static_cast<int>(legend->entries().size()) - 1;
+        QCOMPARE(legend->entries()[static_cast<std::size_t>(last)].key, ComplianceCurves::usedKey);
+        QTest::mouseClick(legend, Qt::LeftButton, {}, legend->entryRect(last).center());
+        QVERIFY(!bench.plot().gamma().used()->visible());
+        const QCPRange before = bench.plot().curveRect()->axis(QCPAxis::atBottom)->range();
+        bench.view.tools()->navigation().zoom(0.5);
+        QVERIFY(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().size() < before.size());
+        bench.view.tools()->fit->trigger();
+        QTRY_VERIFY(std::abs(bench.plot().curveRect()->axis(QCPAxis::atBottom)->range().size()
+                             - before.size())
+                    < 1e-6 * before.size());
+    }
+};
+
+} // namespace test_compliance_view
+
+SPARKOUT_TEST(test_compliance_view, TestComplianceView)
+#include "test_compliance_view.moc"

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plot of the view "Constraints": the cuts and limits it draws are the engine's.
+#include "tests/registry.h"
+#include "tests/ui/support/window_bench.h"
+#include "tests/ui/views/constraints/constraints_bench.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/session/cycle_cursor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_constraints_plot {
+
+using namespace sparkout;
+using namespace constraints_bench;
+
+class TestConstraintsPlot : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// A line where the cycle stands: at the stock that the newest cut of the group has left.
+    void aLineMarksTheStockAtTheCyclesMoment() {
+        const OutcomePtr outcome = run(limitedProject());
+        CycleCursor cycle;
+        cycle.setOutcome(outcome);
+        ConstraintsView view;
+        view.shareCycle(&cycle);
+        view.resize(760, 620);
+        view.show();
+        fixtures::draw(view, outcome);
+        QVERIFY(!view.plot()->moment_um()); // all is ground
+        const auto group = static_cast<std::size_t>(view.plot()->group());
+        const std::vector<LimitedCut>& cuts = outcome->limits.groups[group].cuts;
+        double before = HUGE_VAL;
+        for (const int stroke : {2, 9, 20, outcome->result.cycleCount - 1}) {
+            cycle.toStroke(stroke);
+            const double line_um = view.plot()->moment_um().value_or(HUGE_VAL);
+            QVERIFY(line_um < before);
+            before = line_um;
+            const auto here = std::ranges::find_if(cuts, [&](const LimitedCut& cut) {
+                return cut.place.cycleCount == stroke
+                       && std::abs(cut.stock_mm * 1e3 - line_um) < 1e-9;
+            });
+            QVERIFY(here != cuts.end());
+        }
+        cycle.setPosition(0);
+        QVERIFY(!view.plot()->moment_um());
+    }
+
+    void theCutsDrawnAreTheTrajectorys() {
+        const OutcomePtr outcome = run(limitedProject());
+        Shown shown(outcome);
+        const auto& groups = outcome->limits.groups;
+        auto& zones = shown.part<QComboBox>("constraintsZone");
+        QCOMPARE(zones.count(), static_cast<int>(groups.size()));
+        for (int g = 0; g < zones.count(); ++g) {
+            zones.setCurrentIndex(g);
+            const LimitGroup& group = groups[static_cast<std::size_t>(g)];
+            const auto drawn = shown.plot().actual()->data();
+            QCOMPARE(drawn->size(), static_cast<int>(group.cuts.size()));
+            // Each is a visit of that zone, with the stock its radius keeps.
+            for (int i = 0; i < drawn->size(); i += 7) {
+                const double stock_um = drawn->at(i)->key, depth_um = drawn->at(i)->value;
+                const bool found =
+                    std::ranges::any_of(outcome->trajectory.passes, [&](const Pass& pass) {
+                        if (pass.place.zone != group.zone) {
+                            return false;
+                        }
+                        for (int k = 0; k < outcome->trajectory.radii; ++k) {
+                            const Visit& v =
+                                outcome->trajectory
+                                    .visits[pass.firstVisit + static_cast<std::size_t>(k)];
+                            if (std::abs(v.actual_mm * 1000 - depth_um) < 1e-9
+                                && std::abs((v.radius_mm - outcome->feeds.target_mm) * 1000
+                                            - stock_um)
+                                       < 1e-9) {
+                                return true;
+                            }
+                        }
+                        return false;
+                    });
+                QVERIFY(found);
+            }
+        }
+    }
+
+    void theCurvesDrawnAreTheEnginesLimits() {
+        const Project project = limitedProject();
+        const OutcomePtr outcome = run(project);
+        Shown shown(outcome);
+        for (const ConstraintKind kind :
+             {ConstraintKind::burn, ConstraintKind::wheelPower, ConstraintKind::roughness}) {
+            const QCPGraph* graph = shown.plot().limit(kind);
+            QVERIFY(graph);
+            const LimitGroup& group =
+                outcome->limits.groups[static_cast<std::size_t>(shown.plot().group())];
+            for (const QCPGraphData& point : *graph->data()) {
+                bool met = false;
+                for (const LimitedStage& stage : group.stages) {
+                    for (const DepthLimit& limit :
+                         depthLimits(project, stage.width_mm, point.key / 1000)) {
+                        met = met
+                              || (limit.kind == kind
+                                  && std::abs(limit.depth_mm * 1000 - point.value)
+                                         < 1e-9 * point.value);
+                    }
+                }
+                QVERIFY(met);
+            }
+        }
+        QVERIFY(!shown.plot().limit(ConstraintKind::selfSharpening));
+        QVERIFY(shown.plot().stepless()->dataCount() > 2);
+    }
+
+    // The numbers of an uncalibrated Ra are micrometres by the thousand.
+    void aRoughnessThatIsNotCalibratedIsNamedInWordsAlone() {
+        Project project = limitedProject();
+        Shown shown(run(project));
+        const QString words =
+            QStringLiteral("Roughness is not limiting while it is not calibrated");
+        const QString name = QStringLiteral("roughness of the last cut");
+        const auto named = [&] { // in the legend, in the table, under the mouse
+            QString text;
+            for (const LegendEntry& entry : shown.plot().legendEntries()) {
+                text += entry.text + u'|';
+            }
+            text += shown.plot().table().header.join(u'|');
+            QSignalSpy pointed(&shown.plot(), &ConstraintsPlot::pointed);
+            fixtures::hover(&shown.plot(), QRectF(shown.plot().axisRect()->rect()).center());
+            return text + pointed.value(0).value(0).toString();
+        };
+        QCOMPARE(named().count(name), 3);
+        QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
+        project.wheel.roughness_factor = 1;
+        shown.show(run(project));
+        QCOMPARE(named().count(name), 0);
+        QVERIFY(named().contains(QStringLiteral("burn")));
+        QVERIFY(shown.part<QLabel>("limitsOff").isVisible());
+        QVERIFY(shown.part<QLabel>("limitsOff").text().contains(words));
+        project.part.tolerance.roughness_ra_um.reset();
+        shown.show(run(project));
+        QVERIFY(!shown.part<QLabel>("limitsOff").text().contains(words));
+    }
+
+    void anEditAndItsUndoLeadToTheSameAxes() {
+        const OutcomePtr first = run(limitedProject());
+        Project edited = limitedProject();
+        edited.cycle.stages.front().radial_feed_mm =
+            *edited.cycle.stages.front().radial_feed_mm * 3;
+        edited.part.stock_mm *= 1.5;
+        const OutcomePtr second = run(edited);
+        Shown shown(first);
+        shown.plot().setRun(first, shown.plot().group());
+        const QCPAxis &stock = *shown.plot().stockAxis(), &feeds = *shown.plot().feedAxis();
+        const QCPRange stockBefore = stock.range(), feedsBefore = feeds.range();
+        shown.show(second);
+        QVERIFY(feeds.range() != feedsBefore);
+        shown.show(first);
+        QCOMPARE(stock.range(), stockBefore);
+        QCOMPARE(feeds.range(), feedsBefore);
+    }
+
+    void whatTheUserZoomedStaysOverAnEditAndItsUndo() {
+        const OutcomePtr first = run(limitedProject());
+        Project edited = limitedProject();
+        edited.part.stock_mm *= 1.5;
+        const OutcomePtr second = run(edited);
+        Shown shown(first);
+        shown.view.tools()->navigation().zoom(0.5);
+        const QCPRange stock = shown.plot().stockAxis()->range();
+        const QCPRange feeds = shown.plot().feedAxis()->range();
+        for (const OutcomePtr& outcome : {second, first, second}) {
+            shown.show(outcome);
+            QCOMPARE(shown.plot().stockAxis()->range(), stock);
+            QCOMPARE(shown.plot().feedAxis()->range(), feeds);
+        }
+        shown.view.forget(); // another document
+        shown.show(first);
+        QVERIFY(shown.plot().stockAxis()->range() != stock);
+    }
+
+    void theCycleRunsFromLeftToRight() {
+        Shown shown(run(limitedProject()));
+        const QCPAxis* axis = shown.plot().stockAxis();
+        QVERIFY(axis->coordToPixel(100) < axis->coordToPixel(0));
+        const QCPRange before = axis->range();
+        shown.view.tools()->navigation().pan(1, 0); // to the right: less stock
+        QVERIFY(axis->range().center() < before.center());
+    }
+
+    void cutsAboveTheirLimitAreMarked() {
+        Project project = limitedProject();
+        Shown held(run(project));
+        QCOMPARE(held.plot().exceeded()->data()->size(), 0);
+        project.material.burn_rise_k = 60;
+        const OutcomePtr outcome = run(project);
+        Shown shown(outcome);
+        const LimitGroup& group =
+            outcome->limits.groups[static_cast<std::size_t>(shown.plot().group())];
+        const auto above =
+            std::ranges::count_if(group.cuts, [](const LimitedCut& c) { return c.usage > 1; });
+        QVERIFY(above > 0);
+        QCOMPARE(shown.plot().exceeded()->data()->size(), static_cast<int>(above));
+        // It starts with the zone that comes nearest, and marks where.
+        for (const LimitGroup& other : outcome->limits.groups) {
+            QVERIFY(other.worst.usage <= group.worst.usage);
+        }
+        QCOMPARE(shown.plot().marked().value().depth_mm, group.worst.depth_mm);
+    }
+
+    void cutsThatOutgrowThePlotBringItAlong() {
+        Project project = unlimited(plungeProject(1));
+        Shown shown(run(project));
+        const auto feeds = [&] { return shown.plot().feedAxis()->range(); };
+        const auto highest = [&] {
+            bool found = false;
+            return shown.plot().actual()->getValueRange(found).upper;
+        };
+        const auto feedTimes = [&project](double times) {
+            for (Stage& stage : project.cycle.stages) {
+                *stage.radial_feed_mm_min *= times;
+            }
+            return run(project);
+        };
+        const QCPRange first = feeds();
+        shown.show(feedTimes(4));
+        QVERIFY(highest() > first.upper);
+        QVERIFY(feeds().upper >= highest());
+        shown.view.tools()->navigation().zoom(0.5); // by hand: that stays
+        const QCPRange zoomed = feeds();
+        shown.show(feedTimes(4));
+        QVERIFY(highest() > zoomed.upper);
+        QCOMPARE(feeds(), zoomed);
+    }
+
+    void theAxisNamesWhatACutIs() {
+        Shown shown(run(limitedProject()));
+        auto& zones = shown.part<QComboBox>("constraintsZone");
+        for (int g = 0; g < zones.count(); ++g) {
+            zones.setCurrentIndex(g);
+            const bool standing = zones.itemText(g).contains(QStringLiteral("standing"));
+            QVERIFY2(shown.plot().feedAxis()->label().endsWith(
+                         standing ? QStringLiteral("per revolution") : QStringLiteral("per pass")),
+                     qPrintable(zones.itemText(g)));
+        }
+    }
+
+    void aChosenZoneWithoutCutsStaysChosen() {
+        const OutcomePtr outcome = run(limitedProject());
+        auto bare = std::make_shared<Outcome>(*outcome);
+        const int last = static_cast<int>(bare->limits.groups.size()) - 1;
+        bare->limits.groups.back().cuts.clear();
+        bare->limits.groups.back().worst = {};
+        Shown shown(bare);
+        QVERIFY(shown.plot().group() != last);
+        shown.part<QComboBox>("constraintsZone").setCurrentIndex(last);
+        shown.show(std::make_shared<Outcome>(*bare));
+        QCOMPARE(shown.plot().group(), last);
+        shown.show(outcome);
+        QCOMPARE(shown.plot().group(), last);
+    }
+
+    void aLogarithmicAxisShowsTheSparkingOut() {
+        Project project = limitedProject();
+        Stage spark = project.cycle.stages.back();
+        spark.spark_out = {SparkOut::Mode::count, 10};
+        spark.stock_mm = 0;
+        project.cycle.stages.push_back(spark);
+        Shown shown(run(project));
+        const auto sight = [&] { return shown.plot().feedAxis()->range(); };
+        const auto reaches = [&](const QCPRange& range) { // the least of the limits
+            bool found = false;
+            return range.contains(shown.plot().stepless()->getValueRange(found).lower);
+        };
+        QCOMPARE(shown.plot().feedAxis()->scaleType(), QCPAxis::stLogarithmic);
+        QVERIFY(sight().lower > 0 && reaches(sight()));
+        shown.part<QCheckBox>("logarithmic").click();
+        QVERIFY(sight().lower == 0 && reaches(sight()));
+        shown.part<QCheckBox>("logarithmic").click();
+        QVERIFY(sight().lower > 0 && reaches(sight()));
+    }
+
+    void everySectionCanBeChosen() {
+        Project project = plungeProject(6);
+        project.material.burn_rise_k = 700;
+        Shown shown(run(project));
+        auto& zones = shown.part<QComboBox>("constraintsZone");
+        QCOMPARE(zones.count(), 6);
+        zones.setCurrentIndex(4);
+        QCOMPARE(shown.plot().group(), 4);
+        project.cycle.stages[0].radial_feed_mm_min = 0.4;
+        shown.show(run(project)); // the choice stays
+        QCOMPARE(shown.plot().group(), 4);
+        QCOMPARE(zones.currentIndex(), 4);
+    }
+
+    void theValuesUnderTheMouseFit() {
+        for (const char* language : {"en", "ru"}) {
+            Bench bench{QLatin1String(language)};
+            bench.window->document().startUntitled(fullyLimitedProject());
+            QVERIFY(bench.window->showView(QStringLiteral("constraints")));
+            bench.settle();
+            const auto* values =
+                bench.window->findChild<QLabel*>(QStringLiteral("constraintsValues"));
+            auto* plot = bench.window->findChild<ConstraintsView*>()->plot();
+            QVERIFY(values->isVisible());
+            for (const QCPCurveData& cut : *plot->actual()->data()) {
+                fixtures::hover(plot, QPointF(plot->stockAxis()->coordToPixel(cut.key),
+                                              plot->feedAxis()->coordToPixel(cut.value)));
+                QVERIFY(values->text().contains(u'%'));
+                QVERIFY2(values->heightForWidth(values->width()) <= values->height(),
+                         qPrintable(values->text()));
+            }
+        }
+    }
+};
+
+} // namespace test_constraints_plot
+
+SPARKOUT_TEST(test_constraints_plot, TestConstraintsPlot)
+#include "test_constraints_plot.moc"

@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The view "Optimise" by mouse and keys: what it shows is the engine's, a cycle is taken by one
+// edit, and it says when it is of other inputs.
+#include "core/study/search_edits.h"
+#include "tests/registry.h"
+#include "tests/ui/support/search_fixtures.h"
+#include "tests/ui/support/window_bench.h"
+#include "ui/charts/compare_plot.h"
+#include "ui/dialogs/copy_table.h"
+#include "ui/inputs/inputs_panel.h"
+#include "ui/views/optimise/found_model.h"
+#include "ui/views/optimise/optimise_text.h"
+#include "ui/views/optimise/optimise_view.h"
+#include "ui/views/optimise/stage_count_plot.h"
+#include "ui/window/view_tabs.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTest>
+
+namespace test_optimise_view {
+
+using namespace sparkout;
+
+namespace {
+
+constexpr int patience_ms = 120'000;
+constexpr int searchPage = 7;
+
+/// A window with the view in sight.
+struct Desk {
+    explicit Desk(const Project& project) : bench(QStringLiteral("en")) {
+        bench.window->document().startUntitled(project);
+        bench.window->showView(QStringLiteral("optimise"));
+        bench.window->inputs().showPage(searchPage);
+        bench.settle();
+        view = bench.window->findChild<OptimiseView*>();
+        const auto drawn = [this] { return !view->curves()->runs().empty(); };
+        if (!QTest::qWaitFor(drawn, patience_ms)) {
+            qWarning("the present run was not drawn");
+        }
+    }
+    template <typename Widget>
+    [[nodiscard]] Widget& part(const char* name) const {
+        return *view->findChild<Widget*>(QString::fromLatin1(name));
+    }
+    void click(const char* button) const {
+        QTest::mouseClick(&part<QPushButton>(button), Qt::LeftButton);
+    }
+    /// Searches, and waits until the best cycle is drawn.
+    [[nodiscard]] bool searched() const {
+        click("optimiseRun");
+        return QTest::qWaitFor(
+            [this] {
+                return view->search() && !view->busy() && view->curves()->runs().size() == 2;
+            },
+            patience_ms);
+    }
+    [[nodiscard]] QString cell(int row, FoundModel::Column column) const {
+        const QAbstractItemModel* model = part<CopyTable>("optimiseFound").model();
+        return model->index(row, column).data().toString();
+    }
+    [[nodiscard]] QString told() const { return part<QLabel>("optimiseNotice").text(); }
+    [[nodiscard]] const Project& project() const { return bench.window->document().project(); }
+    /// Types a text into a line of the page "Search" and leaves it.
+    void type(const char* path, const QString& text) const {
+        const FormPage& page = *bench.window->inputs().pages()[searchPage];
+        auto* line = page.findChild<QLineEdit*>(QString::fromLatin1(path));
+        QVERIFY2(line, path);
+        line->setFocus();
+        QTest::keyClick(line, Qt::Key_A, Qt::ControlModifier);
+        QGuiApplication::clipboard()->setText(text); // keys of a test are ASCII
+        QTest::keyClick(line, text.isEmpty() ? Qt::Key_Delete : Qt::Key_V,
+                        text.isEmpty() ? Qt::NoModifier : Qt::ControlModifier);
+        QTest::keyClick(line, Qt::Key_Return);
+        bench.settle();
+    }
+    Bench bench;
+    OptimiseView* view;
+};
+
+} // namespace
+
+class TestOptimiseView : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theQuickestCycleOfTheEngineIsFirstAndIsDrawnBesideThePresentOne() {
+        const Project project = fixtures::searchedShaft();
+        const SearchSummary engine = optimise(project);
+        const Desk desk(project);
+        QVERIFY(desk.searched());
+        QCOMPARE(desk.cell(0, FoundModel::time), OptimiseText::minutes(engine.best->time_s));
+        QCOMPARE(desk.cell(0, FoundModel::cycle), OptimiseText::cycle(engine.cycle));
+        QVERIFY(desk.told().contains(desk.cell(0, FoundModel::time)));
+        const ComparedFeeds& found = desk.view->curves()->runs().back();
+        QVERIFY(std::abs(found.feeds->end_s - engine.best->time_s) < 1e-5);
+        const QCPGraph& times = *desk.view->times()->curve(StageCountPlot::quickest);
+        QCOMPARE(times.data()->size(), 2);
+        QCOMPARE(times.data()->at(1)->value, engine.best->time_s / 60);
+    }
+
+    void aCycleIsTakenByOneEditAndUndone() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        const Cycle before = desk.project().cycle;
+        const Cycle best = desk.view->search()->best()->cycle;
+        desk.click("optimiseTake");
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(best));
+        QVERIFY(!desk.view->stale()); // another cycle is no other search
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(before));
+    }
+
+    void theCycleBeforeStaysForComparisonUntilTheNextSearch() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        const double before_s = desk.view->curves()->runs().front().feeds->end_s;
+        const QString gained = desk.cell(0, FoundModel::change);
+        const QString told = desk.told();
+        desk.click("optimiseTake");
+        const double best_s = desk.view->search()->best()->time_s;
+        const auto present_s = [&] { return desk.bench.window->outcome()->result.time_s; };
+        QTRY_VERIFY(std::abs(present_s() - best_s) < 1e-5);
+        desk.bench.settle();
+        QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
+        QCOMPARE(desk.cell(0, FoundModel::change), gained);
+        QCOMPARE(desk.told(), told);
+        Project larger = desk.project();
+        larger.part.stock_mm += 0.05;
+        desk.bench.window->document().edit(larger, {"Edit", ""});
+        desk.bench.settle();
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QCOMPARE(desk.view->curves()->runs().front().feeds->end_s, before_s);
+        QCOMPARE(desk.cell(0, FoundModel::change), gained);
+        QVERIFY(desk.searched()); // for the cycle taken
+        QVERIFY(std::abs(desk.view->curves()->runs().front().feeds->end_s - best_s) < 1e-5);
+        QVERIFY(std::abs(desk.cell(0, FoundModel::change).toDouble()) < 0.05);
+    }
+
+    void theEndOfASearchIsToldInOtherViews() {
+        const Desk desk(fixtures::searchedShaft());
+        desk.click("optimiseRun");
+        desk.bench.window->showView(QStringLiteral("feeds"));
+        QTRY_COMPARE_WITH_TIMEOUT(desk.bench.window->statusBar()->currentMessage(),
+                                  QStringLiteral("Optimise: ended."), patience_ms);
+    }
+
+    void anotherRowIsDrawnAndTakenByEnter() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        QVERIFY(desk.view->search()->found.size() > 1);
+        auto& table = desk.part<CopyTable>("optimiseFound");
+        table.setFocus();
+        QTest::keyClick(&table, Qt::Key_Down);
+        const FoundCycle second = desk.view->search()->found[1];
+        QTRY_VERIFY(std::abs(desk.view->curves()->runs().back().feeds->end_s - second.time_s)
+                    < 1e-5);
+        QTest::keyClick(&table, Qt::Key_Return);
+        desk.bench.settle();
+        QCOMPARE(OptimiseText::cycle(desk.project().cycle), OptimiseText::cycle(second.cycle));
+    }
+
+    void afterAnEditTheAnswerIsOfOtherInputsAndCannotBeTaken() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        Project duller = desk.project();
+        duller.wheel.dullness *= 1.5;
+        desk.bench.window->document().edit(duller, {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY(desk.view->stale());
+        QVERIFY(!desk.part<QPushButton>("optimiseTake").isEnabled());
+        QVERIFY(desk.told().contains(QStringLiteral("before the last edit")));
+        desk.bench.window->document().undo();
+        desk.bench.settle();
+        QTRY_VERIFY(!desk.view->stale());
+        QVERIFY(desk.part<QPushButton>("optimiseTake").isEnabled());
+    }
+
+    void theChosenRowStaysWhenThePresentCycleChanges() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        auto& table = desk.part<CopyTable>("optimiseFound");
+        table.selectRow(1);
+        const QString before = desk.cell(1, FoundModel::change);
+        Project other = desk.project();
+        other.cycle.stages.back().axial_feed_mm_min.value() *= 0.9;
+        desk.bench.window->document().edit(other, {"Edit", ""});
+        QTRY_VERIFY(desk.cell(1, FoundModel::change) != before);
+        QCOMPARE(table.currentIndex().row(), 1);
+        QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+    }
+
+    void anotherDocumentHasNoResultYet() {
+        const Desk desk(fixtures::searchedShaft());
+        QVERIFY(desk.searched());
+        desk.bench.window->document().startUntitled(fixtures::searchedShaft());
+        QVERIFY(!desk.view->search());
+        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
+        QTRY_COMPARE(desk.view->curves()->runs().size(), std::size_t{1});
+    }
+
+    void whyAGridCannotBeSearchedIsOfThatGridAlone() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation->stock_step_mm = 1e-9;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
+        const QString fault = OptimiseText::fault(*desk.view->search());
+        QCOMPARE(desk.told(), fault);
+        desk.bench.window->document().edit(fixtures::searchedShaft(), {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY(desk.told() != fault);
+        QVERIFY2(desk.told().contains(QStringLiteral("before the last edit")),
+                 qPrintable(desk.told()));
+    }
+
+    void roundsThatRanOutProveNothing() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.robust = true;
+        SearchedNumber number;
+        number.stages = 2;
+        number.holds = false;
+        number.search.best.emplace().time_s = 60;
+        number.search.bound_s = outcome.bound_s = 60;
+        outcome.numbers.push_back(number);
+        QVERIFY(outcome.unresolved());
+        const QString none = OptimiseText::answer(outcome, {});
+        QVERIFY2(none.contains(QStringLiteral("every scenario")), qPrintable(none));
+        outcome.found.emplace_back().time_s = 90;
+        QVERIFY(!outcome.proved());
+        const QString some = OptimiseText::answer(outcome, {});
+        QVERIFY2(some.contains(QStringLiteral("best so far")), qPrintable(some));
+        outcome.found.front().time_s = 50; // quicker than any that is left
+        QVERIFY(outcome.proved());
+        outcome.numbers.front().nominalTime_s = 40;
+        const QString cost = OptimiseText::answer(outcome, {});
+        QVERIFY2(cost.contains(QStringLiteral("0.6667 min: robustness costs 25.0 % of time")),
+                 qPrintable(cost));
+        QVERIFY2(cost.contains(QStringLiteral("held in all of 500 phases"))
+                     && cost.contains(QStringLiteral("at most 0.74 % of the phases fail"))
+                     && cost.contains(QStringLiteral("proved for these")),
+                 qPrintable(cost));
+    }
+
+    void theShareThatMayFailGrowsWithTheCyclesTried() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.robust = true;
+        FoundCycle& found = outcome.found.emplace_back();
+        found.time_s = 50;
+        found.candidate = 3;
+        const QString third = OptimiseText::answer(outcome, {});
+        QVERIFY2(third.contains(QStringLiteral("as cycle no. 3 that was tried so"))
+                     && third.contains(QStringLiteral("at most 1.10 % of the phases fail")),
+                 qPrintable(third));
+    }
+
+    // What was not worked out is not known; it does not read as if nothing were in the way.
+    void whatBindsIsNotKnownWhereItWasStopped() {
+        SearchOutcome outcome;
+        outcome.project = fixtures::searchedShaft();
+        outcome.found.emplace_back().time_s = 50;
+        const auto says = [&](const char* words) {
+            return OptimiseText::answer(outcome, {}).contains(QString::fromLatin1(words));
+        };
+        QVERIFY(says("from being quicker is not known: the search was stopped"));
+        outcome.binding.emplace();
+        QVERIFY(!says("not known") && says("No cycle of the grid that differs in one setting"));
+        outcome.stopped = true; // of the best so far nothing of the kind is proved
+        QVERIFY(!says("not known") && !says("No cycle of the grid that differs"));
+        outcome.binding->push_back(ConstraintKind::wheelPower);
+        QVERIFY(!says("not known") && says("What keeps it from being quicker: "));
+    }
+
+    void aSearchIsStoppedAndAnEditDropsIt() {
+        const Desk desk(fixtures::endlessSearch());
+        desk.click("optimiseRun");
+        QVERIFY(desk.view->busy());
+        QTest::qWait(300);
+        desk.click("optimiseStop");
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+        QVERIFY(desk.view->search() && desk.view->search()->stopped);
+        desk.click("optimiseRun");
+        QVERIFY(desk.view->busy());
+        Project edited = desk.project();
+        edited.wheel.dullness *= 1.5;
+        desk.bench.window->document().edit(edited, {"Edit", ""});
+        desk.bench.settle();
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.view->busy(), patience_ms);
+    }
+
+    void whenNothingHoldsTheRequirementThatCutMostIsNamed() {
+        Project project = fixtures::searchedShaft();
+        project.part.tolerance.radial_runout_um = 1e-6;
+        const Desk desk(project);
+        desk.click("optimiseRun");
+        QTRY_VERIFY_WITH_TIMEOUT(desk.view->search() && !desk.view->busy(), patience_ms);
+        QVERIFY(!desk.view->search()->best());
+        QVERIFY2(desk.told().contains(QStringLiteral("unout")), qPrintable(desk.told()));
+        QVERIFY(!desk.part<CopyTable>("optimiseFound").isVisible());
+    }
+
+    void aProjectWithoutAGridIsOfferedAUsualOne() {
+        Project project = fixtures::searchedShaft();
+        project.optimisation.reset();
+        const Desk desk(project);
+        QVERIFY(!desk.part<QPushButton>("optimiseRun").isEnabled());
+        desk.click("optimiseAdd");
+        desk.bench.settle();
+        QVERIFY(desk.project().optimisation.has_value());
+        QTRY_VERIFY(desk.part<QPushButton>("optimiseRun").isEnabled());
+        QVERIFY(!desk.part<QPushButton>("optimiseAdd").isVisible());
+    }
+
+    void levelsAreTypedAsAListOrAsFromToAndStep() {
+        const Desk desk(fixtures::searchedShaft());
+        const auto axial = [&desk] { return desk.project().optimisation->axial_feed_mm_min; };
+        desk.type("/optimisation/axial_feed_mm_min", QStringLiteral("300; 1200,5"));
+        QVERIFY(axial() == Levels(std::vector<double>{300, 1200.5}));
+        for (const char* text : {"300…2400 step 100", "300..2400/100", "300 to 2400; 100",
+                                 "300 - 2400 шаг 100", "300 до 2400 step 100"}) {
+            desk.type("/optimisation/axial_feed_mm_min", QStringLiteral("500"));
+            desk.type("/optimisation/axial_feed_mm_min", QString::fromUtf8(text));
+            QVERIFY2(axial() == Levels(SteppedLevels{300, 2400, 100}), text);
+        }
+        desk.type("/optimisation/stages", QStringLiteral("1; 3"));
+        QVERIFY((desk.project().optimisation->stages == std::vector<double>{1, 3}));
+        desk.type("/optimisation/last_stock_mm", QStringLiteral("0.01; 0.05"));
+        QVERIFY((desk.project().optimisation->last_stock_mm == std::vector<double>{0.01, 0.05}));
+        desk.type("/optimisation/last_stock_mm", QString());
+        QVERIFY(!desk.project().optimisation->last_stock_mm);
+    }
+
+    void levelsThatCannotBeReadStayInSightWithTheirReason_data() {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("reason"); ///< a part of it
+        const QString axial = QStringLiteral("/optimisation/axial_feed_mm_min");
+        QTest::newRow("words") << axial << "fast; slow"
+                               << "semicolons";
+        QTest::newRow("zero") << axial << "0; 300"
+                              << "0: allowed is above 0";
+        QTest::newRow("no step") << axial << "300…2400"
+                                 << "semicolons";
+        QTest::newRow("falling") << axial << "2400…300 step 100"
+                                 << "below the first";
+        QTest::newRow("half a stage") << "/optimisation/stages"
+                                      << "1; 2.5"
+                                      << "do not go";
+        QTest::newRow("six stages") << "/optimisation/stages"
+                                    << "6"
+                                    << "6: allowed is 1 to 5";
+        QTest::newRow("one end") << "/optimisation/last_stock_mm"
+                                 << "0.01"
+                                 << "2 numbers";
+    }
+    void levelsThatCannotBeReadStayInSightWithTheirReason() {
+        QFETCH(QString, path);
+        QFETCH(QString, text);
+        QFETCH(QString, reason);
+        const Desk desk(fixtures::searchedShaft());
+        const Project before = desk.project();
+        desk.type(path.toUtf8().constData(), text);
+        const FormPage& page = *desk.bench.window->inputs().pages()[searchPage];
+        QCOMPARE(page.findChild<QLineEdit*>(path)->text(), text);
+        QVERIFY(sameSearch(desk.project(), before));
+        const std::vector<Refusal> refusals = desk.bench.window->inputs().refusals();
+        QCOMPARE(refusals.size(), std::size_t{1});
+        QVERIFY2(refusals.front().reason.contains(reason), qPrintable(refusals.front().reason));
+    }
+};
+
+} // namespace test_optimise_view
+
+SPARKOUT_TEST(test_optimise_view, TestOptimiseView)
+#include "test_optimise_view.moc"

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The requirements in the verdict panel: chosen, explained, led to their input.
+#include "core/project/project_file.h"
+#include "tests/registry.h"
+#include "tests/ui/views/verdict/verdict_bench.h"
+#include "ui/charts/profiles_series.h"
+#include "ui/charts/result_tables.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_why.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/profiles/profiles_text.h"
+#include "ui/views/verdict/verdict_text.h"
+
+#include <QRegularExpression>
+#include <QSignalSpy>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace test_verdict_requirements {
+
+using namespace sparkout;
+using namespace verdict_bench;
+using verdict_bench::Bench;
+
+class TestVerdictRequirements : public VerdictTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { begin(); }
+
+    void aClickOrEnterOnARequirementTellsWhichItIs() {
+        Bench bench(m_traverse, {320, 1400});
+        QSignalSpy spy(&bench.panel, &VerdictPanel::requirementActivated);
+        CopyTable& table = bench.requirements();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 0));
+        QCOMPARE(spy.count(), 0); // the name of a zone
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 6));
+        QCOMPARE(spy.count(), 1);
+        const auto clicked = spy.takeFirst().at(0).value<ConstraintResult>();
+        QCOMPARE(clicked.zone, Zone::nz);
+        QCOMPARE(clicked.kind, ConstraintKind::diameterMax);
+        QTest::keyClick(&table, Qt::Key_Down);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(spy.takeFirst().at(0).value<ConstraintResult>().kind,
+                 ConstraintKind::radialRunout);
+    }
+
+    void whatIsNotCheckedIsNamedAndLeadsToItsField() {
+        Bench bench(m_traverse, {320, 1400});
+        QLabel& off = bench.label("notChecked");
+        QVERIFY(off.isVisible());
+        QVERIFY2(off.text().contains(QStringLiteral("burn")), qPrintable(off.text()));
+        QSignalSpy asked(&bench.panel, &VerdictPanel::pathAsked);
+        off.setFocus();
+        for (const OffLimit& each : LimitNames::off(m_traverse->result.project)) {
+            QTest::keyClick(&off, Qt::Key_Tab);
+            QTest::keyClick(&off, Qt::Key_Return);
+            QCOMPARE(asked.size(), 1);
+            QCOMPARE(asked.takeFirst().first().value<std::string>(), each.path);
+        }
+        Project whole = traverseProject();
+        whole.part.tolerance = {6, 4, 5, 8, 1.25};
+        whole.material.burn_rise_k = 600;
+        whole.wheel.grain_surface_energy_j_m2 = whole.wheel.bond_surface_energy_j_m2 = 10;
+        whole.wheel.grain_modulus_gpa = whole.wheel.bond_modulus_gpa = 300;
+        whole.machine.wheel_drive_kw = 10;
+        bench.show(run(whole));
+        QVERIFY(off.text().contains(QStringLiteral("work drive")));
+        QVERIFY(!off.text().contains(QStringLiteral("burn")));
+        whole.machine.work_drive_kw = 1;
+        bench.show(run(whole));
+        QVERIFY(!off.isVisible());
+    }
+
+    /// The end of a machine's range that is nearer, also where the setting is at that very end.
+    void theEndOfARangeIsShownWithItsSide_data() {
+        QTest::addColumn<double>("speed");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("below") << 140.0 << QStringLiteral("≥150");
+        QTest::newRow("at the bottom") << 150.0 << QStringLiteral("≥150");
+        QTest::newRow("near the bottom") << 160.0 << QStringLiteral("≥150");
+        QTest::newRow("near the top") << 240.0 << QStringLiteral("≤250");
+        QTest::newRow("at the top") << 250.0 << QStringLiteral("≤250");
+        QTest::newRow("above") << 260.0 << QStringLiteral("≤250");
+    }
+    void theEndOfARangeIsShownWithItsSide() {
+        QFETCH(double, speed);
+        QFETCH(QString, text);
+        Project project = traverseProject();
+        project.machine.limits.work_speed_rpm = std::vector<double>{150, 250, 1};
+        project.machine.work_speed_rpm = speed;
+        const OutcomePtr outcome = run(project);
+        const auto found = std::ranges::find(outcome->constraints, ConstraintKind::rangeWorkSpeed,
+                                             &ConstraintResult::kind);
+        QVERIFY(found != outcome->constraints.end());
+        QCOMPARE(Names::limit(*found), text);
+    }
+
+    void whatFailsIsExplainedWithSharesThatAddUp() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 0;
+        project.part.lower_deviation_um = -2;
+        const OutcomePtr outcome = run(project);
+        const ConstraintResult* worst = verdict::worst(*outcome);
+        QVERIFY(worst && !worst->holds);
+        Bench bench(outcome);
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(Names::signedMicrometres(worst->value)), qPrintable(text));
+        // "…: gauge +a µm; zone +b µm (…); out of round +c µm."
+        static const QRegularExpression share(QStringLiteral("([+−-]?[0-9.]+) µm"));
+        QList<double> numbers;
+        auto found = share.globalMatch(text);
+        while (found.hasNext()) {
+            numbers << found.next().captured(1).replace(u'−', u'-').toDouble();
+        }
+        QCOMPARE(numbers.size(), 4);
+        QVERIFY(std::abs(numbers[1] + numbers[2] + numbers[3] - numbers[0]) < 0.03); // of 0.01 each
+    }
+
+    void aSettingIsSetWhereItsRequirementLeads() {
+        for (const Operation operation : {Operation::traverse, Operation::plunge}) {
+            Project project =
+                operation == Operation::traverse ? traverseProject() : plungeProject(3);
+            project.machine.limits.radial_feed_mm = std::vector<double>{0, 1, 0.001};
+            project.machine.limits.axial_feed_mm_min = std::vector<double>{0, 1e4, 1};
+            project.machine.limits.plunge_feed_mm_min = std::vector<double>{0, 10, 0.01};
+            project.machine.limits.work_speed_rpm = std::vector<double>{10, 1000, 1};
+            const OutcomePtr outcome = run(project);
+            QVERIFY(outcome->ran());
+            const auto file = nlohmann::json::parse(writeProject(project));
+            int settings = 0;
+            for (const ConstraintResult& c : outcome->constraints) {
+                const std::string path = verdict::inputPath(c);
+                QCOMPARE(!path.empty(), requirementOf(c.kind).scope == ConstraintScope::setting);
+                if (path.empty() || c.kind == ConstraintKind::gaugeCommands
+                    || c.kind == ConstraintKind::overlap) {
+                    continue; // its value is what the stages need, or follows from the feed
+                }
+                const nlohmann::json::json_pointer pointer(path);
+                QVERIFY2(file.contains(pointer), path.c_str());
+                QCOMPARE(file.at(pointer).get<double>(), c.value);
+                ++settings;
+            }
+            QVERIFY(settings >= 3);
+        }
+    }
+
+    // Where strips stay uncut, the verdict says so, and no number stands for the surface.
+    void stripsAreSaidAndTheSurfaceHasNoNumbers() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 900;
+        project.part.lower_deviation_um = -900;
+        project.cycle.stages.front().axial_feed_mm_min =
+            1.25 * project.wheel.width_mm * project.machine.work_speed_rpm;
+        const OutcomePtr outcome = run(project);
+        QVERIFY(outcome->ran());
+        QCOMPARE(verdict::worst(*outcome)->kind, ConstraintKind::overlap);
+        QCOMPARE(verdict::overallLight(*outcome), Light::fails);
+        const QString text = verdict::overall(*outcome);
+        QVERIFY2(text.contains(QStringLiteral("overlap B/s in stage 1 is 0.8, below 1: strips")),
+                 qPrintable(text));
+        VerdictModel model;
+        model.setOutcome(outcome);
+        int surface = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const ConstraintResult* c = model.constraintAt(row);
+            if (!c) {
+                continue;
+            }
+            const auto shown = [&](int column) {
+                return model.index(row, column).data().toString();
+            };
+            const bool dash = shown(VerdictModel::value) == QStringLiteral("–")
+                              && shown(VerdictModel::margin) == QStringLiteral("–");
+            QCOMPARE(dash, !c->isWhole);
+            QCOMPARE(shown(VerdictModel::requirement).contains(QStringLiteral("strips uncut")),
+                     !c->isWhole);
+            surface += c->isWhole ? 0 : 1;
+        }
+        QVERIFY(surface >= 9); // three zones
+        for (const std::vector<CsvCell>& row : zoneTable(*outcome).rows) {
+            for (std::size_t column = 3; column <= 7; ++column) { // sizes, runout, roundness
+                QVERIFY(std::holds_alternative<std::monostate>(row.at(column)));
+            }
+            QVERIFY(std::holds_alternative<double>(row.at(8))); // the force
+            QVERIFY(row.size() == 9 || std::holds_alternative<std::monostate>(row.at(9)));
+        }
+        const ProfileSeries series = makeProfileSeries(outcome->result, outcome->trajectory);
+        for (const Profile& profile : series.profiles) {
+            QVERIFY(ProfilesText::numbers(series, profile, false)
+                        .contains(QStringLiteral("size and form are not known")));
+        }
+        BatchSummary batch;
+        batch.parts = 10;
+        batch.stripped = 3;
+        QVERIFY(BatchText::counts(batch).contains(
+            QStringLiteral("3 of 10 parts have no size, form and Ra")));
+    }
+
+    void aRowThatHoldsIsExplainedWhenChosen() {
+        Project project = traverseProject();
+        project.part.upper_deviation_um = 100;
+        project.part.lower_deviation_um = -100;
+        project.part.tolerance.radial_runout_um = 100;
+        Bench bench(run(project), {320, 1400});
+        QVERIFY(bench.label("why").text().isEmpty());
+        CopyTable& table = bench.requirements();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middleOfRow(table, 3));
+        const QString text = bench.label("why").text();
+        QVERIFY2(text.contains(QStringLiteral("Radial runout")), qPrintable(text));
+        QVERIFY(text.contains(Names::micrometres(project.part.initial_runout_mm * 1e3)));
+    }
+
+    void refusedTextsInTheInputsAreSaid() {
+        Bench bench(m_traverse);
+        QLabel& notice = bench.label("refusedFields");
+        QVERIFY(!notice.isVisible());
+        bench.panel.setRefusedFields(2);
+        QVERIFY(notice.isVisible() && isInSight(notice, bench.panel));
+        QCOMPARE(notice.text(), QStringLiteral("2 fields hold a refused text; the verdict is of "
+                                               "the values before it."));
+        bench.show(m_plunge); // a newer run of the values before it says nothing else
+        QVERIFY(notice.isVisible());
+        bench.panel.setRefusedFields(0);
+        QVERIFY(!notice.isVisible());
+    }
+};
+
+} // namespace test_verdict_requirements
+
+SPARKOUT_TEST(test_verdict_requirements, TestVerdictRequirements)
+#include "test_verdict_requirements.moc"

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shop's numbers in the verdict panel: stage by stage, marked, explained, copied.
+#include "tests/registry.h"
+#include "tests/ui/support/view_fixtures.h"
+#include "tests/ui/views/verdict/verdict_bench.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+namespace test_verdict_shop {
+
+using namespace sparkout;
+using namespace verdict_bench;
+using fixtures::Marking;
+using verdict_bench::Bench;
+
+namespace {
+
+/// A press of the right button as the windowing system sends it, which makes the menu event.
+QMenu* rightClick(QWidget& on, const QPoint& at) {
+    QWidget* window = on.window();
+    QTest::mouseClick(window->windowHandle(), Qt::RightButton, Qt::NoModifier,
+                      on.mapTo(window, at));
+    QTest::qWait(20);
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+}
+
+} // namespace
+
+class TestVerdictShop : public VerdictTest {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { begin(); }
+
+    void aColumnAStageAndOneForTheCycle() {
+        Bench bench(m_traverse);
+        const ShopNumbers& shop = m_traverse->shop;
+        QCOMPARE(bench.model().columnCount(), 3);
+        const auto head = [&](int column) {
+            return bench.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        };
+        QCOMPARE(head(0) + head(1) + head(2), QStringLiteral("12Cycle"));
+        for (int column = 0; column < 3; ++column) {
+            const ShopColumn& c = column < 2 ? shop.stages[std::size_t(column)] : shop.cycle;
+            const std::pair<ShopRow, double> numbers[] = {
+                {ShopRow::time, c.time_s / 60},
+                {ShopRow::removalRate, c.removalRate_mm2_s},
+                {ShopRow::meanRemovalRate, c.meanRemovalRate_mm2_s},
+                {ShopRow::chip, c.equivalentChip_um},
+                {ShopRow::aggressiveness, c.aggressiveness},
+                {ShopRow::overlap, *c.overlap},
+                {ShopRow::energy, *c.energy_j_mm3},
+                {ShopRow::peakPower, c.power_w.value / 1000},
+                {ShopRow::meanPower, c.meanPower_w / 1000},
+                {ShopRow::normalForce, c.normalForce_n.value}};
+            QCOMPARE(bench.cell(ShopRow::count, column).toInt(), c.count);
+            for (const auto& [row, value] : numbers) {
+                const double shown = bench.cell(row, column).toDouble();
+                QVERIFY2(std::abs(shown - value) <= std::max(0.005 * value, 0.0005),
+                         qPrintable(bench.cell(row, column, Qt::AccessibleTextRole)));
+            }
+        }
+        QCOMPARE(bench.cell(ShopRow::rotationRatio, 0), QString());
+        QCOMPARE(bench.cell(ShopRow::rotationRatio, 2).toDouble(), 6.37);
+    }
+
+    void plungeHasNoOverlap() {
+        Bench bench(m_plunge);
+        QCOMPARE(bench.row(ShopRow::overlap), -1);
+        QVERIFY(bench.row(ShopRow::energy) > 0);
+        const auto first = bench.model().headerData(0, Qt::Vertical, Qt::DisplayRole).toString();
+        QCOMPARE(first, QStringLiteral("Revolutions"));
+        bench.show(m_traverse);
+        QVERIFY(bench.row(ShopRow::overlap) > 0);
+    }
+
+    void numbersKeepThreeDigitsAndNeverVanish_data() {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("nothing") << 0.0 << QStringLiteral("0");
+        QTest::newRow("hardly anything") << 0.00004321 << QStringLiteral("0.00004");
+        QTest::newRow("small") << 0.024172 << QStringLiteral("0.024");
+        QTest::newRow("below one") << 0.7265 << QStringLiteral("0.727");
+        QTest::newRow("one") << 1.0 << QStringLiteral("1.00");
+        QTest::newRow("tens") << 67.35 << QStringLiteral("67.3");
+        QTest::newRow("thousands") << 3281.4 << QStringLiteral("3281");
+    }
+
+    void numbersKeepThreeDigitsAndNeverVanish() {
+        QFETCH(double, value);
+        QFETCH(QString, shown);
+        QCOMPARE(shop::number(value), shown);
+    }
+
+    void tipsGiveFormulaMeaningAndPlace() {
+        Bench bench(m_traverse);
+        const QString energy = bench.cell(ShopRow::energy, 0, Qt::ToolTipRole);
+        QVERIFY(energy.contains(QStringLiteral("20…120")));
+        QVERIFY(energy.contains(QStringLiteral("∫P<sub>z</sub>·V<sub>k</sub> dt")));
+        QVERIFY(energy.contains(QStringLiteral(" kJ for "))); // what it is made of
+        const QString power = bench.cell(ShopRow::peakPower, 0, Qt::ToolTipRole);
+        QVERIFY(power.contains(QStringLiteral("RZ1, E1, stage 1, double stroke")));
+        for (int row = 0; row < bench.model().rowCount(); ++row) {
+            const QString tip =
+                bench.model().headerData(row, Qt::Vertical, Qt::ToolTipRole).toString();
+            QVERIFY(tip.startsWith(QStringLiteral("<p>"))); // or it would not wrap
+        }
+    }
+
+    void numbersOutsideTheirBandCarryAnIconAndWords() {
+        Project p = traverseProject();
+        p.wheel.dullness = 0; // the shear alone, 5.6 J/mm³
+        p.cycle.stages[1].axial_feed_mm_min = 1.2 * p.wheel.width_mm * p.machine.work_speed_rpm;
+        Bench bench(run(p));
+        for (int column = 0; column < 3; ++column) {
+            QVERIFY(bench.marked(ShopRow::energy, column));
+            QVERIFY(bench.cell(ShopRow::energy, column, Qt::AccessibleTextRole)
+                        .endsWith(QStringLiteral("5.60; below the usual")));
+            QVERIFY(!bench.marked(ShopRow::peakPower, column));
+        }
+        QVERIFY(!bench.marked(ShopRow::overlap, 0));
+        QVERIFY(bench.marked(ShopRow::overlap, 1));
+        const QString remarks = bench.label("shopRemarks").text();
+        QVERIFY(bench.label("shopRemarks").isVisible());
+        QVERIFY(remarks.contains(QStringLiteral("below 20 J/mm³ (stage 1, 2)")));
+        QVERIFY(remarks.contains(QStringLiteral("Overlap below 1 (stage 2)")));
+        bench.show(m_traverse);
+        QVERIFY(!bench.label("shopRemarks").isVisible());
+        QVERIFY(!bench.marked(ShopRow::energy, 0));
+    }
+
+    void wholeRotationRatioIsMarked() {
+        Project p = plungeProject(1);
+        p.machine.work_speed_rpm =
+            p.machine.wheel_speed_m_s * 60e3 / (std::numbers::pi * p.wheel.diameter_mm) / 8;
+        Bench bench(run(p));
+        QVERIFY(bench.marked(ShopRow::rotationRatio, 2));
+        QVERIFY(!bench.marked(ShopRow::rotationRatio, 0));
+        QVERIFY(bench.label("shopRemarks").text().contains(QStringLiteral("8.00 : 1")));
+    }
+
+    void ctrlCCopiesTheTableWithItsHead() {
+        Bench bench(m_traverse);
+        bench.table().setFocus();
+        QTest::keyClick(&bench.table(), Qt::Key_C, Qt::ControlModifier);
+        checkCopied(bench);
+    }
+
+    void theContextMenuCopiesToo() {
+        Bench bench(m_traverse, {320, 1400}); // all of it in sight
+        QVERIFY(QTest::qWaitForWindowExposed(&bench.panel));
+        QMenu* menu = rightClick(*bench.table().viewport(), middleOfRow(bench.table(), 2));
+        QVERIFY(menu);
+        QCOMPARE(menu->actions().size(), 2); // copy, and save as
+        QApplication::clipboard()->clear();
+        QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Return);
+        checkCopied(bench);
+        QMenu* other = rightClick(*bench.requirements().viewport(), QPoint(20, 5));
+        QVERIFY(other);
+        QTest::keyClick(other, Qt::Key_Down);
+        QTest::keyClick(other, Qt::Key_Return);
+        const QString copied = QApplication::clipboard()->text();
+        QVERIFY(copied.startsWith(QStringLiteral("Zone or section\t")));
+        QVERIFY(copied.contains(QStringLiteral("\t-")) && !copied.contains(u'−')); // as Excel reads
+    }
+
+    void refusedInputsGreyTheNumbers() {
+        Bench bench(m_traverse);
+        auto refused = std::make_shared<Outcome>();
+        refused->issues.push_back({IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
+                                   Amount{5000, "mm"}, Bounds{{0.5, 1000}, "mm"}});
+        const QString before = bench.cell(ShopRow::energy, 0);
+        bench.show(refused);
+        QCOMPARE(bench.cell(ShopRow::energy, 0), before);
+        QVERIFY(bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
+        bench.show(m_traverse);
+        QVERIFY(!bench.model().index(0, 0).data(Qt::ForegroundRole).isValid());
+    }
+
+    void anotherLanguageReachesEveryTextOfTheTable() {
+        Project p = traverseProject();
+        p.wheel.dullness = 0;
+        Bench bench(run(p));
+        Marking marking;
+        QApplication::installTranslator(&marking);
+        QTest::qWait(30);
+        const auto isMarked = [](const QString& text) { return text.contains(QChar(0x00AB)); };
+        const ShopModel& model = bench.model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString()));
+            QVERIFY(isMarked(model.headerData(row, Qt::Vertical, Qt::ToolTipRole).toString()));
+        }
+        QVERIFY(isMarked(model.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString()));
+        QVERIFY(isMarked(bench.label("shopRemarks").text()));
+        QVERIFY(isMarked(bench.table().accessibleName()));
+        QVERIFY(isMarked(bench.table().toolTip()));
+        QApplication::removeTranslator(&marking);
+        QTest::qWait(30);
+        QCOMPARE(bench.table().accessibleName(), QStringLiteral("Shop's numbers by stage"));
+    }
+
+private:
+    static void checkCopied(Bench& bench) {
+        const QString text = QApplication::clipboard()->text();
+        const QStringList lines = text.trimmed().split(u'\n');
+        QCOMPARE(lines.size(), 1 + bench.model().rowCount());
+        QCOMPARE(lines[0], QStringLiteral("Quantity\tStage 1\tStage 2\tWhole cycle\tOutside the "
+                                          "usual"));
+        for (const QString& line : text.chopped(1).split(u'\n')) {
+            QCOMPARE(line.count(u'\t'), 4);
+        }
+        const int power = bench.row(ShopRow::meanPower);
+        QVERIFY(lines[1 + power].startsWith(
+            QStringLiteral("Power mean, kW\t%1\t").arg(bench.cell(ShopRow::meanPower, 0))));
+    }
+};
+
+} // namespace test_verdict_shop
+
+SPARKOUT_TEST(test_verdict_shop, TestVerdictShop)
+#include "test_verdict_shop.moc"

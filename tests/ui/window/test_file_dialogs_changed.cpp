@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The file of the window is changed or removed by another program: the notice and its buttons.
+#include "tests/registry.h"
+#include "tests/ui/window/file_dialogs_bench.h"
+#include "ui/window/notice_bar.h"
+
+#include <QLabel>
+
+namespace test_file_dialogs_changed {
+
+using namespace sparkout;
+using namespace file_dialogs_bench;
+
+namespace {
+
+/// Another program writes into the file of the window, which tells so.
+[[nodiscard]] bool changedOnDisk(Bench& bench) {
+    QTest::qWait(400);
+    trouble::write(bench.path, textWith(35));
+    return QTest::qWaitFor(
+        [&] { return bench.window->files().notices().holds(QStringLiteral("disk")); });
+}
+
+} // namespace
+
+class TestFileDialogsChanged : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aChangedFileIsOfferedForReloading() {
+        Bench bench;
+        QVERIFY(bench.open());
+        QVERIFY(changedOnDisk(bench));
+        NoticeBar& notices = bench.window->files().notices();
+        QVERIFY(notices.isVisible());
+        QTest::mouseClick(bench.noticeButton("disk", 0), Qt::LeftButton);
+        QTRY_COMPARE(bench.diameter(), 35.0);
+        QVERIFY(!bench.document().modified());
+        QVERIFY(!notices.holds(QStringLiteral("disk")));
+    }
+
+    void reloadingInsteadOfSavingTakesTheNoticeAway() {
+        Bench bench;
+        QVERIFY(bench.open());
+        bench.edit(31);
+        QVERIFY(changedOnDisk(bench));
+        NoticeBar& notices = bench.window->files().notices();
+        DialogAnswers answers({QStringLiteral("reload")});
+        QVERIFY(!bench.window->files().save());
+        ANSWERED(answers);
+        QVERIFY(!notices.holds(QStringLiteral("disk")));
+    }
+
+    void keepingOnesOwnVersionCountsAsUnsaved() {
+        Bench bench;
+        QVERIFY(bench.open());
+        QVERIFY(changedOnDisk(bench));
+        QTest::keyClick(bench.noticeButton("disk", 1), Qt::Key_Space);
+        QTRY_VERIFY(bench.document().modified());
+        QCOMPARE(bench.diameter(), 30.0);
+    }
+
+    void aFileThatIsRemovedCountsAsUnsaved() {
+        Bench bench;
+        QVERIFY(bench.open());
+        QTest::qWait(400);
+        QVERIFY(QFile::remove(bench.path));
+        QTRY_VERIFY(bench.window->files().notices().holds(QStringLiteral("disk")));
+        QVERIFY(bench.document().modified());
+        DialogAnswers answers({QStringLiteral("proceed")});
+        QTest::mouseClick(bench.noticeButton("disk", 0), Qt::LeftButton);
+        QTRY_COMPARE(trouble::bytesOf(bench.path), textWith(30));
+        ANSWERED(answers);
+        QVERIFY(!bench.document().modified());
+    }
+
+    void aChangeUnderUnsavedEditsIsTold() {
+        Bench bench(QStringLiteral("ru"));
+        QVERIFY(bench.open());
+        bench.edit(31);
+        QVERIFY(changedOnDisk(bench));
+        NoticeBar& notices = bench.window->files().notices();
+        QCOMPARE(bench.diameter(), 31.0);
+        const QString russian = notices.textOf(QStringLiteral("disk"));
+        bench.language.apply(QStringLiteral("en"));
+        QVERIFY(notices.textOf(QStringLiteral("disk")).contains(QStringLiteral("unsaved changes")));
+        QVERIFY(notices.textOf(QStringLiteral("disk")) != russian);
+        const auto shown = [&] {
+            const auto* row = bench.window->findChild<QWidget*>(QStringLiteral("notice disk"));
+            return row ? row->findChildren<QLabel*>().last()->text() : QString();
+        };
+        QTRY_VERIFY(shown().contains(QStringLiteral("unsaved changes")));
+    }
+};
+
+} // namespace test_file_dialogs_changed
+
+SPARKOUT_TEST(test_file_dialogs_changed, TestFileDialogsChanged)
+#include "test_file_dialogs_changed.moc"

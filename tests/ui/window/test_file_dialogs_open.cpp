@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways into the window: recent files, a dropped one, faulty and large ones.
+#include "tests/check_line.h"
+#include "tests/registry.h"
+#include "tests/tries.h"
+#include "tests/ui/window/file_dialogs_bench.h"
+#include "ui/dialogs/faults_dialog.h"
+#include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/notice_bar.h"
+#include "ui/window/recent_files_menu.h"
+
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QUrl>
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+namespace test_file_dialogs_open {
+
+using namespace sparkout;
+using namespace file_dialogs_bench;
+
+namespace {
+
+/// Beats every 5 ms and notes the longest time without a beat: by the clock, and how long the
+/// window's thread itself was at work meanwhile, which a busy machine does not change.
+class Heartbeat : public QObject {
+public:
+    Heartbeat() {
+        m_timer.setTimerType(Qt::PreciseTimer);
+        connect(&m_timer, &QTimer::timeout, this, &Heartbeat::beat);
+        m_timer.start(5);
+        m_clock.start();
+        m_work_ms = threadTime_ms();
+    }
+    void beat() {
+        const double work_ms = threadTime_ms();
+        longest_ms = std::max(longest_ms, double(m_clock.nsecsElapsed()) * 1e-6);
+        longestWork_ms = std::max(longestWork_ms, work_ms - m_work_ms);
+        m_work_ms = work_ms;
+        m_clock.restart();
+    }
+    double longest_ms = 0;
+    double longestWork_ms = 0;
+
+private:
+    static double threadTime_ms() {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+    }
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    double m_work_ms = 0;
+};
+
+/// A project of some megabytes: a thousand kept runs with their summaries.
+QByteArray largeText() {
+    Project project = newProject(Operation::traverse);
+    const std::string inputs = writeProject(project);
+    std::string radii = "0.123456789";
+    for (int i = 0; i < 300; ++i) {
+        radii += ",0.123456789";
+    }
+    for (int i = 0; i < 1000; ++i) {
+        project.runs.push_back(
+            {"run", "2026-01-01T00:00:00Z", "0.1", {inputs}, {"{\"radii\":[" + radii + "]}"}});
+    }
+    return QByteArray::fromStdString(writeProject(project));
+}
+
+} // namespace
+
+class TestFileDialogsOpen : public QObject {
+    Q_OBJECT
+
+private slots:
+    void recentFilesAreChosenByDigitAndMissingOnesGreyedAndRemoved() {
+        Bench bench;
+        trouble::write(bench.other, textWith(40));
+        QVERIFY(bench.open());
+        QVERIFY(bench.window->files().openFile(bench.other));
+        RecentFilesMenu& menu = bench.window->files().recentFiles();
+        menu.fill();
+        QVERIFY(menu.actions()[0]->text().startsWith(QStringLiteral("&1  other.sparkout")));
+        QVERIFY(menu.actions()[1]->text().startsWith(QStringLiteral("&2  вал <b>.sparkout")));
+        menu.popup(bench.window->mapToGlobal(QPoint(10, 10)));
+        QTest::keyClick(&menu, Qt::Key_2);
+        QTRY_COMPARE(bench.document().filePath(), bench.path);
+
+        QVERIFY(QFile::remove(bench.other));
+        menu.fill();
+        QTRY_VERIFY(!menu.actions()[1]->isEnabled());
+        QVERIFY(menu.actions()[1]->text().contains(QStringLiteral("(missing)")));
+        QAction* removeMissing = menu.actions()[menu.actions().size() - 2];
+        QVERIFY(removeMissing->isEnabled());
+        removeMissing->trigger();
+        QCOMPARE(bench.settings.recentFiles(), QStringList{bench.path});
+        menu.actions().last()->trigger();
+        QVERIFY(bench.settings.recentFiles().isEmpty());
+        QVERIFY(!menu.menuAction()->isEnabled());
+    }
+
+    void anAmpersandInANameIsNoMnemonic() {
+        Bench bench;
+        const QString path = bench.folder.filePath(QStringLiteral("a&b.sparkout"));
+        trouble::write(path, textWith(40));
+        QVERIFY(bench.window->files().openFile(path));
+        QVERIFY(bench.window->files().recentFiles().actions()[0]->text().contains(
+            QStringLiteral("a&&b.sparkout")));
+    }
+
+    void aDroppedFileIsOpenedAfterTheQuestion() {
+        Bench bench;
+        trouble::write(bench.other, textWith(40));
+        QVERIFY(bench.open());
+        bench.edit(31);
+        QMimeData mime;
+        mime.setUrls({QUrl::fromLocalFile(bench.other)});
+        QDragEnterEvent enter({500, 300}, Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        QDropEvent drop(QPointF(500, 300), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);
+        DialogAnswers answers({QStringLiteral("discard")});
+        QCoreApplication::sendEvent(bench.window.get(), &enter);
+        QVERIFY(enter.isAccepted());
+        QCoreApplication::sendEvent(bench.window.get(), &drop);
+        QTRY_VERIFY2(bench.document().filePath() == bench.other, qPrintable(answers.fault()));
+        ANSWERED(answers);
+        QCOMPARE(trouble::bytesOf(bench.path), textWith(30));
+    }
+
+    void aKeptRunWithFaultsCostsNothing() {
+        Bench bench;
+        Project project = newProject(Operation::traverse);
+        Project strange = project;
+        strange.wheel.width_mm = -1;
+        project.runs = {{"odd", "2026-01-01T00:00:00Z", "9.9", {writeProject(strange)}, {"{}"}}};
+        trouble::write(bench.path, QByteArray::fromStdString(writeProject(project)));
+        QVERIFY(bench.open());
+        QVERIFY(bench.window->files().notices().holds(QStringLiteral("keptRuns")));
+        DialogAnswers answers({QStringLiteral("Escape")});
+        QString head;
+        QString list;
+        answers.seen = [&](QDialog& dialog) {
+            head = dialog.findChild<QLabel*>()->text();
+            list = dialog.findChild<QListWidget*>()->item(0)->text();
+        };
+        QTest::mouseClick(bench.noticeButton("keptRuns", 0), Qt::LeftButton);
+        QTRY_VERIFY(answers.fault().isEmpty());
+        QVERIFY(head.contains(QStringLiteral("is open")));
+        QVERIFY(list.contains(QStringLiteral("/runs/0/inputs/wheel/width_mm")));
+        bench.edit(31);
+        QVERIFY(bench.window->files().save());
+        const ReadResult back = readProject(trouble::bytesOf(bench.path).toStdString());
+        QVERIFY(back.unfinished && back.unfinished->runs.size() == 1);
+        QVERIFY(back.unfinished->runs[0].inputs.text.find("-1") != std::string::npos);
+    }
+
+    void faultsNameTheFieldAndThePathInTheFile() {
+        Bench bench;
+        const Issues issues{{IssueCode::outOfRange, Severity::error, "/wheel/width_mm",
+                             Amount{-1, "mm"}, Bounds{{0.1, 500}, "mm"}}};
+        const QString line = FaultsDialog::lines(issues).first();
+        QVERIFY2(line.startsWith(QStringLiteral("Wheel › ")), qPrintable(line));
+        QVERIFY2(line.contains(QStringLiteral("(/wheel/width_mm): ")), qPrintable(line));
+    }
+
+    void openingAndSavingBlockTheWindowNoLongerThanAnEdit_data() {
+        QTest::addColumn<QByteArray>("text");
+        QByteArray largest;
+        for (const QString& path : ExamplesDialog::paths()) {
+            const QByteArray text = ExamplesDialog::textOf(path);
+            largest = text.size() > largest.size() ? text : largest;
+        }
+        QTest::newRow("largest example") << largest;
+        if (qEnvironmentVariableIsSet("SPARKOUT_LONG")) { // far beyond any project seen
+            QTest::newRow("six megabytes") << largeText();
+        }
+    }
+
+    void openingAndSavingBlockTheWindowNoLongerThanAnEdit() {
+        QFETCH(QByteArray, text);
+        constexpr double target_ms = 50;
+        const double worst_ms = leastOfTries_ms(4 * target_ms, [&] {
+            Bench bench;
+            trouble::write(bench.path, text);
+            QTest::qWait(300);
+            QSignalSpy shown(bench.window.get(), &MainWindow::outcomeShown);
+            Heartbeat opening;
+            const bool opened = bench.open() && QTest::qWaitFor([&] { return !shown.isEmpty(); });
+            QTest::qWait(100);
+            opening.beat();
+            Heartbeat saving;
+            bench.edit(31);
+            const bool saved = bench.window->files().save();
+            QTest::qWait(100);
+            saving.beat();
+            const double own_ms = std::max(opening.longestWork_ms, saving.longestWork_ms);
+            qInfo("SPEED %s, %lld KB: the window stood still %.0f ms at most while it was opened "
+                  "(%.0f ms of work of its own), %.0f ms (%.0f ms) while it was edited and saved; "
+                  "target of its own work %g ms: %s",
+                  QTest::currentDataTag(), text.size() / 1024, opening.longest_ms,
+                  opening.longestWork_ms, saving.longest_ms, saving.longestWork_ms, target_ms,
+                  beside(own_ms, target_ms));
+            return opened && saved ? own_ms : std::numeric_limits<double>::infinity();
+        });
+        checkLine("20", worst_ms, 100, worst_ms <= 100,
+                  QStringLiteral("ms of its own work at most while %1 KB were opened, edited and "
+                                 "saved: %2")
+                      .arg(text.size() / 1024)
+                      .arg(QString::fromUtf8(QTest::currentDataTag())));
+        QVERIFY(worst_ms <= 4 * target_ms);
+    }
+};
+
+} // namespace test_file_dialogs_open
+
+SPARKOUT_TEST(test_file_dialogs_open, TestFileDialogsOpen)
+#include "test_file_dialogs_open.moc"
