@@ -45,6 +45,10 @@ QString translated(const char* context, const char* text) {
     QT_TRANSLATE_NOOP("Unit", "K"),
     QT_TRANSLATE_NOOP("Unit", "°"),
     QT_TRANSLATE_NOOP("Unit", "bytes"),
+    QT_TRANSLATE_NOOP("Unit", "°C"),
+    QT_TRANSLATE_NOOP("Unit", "kg/m³"),
+    QT_TRANSLATE_NOOP("Unit", "°C, W/(m·K)"),
+    QT_TRANSLATE_NOOP("Unit", "°C, J/(kg·K)"),
 };
 
 /// "L_p" → "Lₚ", where there are signs for all of an index.
