@@ -17,17 +17,17 @@ using Matrix = Eigen::Matrix<double, n, n>;
 using Vector = Eigen::Matrix<double, n, 1>;
 
 /// (s·g; 1) of a point.
-Vector column(const AxisSight& sight, const ChebyshevFit::Point& point) {
+Vector column(const AxisView& view, const ChebyshevFit::Point& point) {
     const std::size_t i = point.index;
-    const double s = point.sign, nx = sight.nx[i], ny = sight.ny[i], zeta = sight.zetaOf(i);
+    const double s = point.sign, nx = view.nx[i], ny = view.ny[i], zeta = view.zetaOf(i);
     return Vector{{s, s * nx, s * ny, s * nx * zeta, s * ny * zeta, 1}};
 }
 
-Matrix basisMatrix(const AxisSight& sight,
+Matrix basisMatrix(const AxisView& view,
                    const std::array<ChebyshevFit::Point, ChebyshevFit::size>& basis) {
     Matrix M;
     for (int m = 0; m < n; ++m) {
-        M.col(m) = column(sight, basis[static_cast<std::size_t>(m)]);
+        M.col(m) = column(view, basis[static_cast<std::size_t>(m)]);
     }
     return M;
 }
@@ -57,31 +57,30 @@ private:
     int m_count = 0;
 };
 
-double residual(const AxisSight& sight, const AxisFit& fit, std::size_t i) {
-    const double zeta = sight.zetaOf(i);
-    return sight.d[i] - fit.r - sight.nx[i] * (fit.x + zeta * fit.u)
-           - sight.ny[i] * (fit.y + zeta * fit.v);
+double residual(const AxisView& view, const AxisFit& fit, std::size_t i) {
+    const double zeta = view.zetaOf(i);
+    return view.d[i] - fit.r - view.nx[i] * (fit.x + zeta * fit.u)
+           - view.ny[i] * (fit.y + zeta * fit.v);
 }
 
 } // namespace
 
-ChebyshevFit::ChebyshevFit(const AxisSight& sight, std::size_t firstSection,
-                           std::size_t lastSection)
-    : m_residuals(sight.K) {
+ChebyshevFit::ChebyshevFit(const AxisView& view, std::size_t firstSection, std::size_t lastSection)
+    : m_residuals(view.K) {
     for (std::size_t m = 0; m < size; ++m) {
         const std::size_t section = m < size / 2 ? firstSection : lastSection;
-        m_basis[m].index = section * sight.K + m % 3 * sight.K / 3;
+        m_basis[m].index = section * view.K + m % 3 * view.K / 3;
         m_candidates.push_back(m_basis[m].index);
     }
 }
 
-AxisFit ChebyshevFit::run(const AxisSight& sight, double tolerance) {
-    makeFeasible(sight);
-    AxisFit fit = runOnCandidates(sight, tolerance);
-    while (addCandidates(sight, fit, tolerance)) {
-        fit = runOnCandidates(sight, tolerance);
+AxisFit ChebyshevFit::run(const AxisView& view, double tolerance) {
+    makeFeasible(view);
+    AxisFit fit = runOnCandidates(view, tolerance);
+    while (addCandidates(view, fit, tolerance)) {
+        fit = runOnCandidates(view, tolerance);
     }
-    return nearest(sight, fit, tolerance);
+    return nearest(view, fit, tolerance);
 }
 
 // With fewer than six contacts the best fits are many. Towards the one of the simplex method from
@@ -89,14 +88,14 @@ AxisFit ChebyshevFit::run(const AxisSight& sight, double tolerance) {
 // distance that each still stands out falls linearly on the way. The radius is free, so the
 // contacts fix the shift and lean by their differences alone: of all that the fit keeps them with,
 // the smallest is its part within the span of these differences.
-AxisFit ChebyshevFit::nearest(const AxisSight& sight, const AxisFit& fit, double tolerance) const {
+AxisFit ChebyshevFit::nearest(const AxisView& view, const AxisFit& fit, double tolerance) const {
     const std::vector<Point> touching = contacts();
     if (touching.empty()) { // no weight is a number
         return fit;
     }
     const auto direction = [&](const Point& point) {
-        const double nx = sight.nx[point.index], ny = sight.ny[point.index];
-        const double zeta = sight.zetaOf(point.index);
+        const double nx = view.nx[point.index], ny = view.ny[point.index];
+        const double zeta = view.zetaOf(point.index);
         return Vector{{nx, ny, nx * zeta, ny * zeta, 0, 0}};
     };
     Span differences;
@@ -109,11 +108,11 @@ AxisFit ChebyshevFit::nearest(const AxisSight& sight, const AxisFit& fit, double
     const AxisFit near{
         fit.r + direction(touching.front()).dot(spare), p[0], p[1], p[2], p[3], fit.level};
     double share = 0;
-    for (std::size_t i = 0; i < sight.d.size(); ++i) {
-        const double from = residual(sight, near, i);
+    for (std::size_t i = 0; i < view.d.size(); ++i) {
+        const double from = residual(view, near, i);
         const double excess = std::abs(from) - fit.level - tolerance;
         if (excess > 0) {
-            const double to = residual(sight, fit, i);
+            const double to = residual(view, fit, i);
             share = std::max(share, excess / (std::abs(from) - (from < 0 ? -to : to)));
         }
     }
@@ -135,11 +134,11 @@ std::vector<ChebyshevFit::Point> ChebyshevFit::contacts() const {
 }
 
 // Six points have one vector η with Σ η_i·g_i = 0; its signs are the basis's.
-void ChebyshevFit::makeFeasible(const AxisSight& sight) {
+void ChebyshevFit::makeFeasible(const AxisView& view) {
     for (Point& point : m_basis) {
         point.sign = 1;
     }
-    const Matrix M = basisMatrix(sight, m_basis);
+    const Matrix M = basisMatrix(view, m_basis);
     Span rows;
     for (int row = 0; row < n - 1; ++row) {
         rows.take(M.row(row));
@@ -157,12 +156,12 @@ void ChebyshevFit::makeFeasible(const AxisSight& sight) {
 }
 
 // Weights from M·y = e₆ and the fit from Mᵀ·(fit; level) = s·d, M the basis.
-AxisFit ChebyshevFit::solve(const AxisSight& sight) {
-    const Eigen::PartialPivLU<Matrix> lu(basisMatrix(sight, m_basis));
+AxisFit ChebyshevFit::solve(const AxisView& view) {
+    const Eigen::PartialPivLU<Matrix> lu(basisMatrix(view, m_basis));
     Vector d;
     for (int m = 0; m < n; ++m) {
         const Point& point = m_basis[static_cast<std::size_t>(m)];
-        d[m] = point.sign * sight.d[point.index];
+        d[m] = point.sign * view.d[point.index];
     }
     const Vector x = lu.transpose().solve(d);
     const Vector y = lu.solve(Vector::Unit(n - 1));
@@ -172,11 +171,11 @@ AxisFit ChebyshevFit::solve(const AxisSight& sight) {
     return {x[0], x[1], x[2], x[3], x[4], x[5]};
 }
 
-ChebyshevFit::Entering ChebyshevFit::choose(const AxisSight& sight, const AxisFit& fit,
+ChebyshevFit::Entering ChebyshevFit::choose(const AxisView& view, const AxisFit& fit,
                                             double tolerance, bool bland) const {
     Entering found{{}, tolerance};
     for (const std::size_t i : m_candidates) {
-        const double off = residual(sight, fit, i);
+        const double off = residual(view, fit, i);
         const double excess = std::abs(off) - fit.level;
         if (excess > found.excess) {
             found = {{i, off < 0 ? -1.0 : 1.0}, excess};
@@ -190,9 +189,9 @@ ChebyshevFit::Entering ChebyshevFit::choose(const AxisSight& sight, const AxisFi
 
 // The weights along the entering column: θ = min y_m/z_m over z_m > 0 leaves the basis. Of equals
 // the largest z, which keeps the basis well away from a singular one; by Bland the first point.
-bool ChebyshevFit::pivot(const AxisSight& sight, const Point& entering, bool bland) {
+bool ChebyshevFit::pivot(const AxisView& view, const Point& entering, bool bland) {
     const Vector z =
-        Eigen::PartialPivLU<Matrix>(basisMatrix(sight, m_basis)).solve(column(sight, entering));
+        Eigen::PartialPivLU<Matrix>(basisMatrix(view, m_basis)).solve(column(view, entering));
     constexpr double least = 1e-11;
     constexpr double equal = 1e-13;
     std::size_t leaving = size;
@@ -220,19 +219,19 @@ bool ChebyshevFit::pivot(const AxisSight& sight, const Point& entering, bool bla
     return true;
 }
 
-AxisFit ChebyshevFit::runOnCandidates(const AxisSight& sight, double tolerance) {
+AxisFit ChebyshevFit::runOnCandidates(const AxisView& view, double tolerance) {
     constexpr int mostPivots = 5000;
     constexpr int patience = 12; ///< pivots without a gain before Bland's rule
     std::sort(m_candidates.begin(), m_candidates.end());
-    AxisFit fit = solve(sight);
+    AxisFit fit = solve(view);
     int stalled = 0;
     for (int step = 0; step < mostPivots; ++step) {
         const bool bland = stalled > patience;
-        const Entering entering = choose(sight, fit, tolerance, bland);
-        if (entering.excess <= tolerance || !pivot(sight, entering.point, bland)) {
+        const Entering entering = choose(view, fit, tolerance, bland);
+        if (entering.excess <= tolerance || !pivot(view, entering.point, bland)) {
             break;
         }
-        const AxisFit next = solve(sight);
+        const AxisFit next = solve(view);
         stalled = next.level > fit.level + tolerance / 16 ? 0 : stalled + 1;
         fit = next;
     }
@@ -240,15 +239,15 @@ AxisFit ChebyshevFit::runOnCandidates(const AxisSight& sight, double tolerance) 
 }
 
 // Written for the vector unit: with 200 sections of 360 radii this is most of the work.
-void ChebyshevFit::takeResiduals(const AxisSight& sight, const AxisFit& fit, std::size_t section) {
-    const std::size_t K = sight.K;
-    const double* __restrict d = sight.d.data() + section * K;
-    const double* __restrict nx = sight.nx.data() + section * K;
-    const double* __restrict ny = sight.ny.data() + section * K;
+void ChebyshevFit::takeResiduals(const AxisView& view, const AxisFit& fit, std::size_t section) {
+    const std::size_t K = view.K;
+    const double* __restrict d = view.d.data() + section * K;
+    const double* __restrict nx = view.nx.data() + section * K;
+    const double* __restrict ny = view.ny.data() + section * K;
     double* __restrict off = m_residuals.data();
     const double r = fit.r;
-    const double x = fit.x + sight.zeta[section] * fit.u;
-    const double y = fit.y + sight.zeta[section] * fit.v;
+    const double x = fit.x + view.zeta[section] * fit.u;
+    const double y = fit.y + view.zeta[section] * fit.v;
 #pragma omp simd
     for (std::size_t k = 0; k < K; ++k) {
         off[k] = d[k] - r - nx[k] * x - ny[k] * y;
@@ -256,15 +255,15 @@ void ChebyshevFit::takeResiduals(const AxisSight& sight, const AxisFit& fit, std
 }
 
 /// The furthest points of each section that stand out, on either side.
-bool ChebyshevFit::addCandidates(const AxisSight& sight, const AxisFit& fit, double tolerance) {
+bool ChebyshevFit::addCandidates(const AxisView& view, const AxisFit& fit, double tolerance) {
     const std::size_t before = m_candidates.size();
     const auto isCandidate = [&](std::size_t i) { // those known before are sorted
         return std::binary_search(m_candidates.begin(),
                                   m_candidates.begin() + static_cast<std::ptrdiff_t>(before), i);
     };
-    for (std::size_t j = 0; j < sight.sections; ++j) {
-        const std::size_t first = j * sight.K;
-        takeResiduals(sight, fit, j);
+    for (std::size_t j = 0; j < view.sections; ++j) {
+        const std::size_t first = j * view.K;
+        takeResiduals(view, fit, j);
         const ValueRange range = rangeOf(m_residuals);
         for (const double extreme : {range.low, range.high}) {
             if (std::abs(extreme) <= fit.level + tolerance) {

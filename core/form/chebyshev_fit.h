@@ -9,8 +9,8 @@ namespace sparkout {
 
 /// The points of a part's surface as seen from a trial axis, section by section: distance d and its
 /// gradient −(nx, ny) for a shift, −ζ·(nx, ny) for a lean, ζ that of the section.
-struct AxisSight {
-    AxisSight(std::size_t sectionCount, std::size_t radiiPerSection)
+struct AxisView {
+    AxisView(std::size_t sectionCount, std::size_t radiiPerSection)
         : sections(sectionCount)
         , K(radiiPerSection)
         , d(sections * K)
@@ -43,16 +43,16 @@ struct AxisFit {
 class ChebyshevFit {
 public:
     struct Point {
-        std::size_t index = 0; ///< into the sight
+        std::size_t index = 0; ///< into the view
         double sign = 1;       ///< +1 touches from outside
     };
     static constexpr std::size_t size = 6;
 
     /// Starts with three points each of two sections.
-    ChebyshevFit(const AxisSight& sight, std::size_t firstSection, std::size_t lastSection);
+    ChebyshevFit(const AxisView& view, std::size_t firstSection, std::size_t lastSection);
 
     /// Of several best fits one with little shift and lean.
-    AxisFit run(const AxisSight& sight, double tolerance);
+    AxisFit run(const AxisView& view, double tolerance);
 
     /// The points that carry the level, weights above zero.
     [[nodiscard]] std::vector<Point> contacts() const;
@@ -62,16 +62,15 @@ private:
         Point point;
         double excess = 0;
     };
-    [[nodiscard]] AxisFit solve(const AxisSight& sight);
-    [[nodiscard]] AxisFit nearest(const AxisSight& sight, const AxisFit& fit,
-                                  double tolerance) const;
-    void makeFeasible(const AxisSight& sight);
-    [[nodiscard]] Entering choose(const AxisSight& sight, const AxisFit& fit, double tolerance,
+    [[nodiscard]] AxisFit solve(const AxisView& view);
+    [[nodiscard]] AxisFit nearest(const AxisView& view, const AxisFit& fit, double tolerance) const;
+    void makeFeasible(const AxisView& view);
+    [[nodiscard]] Entering choose(const AxisView& view, const AxisFit& fit, double tolerance,
                                   bool bland) const;
-    bool pivot(const AxisSight& sight, const Point& entering, bool bland);
-    void takeResiduals(const AxisSight& sight, const AxisFit& fit, std::size_t section);
-    AxisFit runOnCandidates(const AxisSight& sight, double tolerance);
-    bool addCandidates(const AxisSight& sight, const AxisFit& fit, double tolerance);
+    bool pivot(const AxisView& view, const Point& entering, bool bland);
+    void takeResiduals(const AxisView& view, const AxisFit& fit, std::size_t section);
+    AxisFit runOnCandidates(const AxisView& view, double tolerance);
+    bool addCandidates(const AxisView& view, const AxisFit& fit, double tolerance);
 
     std::array<Point, size> m_basis;
     std::array<double, size> m_weights{};

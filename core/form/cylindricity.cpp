@@ -38,28 +38,28 @@ public:
         }
     }
 
-    [[nodiscard]] AxisSight emptySight() const {
-        AxisSight sight(m_sections.size(), m_directions.size());
-        sight.zeta = m_zeta;
-        return sight;
+    [[nodiscard]] AxisView emptyView() const {
+        AxisView view(m_sections.size(), m_directions.size());
+        view.zeta = m_zeta;
+        return view;
     }
 
     // Offset q from the axis at the point's own position; along the leaning axis, direction (t, 1),
     // the foot is λ = q·t/(1 + t²) further on. d = |q − λ·(t, 1)|, and as the foot is the nearest
     // point of the axis, ∂d/∂(shift) = −(nx, ny) and ∂d/∂(lean) = −ζ_foot·(nx, ny). For the foot's
     // place the section's is taken: λ is some R·t beside it.
-    void look(const Axis& axis, AxisSight& sight) const {
+    void look(const Axis& axis, AxisView& view) const {
         const double tx = axis.u / m_reach, ty = axis.v / m_reach, t2 = tx * tx + ty * ty;
         const double along = 1 / (1 + t2);
-        const std::size_t K = sight.K;
+        const std::size_t K = view.K;
         const double* __restrict c = m_directions.cosines().data();
         const double* __restrict s = m_directions.sines().data();
-        for (std::size_t j = 0; j < sight.sections; ++j) {
+        for (std::size_t j = 0; j < view.sections; ++j) {
             const double cx = axis.x + m_zeta[j] * axis.u, cy = axis.y + m_zeta[j] * axis.v;
             const double* __restrict R = m_sections[j].radii_mm.data();
-            double* __restrict d = sight.d.data() + j * K;
-            double* __restrict nx = sight.nx.data() + j * K;
-            double* __restrict ny = sight.ny.data() + j * K;
+            double* __restrict d = view.d.data() + j * K;
+            double* __restrict nx = view.nx.data() + j * K;
+            double* __restrict ny = view.ny.data() + j * K;
 #pragma omp simd
             for (std::size_t k = 0; k < K; ++k) {
                 const double qx = R[k] * c[k] - cx, qy = R[k] * s[k] - cy;
@@ -74,8 +74,8 @@ public:
         }
     }
 
-    [[nodiscard]] CylinderZone zone(const Axis& axis, const AxisSight& sight) const {
-        const auto [low, high] = rangeOf(sight.d);
+    [[nodiscard]] CylinderZone zone(const Axis& axis, const AxisView& view) const {
+        const auto [low, high] = rangeOf(view.d);
         CylinderZone found;
         found.position_mm = m_middle;
         found.x_mm = axis.x;
@@ -138,22 +138,22 @@ CylinderZone fromCircles(const SectionShape& section, const RoundnessZone& circl
 
 /// Mean distance r and the Gauss-Newton step of the axis, up to some form/R of it: the directions
 /// are all but orthogonal. The foot of a point stands λ = d·(n·t) beside its section.
-AxisFit leastSquaresStep(const AxisSight& sight, const Surface3d& surface, const Axis& axis) {
-    const std::size_t K = sight.K;
+AxisFit leastSquaresStep(const AxisView& view, const Surface3d& surface, const Axis& axis) {
+    const std::size_t K = view.K;
     double sum = 0;
-    for (const double d : sight.d) {
-        sum += d - sight.d[0];
+    for (const double d : view.d) {
+        sum += d - view.d[0];
     }
     AxisFit by;
-    by.r = sight.d[0] + sum / static_cast<double>(sight.d.size());
+    by.r = view.d[0] + sum / static_cast<double>(view.d.size());
     const double lean = 2 / (static_cast<double>(K) * surface.zetaSquares());
-    const double shift = 2 / static_cast<double>(sight.d.size());
+    const double shift = 2 / static_cast<double>(view.d.size());
     const double perReach = 1 / surface.reach();
     const double tx = axis.u * perReach * perReach, ty = axis.v * perReach * perReach;
-    for (std::size_t j = 0; j < sight.sections; ++j) {
-        const double* __restrict d = sight.d.data() + j * K;
-        const double* __restrict nx = sight.nx.data() + j * K;
-        const double* __restrict ny = sight.ny.data() + j * K;
+    for (std::size_t j = 0; j < view.sections; ++j) {
+        const double* __restrict d = view.d.data() + j * K;
+        const double* __restrict nx = view.nx.data() + j * K;
+        const double* __restrict ny = view.ny.data() + j * K;
         double x = 0, y = 0, u = 0, v = 0;
 #pragma omp simd reduction(+ : x, y, u, v)
         for (std::size_t k = 0; k < K; ++k) {
@@ -166,8 +166,8 @@ AxisFit leastSquaresStep(const AxisSight& sight, const Surface3d& surface, const
         }
         by.x += shift * x;
         by.y += shift * y;
-        by.u += lean * (sight.zeta[j] * x + u);
-        by.v += lean * (sight.zeta[j] * y + v);
+        by.u += lean * (view.zeta[j] * x + u);
+        by.v += lean * (view.zeta[j] * y + v);
     }
     return by;
 }
@@ -184,23 +184,23 @@ public:
     ZoneSearch(const Surface3d& surface, const CylinderZone& start)
         : m_surface(surface)
         , m_axis(surface.axisOf(start))
-        , m_sight(surface.emptySight())
+        , m_view(surface.emptyView())
         , m_tolerance(8 * epsilon * start.outer_mm) {
-        surface.look(m_axis, m_sight);
-        m_best = surface.zone(m_axis, m_sight);
+        surface.look(m_axis, m_view);
+        m_best = surface.zone(m_axis, m_view);
     }
 
     CylinderZone run() {
         constexpr int mostSteps = 50;
-        ChebyshevFit chebyshev(m_sight, 0, m_sight.sections - 1);
+        ChebyshevFit chebyshev(m_view, 0, m_view.sections - 1);
         for (int step = 0; step < mostSteps; ++step) {
-            const AxisFit fit = chebyshev.run(m_sight, m_tolerance / 2);
+            const AxisFit fit = chebyshev.run(m_view, m_tolerance / 2);
             m_gain = m_best.deviation() - 2 * fit.level;
             if (m_gain <= m_tolerance + curvature(fit) || !narrow(fit)) {
                 break;
             }
         }
-        m_surface.look(m_axis, m_sight);
+        m_surface.look(m_axis, m_view);
         takeContacts(chebyshev.contacts());
         return m_best;
     }
@@ -216,8 +216,8 @@ private:
     bool narrow(const AxisFit& fit) {
         for (double share = 1; share > 1e-3; share /= 2) {
             const Axis tried = moved(m_axis, fit, share);
-            m_surface.look(tried, m_sight);
-            const CylinderZone zone = m_surface.zone(tried, m_sight);
+            m_surface.look(tried, m_view);
+            const CylinderZone zone = m_surface.zone(tried, m_view);
             if (zone.deviation() < m_best.deviation()) {
                 m_best = zone;
                 m_axis = tried;
@@ -231,16 +231,15 @@ private:
         for (const ChebyshevFit::Point& point : points) {
             const bool outer = point.sign > 0;
             const double radius = outer ? m_best.outer_mm : m_best.inner_mm;
-            if (std::abs(m_sight.d[point.index] - radius) <= near) {
-                m_best.contacts.push_back(
-                    {point.index / m_sight.K, point.index % m_sight.K, outer});
+            if (std::abs(m_view.d[point.index] - radius) <= near) {
+                m_best.contacts.push_back({point.index / m_view.K, point.index % m_view.K, outer});
             }
         }
     }
 
     const Surface3d& m_surface;
     Axis m_axis;
-    AxisSight m_sight;
+    AxisView m_view;
     CylinderZone m_best;
     double m_tolerance;
     double m_gain = 0; ///< what the last linear step promised
@@ -255,13 +254,13 @@ CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
     }
     constexpr int mostSteps = 200;
     const Surface3d surface(sections, directions);
-    AxisSight sight = surface.emptySight();
+    AxisView view = surface.emptyView();
     Axis axis = surface.throughCentres();
     double r = 0, share = 1;
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < mostSteps; ++step) {
-        surface.look(axis, sight);
-        const AxisFit by = leastSquaresStep(sight, surface, axis);
+        surface.look(axis, view);
+        const AxisFit by = leastSquaresStep(view, surface, axis);
         r = by.r;
         const double size = std::abs(by.x) + std::abs(by.y) + std::abs(by.u) + std::abs(by.v);
         if (size <= 256 * epsilon * r || step + 1 == mostSteps) {
@@ -271,7 +270,7 @@ CylinderZone leastSquaresCylinder(std::span<const SectionShape> sections,
         last = size;
         axis = moved(axis, by, share);
     }
-    CylinderZone found = surface.zone(axis, sight);
+    CylinderZone found = surface.zone(axis, view);
     found.reference_mm = r;
     return found;
 }

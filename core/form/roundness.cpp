@@ -30,8 +30,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double roundings = 8 * epsilon;
 
 /// The points of a section as seen from a centre: distance and direction.
-struct Sight {
-    explicit Sight(std::size_t K) : d(K), nx(K), ny(K) {}
+struct CentreView {
+    explicit CentreView(std::size_t K) : d(K), nx(K), ny(K) {}
 
     void take(std::span<const double> radii, const Directions& directions, double x, double y) {
         const double* __restrict R = radii.data();
@@ -65,7 +65,7 @@ struct Fit {
     double r = 0, x = 0, y = 0;
     double level = 0; ///< signed: reference point m is off by level·(−1)^m
 
-    [[nodiscard]] double residual(const Sight& s, std::size_t k) const {
+    [[nodiscard]] double residual(const CentreView& s, std::size_t k) const {
         return s.d[k] - r - x * s.nx[k] - y * s.ny[k];
     }
 };
@@ -77,16 +77,16 @@ class Exchange {
 public:
     explicit Exchange(std::size_t K) : m_reference{0, K / 4, K / 2, K / 2 + K / 4}, m_off(K) {}
 
-    Fit run(const Sight& sight, double tolerance) {
-        Fit fit = solve(sight);
-        for (std::size_t step = 0; step < 4 * sight.d.size() + 64; ++step) {
-            const std::size_t k = furthest(sight, fit);
-            const double residual = fit.residual(sight, k);
+    Fit run(const CentreView& view, double tolerance) {
+        Fit fit = solve(view);
+        for (std::size_t step = 0; step < 4 * view.d.size() + 64; ++step) {
+            const std::size_t k = furthest(view, fit);
+            const double residual = fit.residual(view, k);
             if (std::abs(residual) <= std::abs(fit.level) + tolerance || isReference(k)) {
                 break;
             }
             exchange(k, residual > 0, fit.level >= 0);
-            fit = solve(sight);
+            fit = solve(view);
         }
         return fit;
     }
@@ -105,7 +105,7 @@ private:
         return std::find(m_reference.begin(), m_reference.end(), k) != m_reference.end();
     }
 
-    [[nodiscard]] Fit solve(const Sight& s) const {
+    [[nodiscard]] Fit solve(const CentreView& s) const {
         Eigen::Matrix4d A;
         Eigen::Vector4d d;
         for (int m = 0; m < 4; ++m) {
@@ -117,10 +117,10 @@ private:
         return {v[0], v[1], v[2], v[3]};
     }
 
-    std::size_t furthest(const Sight& sight, const Fit& fit) {
-        const double* __restrict d = sight.d.data();
-        const double* __restrict nx = sight.nx.data();
-        const double* __restrict ny = sight.ny.data();
+    std::size_t furthest(const CentreView& view, const Fit& fit) {
+        const double* __restrict d = view.d.data();
+        const double* __restrict nx = view.nx.data();
+        const double* __restrict ny = view.ny.data();
         double* __restrict off = m_off.data();
         const std::size_t K = m_off.size();
 #pragma omp simd
@@ -148,11 +148,11 @@ private:
     std::vector<double> m_off; ///< of each point
 };
 
-RoundnessZone zone(const Sight& sight, double x, double y) {
+RoundnessZone zone(const CentreView& view, double x, double y) {
     RoundnessZone found;
     found.x_mm = x;
     found.y_mm = y;
-    const ValueRange distances = rangeOf(sight.d);
+    const ValueRange distances = rangeOf(view.d);
     found.inner_mm = distances.low;
     found.outer_mm = distances.high;
     found.reference_mm = (found.inner_mm + found.outer_mm) / 2;
@@ -161,10 +161,10 @@ RoundnessZone zone(const Sight& sight, double x, double y) {
 
 RoundnessZone limaconZone(std::span<const double> radii, const Directions& directions) {
     const double tolerance = roundings * rangeOf(radii).high;
-    Sight sight(radii.size());
-    sight.takeLimacon(radii, directions);
+    CentreView view(radii.size());
+    view.takeLimacon(radii, directions);
     Exchange exchange(radii.size());
-    const Fit fit = exchange.run(sight, tolerance);
+    const Fit fit = exchange.run(view, tolerance);
     RoundnessZone found;
     found.x_mm = fit.x;
     found.y_mm = fit.y;
@@ -180,11 +180,11 @@ struct Step {
     double r = 0, x = 0, y = 0;
 };
 
-Step leastSquaresStep(const Sight& sight) {
-    const double* __restrict d = sight.d.data();
-    const double* __restrict nx = sight.nx.data();
-    const double* __restrict ny = sight.ny.data();
-    const std::size_t K = sight.d.size();
+Step leastSquaresStep(const CentreView& view) {
+    const double* __restrict d = view.d.data();
+    const double* __restrict nx = view.nx.data();
+    const double* __restrict ny = view.ny.data();
+    const std::size_t K = view.d.size();
     double sum = 0, x = 0, y = 0, sumX = 0, sumY = 0;
 #pragma omp simd reduction(+ : sum, x, y, sumX, sumY)
     for (std::size_t k = 0; k < K; ++k) {
@@ -204,12 +204,12 @@ Step leastSquaresStep(const Sight& sight) {
 
 RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions& directions) {
     constexpr int mostSteps = 200;
-    Sight sight(radii.size());
+    CentreView view(radii.size());
     double x = 0, y = 0, r = 0, share = 1;
     double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < mostSteps; ++step) {
-        sight.take(radii, directions, x, y);
-        const Step by = leastSquaresStep(sight);
+        view.take(radii, directions, x, y);
+        const Step by = leastSquaresStep(view);
         const double size = std::abs(by.x) + std::abs(by.y);
         r = by.r;
         if (size <= 32 * epsilon * r || step + 1 == mostSteps) {
@@ -220,7 +220,7 @@ RoundnessZone leastSquaresCircle(std::span<const double> radii, const Directions
         x += share * by.x;
         y += share * by.y;
     }
-    RoundnessZone found = zone(sight, x, y);
+    RoundnessZone found = zone(view, x, y);
     found.reference_mm = r;
     return found;
 }
@@ -232,18 +232,18 @@ RoundnessZone minimumZoneCircles(std::span<const double> radii, const Directions
     constexpr int mostSteps = 50;
     const double tolerance = roundings * leastSquares.outer_mm;
     RoundnessZone best = leastSquares;
-    Sight sight(radii.size());
+    CentreView view(radii.size());
     Exchange exchange(radii.size());
-    sight.take(radii, directions, best.x_mm, best.y_mm);
+    view.take(radii, directions, best.x_mm, best.y_mm);
     for (int step = 0; step < mostSteps; ++step) {
-        const Fit fit = exchange.run(sight, tolerance / 2);
+        const Fit fit = exchange.run(view, tolerance / 2);
         best.contacts = exchange.contacts(fit);
         const double gain = best.deviation() - 2 * std::abs(fit.level);
         bool narrower = false;
         for (double share = 1; gain > tolerance && !narrower && share > 1e-3; share /= 2) {
             const double x = best.x_mm + share * fit.x, y = best.y_mm + share * fit.y;
-            sight.take(radii, directions, x, y);
-            const RoundnessZone tried = zone(sight, x, y);
+            view.take(radii, directions, x, y);
+            const RoundnessZone tried = zone(view, x, y);
             narrower = tried.deviation() < best.deviation();
             if (narrower) {
                 best = tried;

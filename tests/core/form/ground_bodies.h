@@ -126,25 +126,25 @@ inline Body leaningCylinder(const std::vector<double>& positions, std::size_t K,
 }
 
 /// The surface's points as an axis in the middle sees them, all linear.
-inline AxisSight linearSight(const Body& body) {
-    AxisSight sight(body.positions.size(), body.K());
+inline AxisView linearView(const Body& body) {
+    AxisView view(body.positions.size(), body.K());
     const double middle = (body.positions.front() + body.positions.back()) / 2;
     const double reach = (body.positions.back() - body.positions.front()) / 2;
     for (std::size_t j = 0; j < body.positions.size(); ++j) {
         for (std::size_t k = 0; k < body.K(); ++k) {
             const std::size_t i = j * body.K() + k;
-            sight.d[i] = body.radii[j][k];
-            sight.nx[i] = std::cos(angle(k, body.K()));
-            sight.ny[i] = std::sin(angle(k, body.K()));
+            view.d[i] = body.radii[j][k];
+            view.nx[i] = std::cos(angle(k, body.K()));
+            view.ny[i] = std::sin(angle(k, body.K()));
         }
-        sight.zeta[j] = (body.positions[j] - middle) / reach;
+        view.zeta[j] = (body.positions[j] - middle) / reach;
     }
-    return sight;
+    return view;
 }
 
 /// The largest level of any six points: by duality the least of the whole.
-inline double bestOfAllSixes(const AxisSight& sight) {
-    const std::size_t N = sight.d.size();
+inline double bestOfAllSixes(const AxisView& view) {
+    const std::size_t N = view.d.size();
     double most = 0;
     std::vector<bool> chosen(N);
     std::fill(chosen.begin(), chosen.begin() + 6, true);
@@ -154,11 +154,11 @@ inline double bestOfAllSixes(const AxisSight& sight) {
         for (std::size_t i = 0; i < N; ++i) {
             if (chosen[i]) {
                 G[0].push_back(1);
-                G[1].push_back(sight.nx[i]);
-                G[2].push_back(sight.ny[i]);
-                G[3].push_back(sight.nx[i] * sight.zetaOf(i));
-                G[4].push_back(sight.ny[i] * sight.zetaOf(i));
-                d.push_back(sight.d[i]);
+                G[1].push_back(view.nx[i]);
+                G[2].push_back(view.ny[i]);
+                G[3].push_back(view.nx[i] * view.zetaOf(i));
+                G[4].push_back(view.ny[i] * view.zetaOf(i));
+                d.push_back(view.d[i]);
             }
         }
         most = std::max(most, dense::alternation(G, d));

@@ -106,9 +106,9 @@ private slots:
             if (oneIn(3)) { // many points that touch at once: the degenerate case
                 body = prism(body.positions, body.radii[0]);
             }
-            const AxisSight sight = linearSight(body);
-            ChebyshevFit fit(sight, 0, J - 1);
-            RC_ASSERT(within(fit.run(sight, 1e-14).level, bestOfAllSixes(sight), 1e-13));
+            const AxisView view = linearView(body);
+            ChebyshevFit fit(view, 0, J - 1);
+            RC_ASSERT(within(fit.run(view, 1e-14).level, bestOfAllSixes(view), 1e-13));
         }));
     }
 
