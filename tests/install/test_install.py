@@ -2,15 +2,22 @@
 """The core as a library: installed into an empty folder, found there by CMake, built against from
 outside the tree, with the numbers of the command line.
 
-Called with cmake, the build folder, sparkout-cli and the folder of the examples."""
+Called with cmake, the build folder, sparkout-cli and the folder of the examples. After --shared, with
+the source folder in place of the build folder, the libraries are built as shared ones first, which
+takes minutes: with SPARKOUT_LONG alone, else status 77."""
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
-cmake, build, cli, examples = sys.argv[1:]
+shared = sys.argv[1] == "--shared"
+cmake, build, cli, examples = sys.argv[1 + shared:]
+if shared and "SPARKOUT_LONG" not in os.environ:
+    print("with SPARKOUT_LONG alone")
+    sys.exit(77)
 here = pathlib.Path(__file__).parent
 files = sorted(str(file) for file in pathlib.Path(examples).glob("*.sparkout"))
 
@@ -28,6 +35,13 @@ def stated(*arguments):
 
 
 with tempfile.TemporaryDirectory() as folder:
+    if shared:
+        source, build = build, str(pathlib.Path(folder) / "build")
+        run(cmake, "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+            "-DBUILD_SHARED_LIBS=ON", "-DBUILD_TESTING=OFF")
+        run(cmake, "--build", build, "--target", "sparkout_engine", "sparkout_search",
+            "sparkout-cli")
+        cli = str(pathlib.Path(build) / "app" / "sparkout-cli")
     prefix, outside = pathlib.Path(folder) / "local usr", pathlib.Path(folder) / "out side"
     run(cmake, "--install", build, "--prefix", str(prefix), "--component", "library")
     outside.mkdir()
@@ -48,6 +62,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     linked = run("ldd", str(outside / "build" / "simulate"))
     assert "nlopt" not in linked, linked
+    assert ("libsparkout_engine.so" in linked) == shared, linked
 
     optimal = str(pathlib.Path(examples) / "shaft-30h6-optimal.sparkout")
     found = float(run(str(outside / "build" / "search"), optimal))
