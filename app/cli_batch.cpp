@@ -4,8 +4,8 @@
 #include "app/cli_report.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
+#include "core/format/project_file.h"
 #include "core/printable.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array statusNames{"completed", "narrow_enough", "stopped"};
+constexpr std::array statusNames{"completed", "narrow_enough", "stopped", "refused"};
 
 const char* statusName(BatchStatus status) {
     return statusNames[static_cast<std::size_t>(status)];

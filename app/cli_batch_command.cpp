@@ -9,10 +9,10 @@
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/part_table.h"
 #include "core/files/safe_file_writer.h"
+#include "core/format/blanks_csv.h"
+#include "core/format/project_file.h"
+#include "core/format/strict_json.h"
 #include "core/printable.h"
-#include "core/project/blanks_csv.h"
-#include "core/project/project_file.h"
-#include "core/project/strict_json.h"
 #include "words/issue_words.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "app/cli_report.h"
 #include "core/files/file_step_text.h"
+#include "core/format/project_file.h"
 #include "core/printable.h"
-#include "core/project/project_file.h"
 
 #include <cerrno>
 #include <cstring>

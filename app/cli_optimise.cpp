@@ -5,9 +5,9 @@
 #include "app/cli_optimise_report.h"
 #include "app/cli_report.h"
 #include "app/search_watch.h"
+#include "core/format/project_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
-#include "core/project/project_file.h"
 #include "core/study/search_refusal.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #include "app/cli_optimise_report.h"
 
 #include "app/cli_report.h"
+#include "core/format/project_file.h"
 #include "core/optimisation/cost.h"
 #include "core/optimisation/limit.h"
 #include "core/optimisation/search_names.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "core/units.h"
 

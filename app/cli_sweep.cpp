@@ -7,6 +7,7 @@
 #include "app/stop_signals.h"
 #include "core/printable.h"
 #include "core/project/validate.h"
+#include "core/quality/result_names.h"
 #include "core/sweep/sweep_run.h"
 #include "words/issue_words.h"
 
@@ -29,12 +30,8 @@ const char* stateOf(const SweepPoint& point) {
     return sweepStates[static_cast<std::size_t>(point.status)];
 }
 
-/// "rz1", "section 3" (from 0), or "part".
 std::string placeOf(const SweepQuantity& quantity) {
-    constexpr std::array zones{"rz1", "nz", "rz2"};
-    return quantity.section < 0             ? "part"
-           : quantity.zone == Zone::section ? "section " + std::to_string(quantity.section)
-                                            : zones[static_cast<std::size_t>(quantity.zone)];
+    return sectionOrPart(quantity.zone, quantity.section);
 }
 
 std::string cellOf(double value) {

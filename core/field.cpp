@@ -19,10 +19,7 @@ int* Field::wholeNumber(void* owner) const {
         auto& value = as<std::optional<int>>(owner);
         return value ? &*value : nullptr;
     }
-    case Kind::sparkOut: {
-        auto& value = as<SparkOut>(owner);
-        return value.mode == SparkOut::Mode::count ? &value.count : nullptr;
-    }
+    case Kind::countOrWord: return number(owner);
     default: return nullptr;
     }
 }

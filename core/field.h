@@ -19,6 +19,7 @@ namespace sparkout {
 
 struct Project;
 struct StructInfo;
+enum class Phrase; // core/issue.h
 
 /// Allowed or usual values in the field's unit. An open end excludes the bound itself.
 struct Range {
@@ -50,12 +51,17 @@ enum class Page { part, material, wheel, machine, gauge, cycle, batch, search, n
 
 // --- value types a member may have beside double, int, bool, string, enum, lists and structs ----
 
-/// The last stage's spark-out: none, a number of strokes or revolutions, or until size.
-struct SparkOut {
-    enum class Mode { none, count, untilSize };
-    Mode mode = Mode::none;
-    int count = 0; ///< double strokes (traverse) or revolutions (plunge), with Mode::count
-    friend bool operator==(const SparkOut&, const SparkOut&) = default;
+/// A whole number, one of a few words, or neither (null in the file): any type with these members.
+/// Readers, writers and forms ask it for them and know nothing else of it.
+template <class T>
+concept CountOrWord = requires(T value, std::size_t word, int number) {
+    requires std::is_same_v<decltype(T::words()), std::span<const Choice>>;
+    requires std::is_same_v<decltype(T::expected()), Phrase>; // what is said to be expected there
+    requires std::is_same_v<decltype(T::ofNumber(number)), T>;
+    requires std::is_same_v<decltype(T::ofWord(word)), T>;
+    requires std::is_same_v<decltype(value.number()), int*>; // null where it is none
+    // Index into words().
+    requires std::is_same_v<decltype(value.word()), std::optional<std::size_t>>;
 };
 
 /// Compliance as given: one value a zone (traverse) or one a section (plunge) [mm/N].
@@ -96,7 +102,7 @@ enum class Kind {
     object,
     optionalObject,
     objectList,
-    sparkOut,
+    countOrWord,
     compliance,
     levels,
     numberRows,
@@ -114,6 +120,7 @@ struct Row {
     Condition required = nullptr; ///< must stand in the file when it holds; null: never
     Condition relevant = nullptr; ///< is read by the model when it holds; null: always
     std::size_t count = 0;        ///< lists: the exact number of values, 0 for any
+    bool whole = false;           ///< lists and levels: of whole numbers alone
     bool slider = false;          ///< one of the numbers one plays with
     Range read = {};              ///< narrower than hard: refused outside where it is relevant
     Condition exempt = nullptr;   ///< only hard counts when it holds; null: never
@@ -133,9 +140,12 @@ struct Field : Row {
     Kind kind = Kind::number;
     void* (*member)(void* owner) = nullptr;
     bool (*same)(const void* a, const void* b) = nullptr; ///< of two owners; not of object kinds
-    int (*getChoice)(const void* owner) = nullptr;
-    void (*setChoice)(void* owner, int value) = nullptr;
-    std::span<const Choice> choices;
+    int (*getChoice)(const void* owner) = nullptr; ///< choice, or word of a countOrWord; −1: none
+    void (*setChoice)(void* owner, int value) = nullptr;   ///< −1 likewise
+    std::span<const Choice> choices;                       ///< or words
+    void (*setNumber)(void* owner, int number) = nullptr;  ///< countOrWord
+    int* (*number)(void* owner) = nullptr;                 ///< countOrWord; null where it is none
+    Phrase (*expected)() = nullptr;                        ///< countOrWord: instead of another type
     const StructInfo* nested = nullptr;                    ///< object kinds
     void* (*object)(void* owner, bool create) = nullptr;   ///< object kinds; null if not given
     void (*reset)(void* owner) = nullptr;                  ///< optional object: not given
@@ -299,6 +309,22 @@ void fillChoice(Field& f) {
     };
 }
 
+template <auto Member, class S, CountOrWord T>
+void fillCountOrWord(Field& f) {
+    f.kind = Kind::countOrWord;
+    f.choices = T::words();
+    f.expected = T::expected;
+    f.getChoice = [](const void* owner) {
+        const std::optional<std::size_t> word = (static_cast<const S*>(owner)->*Member).word();
+        return word ? static_cast<int>(*word) : -1;
+    };
+    f.setChoice = [](void* owner, int v) {
+        static_cast<S*>(owner)->*Member = v < 0 ? T{} : T::ofWord(static_cast<std::size_t>(v));
+    };
+    f.number = [](void* owner) { return (static_cast<S*>(owner)->*Member).number(); };
+    f.setNumber = [](void* owner, int n) { static_cast<S*>(owner)->*Member = T::ofNumber(n); };
+}
+
 } // namespace detail
 
 /// Binds a row to a member; the kind follows from the member's type. Use SPARKOUT_FIELD.
@@ -333,8 +359,8 @@ Field makeField(const char* key, const Row& row) {
         f.kind = Kind::numberList;
     } else if constexpr (std::is_same_v<T, std::optional<std::vector<double>>>) {
         f.kind = Kind::optionalNumberList;
-    } else if constexpr (std::is_same_v<T, SparkOut>) {
-        f.kind = Kind::sparkOut;
+    } else if constexpr (CountOrWord<T>) {
+        detail::fillCountOrWord<Member, S, T>(f);
     } else if constexpr (std::is_same_v<T, GivenCompliance>) {
         f.kind = Kind::compliance;
     } else if constexpr (std::is_same_v<T, Levels>) {

@@ -3,6 +3,7 @@
 
 #include "core/field.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -55,6 +56,10 @@ enum class IssueCode {
     variedTwice,
     sourceMissing, ///< in catalogues
 };
+
+namespace limits {
+inline constexpr std::size_t issues = 200; ///< faults listed at most
+} // namespace limits
 
 /// What an issue expects, or found, that is neither a number nor a key.
 enum class Phrase {

@@ -3,7 +3,7 @@
 
 #include "core/files/file_step_text.h"
 #include "core/files/safe_file.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "words/issue_words.h"
 

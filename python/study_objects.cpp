@@ -30,10 +30,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string placeOf(Zone zone, int section) {
-    return section < 0 ? "part" : sectionName(zone, section);
-}
-
 // --- one cycle ----------------------------------------------------------------------------------
 
 struct Evaluation {
@@ -225,8 +221,8 @@ Batch runBatchOf(const ValidProject& project, int threads) {
         }
         const std::vector<Characteristic> characteristics = characteristicsOf(source.nominal());
         for (const Characteristic& of : characteristics) {
-            batch.quantities.push_back(std::string(of.name) + ' ' + placeOf(of.zone, of.section)
-                                       + " [" + of.unit + ']');
+            batch.quantities.push_back(std::string(of.name) + ' '
+                                       + sectionOrPart(of.zone, of.section) + " [" + of.unit + ']');
         }
         BatchOptions options;
         options.threads = threads;
@@ -245,7 +241,7 @@ Batch runBatchOf(const ValidProject& project, int threads) {
     });
 }
 
-constexpr std::array batchStates{"completed", "narrow_enough", "stopped"};
+constexpr std::array batchStates{"completed", "narrow_enough", "stopped", "refused"};
 
 void bindBatch(py::module_& module) {
     py::class_<Batch>(module, "Batch", "The parts of a batch.")
@@ -324,7 +320,7 @@ void bindSweep(py::module_& module) {
             [](const SweepResult& self) {
                 std::vector<std::string> names;
                 for (const SweepQuantity& of : self.quantities) {
-                    names.push_back(of.name + ' ' + placeOf(of.zone, of.section)
+                    names.push_back(of.name + ' ' + sectionOrPart(of.zone, of.section)
                                     + (of.unit.empty() ? "" : " [" + of.unit + ']'));
                 }
                 return names;

@@ -194,6 +194,10 @@
     <context>
         <name>Choice</name>
         <message>
+            <source>until size</source>
+            <translation>до размера</translation>
+        </message>
+        <message>
             <source>nominal part</source>
             <translation>номинальной детали</translation>
         </message>
@@ -1351,10 +1355,6 @@
     </context>
     <context>
         <name>FieldText</name>
-        <message>
-            <source>until size</source>
-            <translation>до размера</translation>
-        </message>
         <message>
             <source>%1…%2 in steps of %3</source>
             <translation>%1…%2 с шагом %3</translation>

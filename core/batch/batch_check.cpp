@@ -18,7 +18,7 @@ Issues errorsOf(Issues issues) {
     return issues;
 }
 
-/// Every corner must be a project that can be run; the first faulty one tells.
+/// Every corner must be a project that can be run; the faults of the first that is not are given.
 Issues faultsOfExtremes(Project project) {
     project.batch->scenarios = Scenarios::corners;
     const ScenarioSource corners(std::move(project));

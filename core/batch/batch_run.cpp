@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_run.h"
 
+#include "core/batch/batch_check.h"
 #include "core/batch/moments.h"
 #include "core/batch/part_queue.h"
 #include "core/batch/worker_pool.h"
@@ -108,17 +109,40 @@ PartRange shardRange(std::int64_t parts, int index, int shards) {
     return {parts * (index - 1) / shards, parts * index / shards};
 }
 
-BatchResult runBatch(const Project& project, const BatchOptions& options) {
-    const ScenarioSource source(project);
+namespace {
+
+BatchResult resultFor(const Project& project) {
     BatchResult result;
     result.project = project;
     result.project.runs.clear();
     result.engineVersion = version;
     result.build = buildId();
+    return result;
+}
+
+} // namespace
+
+BatchResult runBatch(const Project& project, const BatchOptions& options) {
+    Issues issues = checkBatch(project);
+    if (issues.empty()) {
+        return runBatchUnchecked(project, options);
+    }
+    BatchResult result = resultFor(project);
+    result.status = BatchStatus::refused;
+    result.issues = std::move(issues);
+    return result;
+}
+
+BatchResult runBatchUnchecked(const Project& project, const BatchOptions& options) {
+    BatchResult result = resultFor(project);
+    const ScenarioSource source(project);
     result.batchParts = source.parts();
     result.range = options.range.value_or(PartRange{0, source.parts()});
+    result.range.end = std::clamp<std::int64_t>(result.range.end, 0, source.parts());
+    result.range.first = std::clamp<std::int64_t>(result.range.first, 0, result.range.end);
     BatchPool pool(source, options);
-    const std::int64_t round = options.meanWidth_um ? options.round : source.parts();
+    const std::int64_t round =
+        options.meanWidth_um ? std::max<std::int64_t>(options.round, 1) : source.parts();
     for (std::int64_t first = result.range.first; first < result.range.end; first += round) {
         result.statistics.add(pool.run({first, std::min(first + round, result.range.end)}));
         if ((options.stop.stop_requested() || pool.over())

@@ -4,6 +4,7 @@
 #include "core/batch/batch_statistics.h"
 #include "core/batch/part_record.h"
 #include "core/batch/scenario_source.h"
+#include "core/issue.h"
 
 #include <atomic>
 #include <optional>
@@ -31,12 +32,13 @@ struct BatchOptions {
     std::int64_t round = 1024;
     std::stop_token stop;
     std::atomic<std::int64_t>* done = nullptr; ///< parts done, while it runs
-    /// Told of every part, one at a time and in the order they are taken, whatever the number of
+    /// Receives every part, one at a time and in the order they are taken, whatever the number of
     /// threads; when it wants no more the batch ends as by a stop request.
     PartSink sink = nullptr;
 };
 
-enum class BatchStatus { completed, narrowEnough, stopped };
+/// The first three stand as numbers in the state of a shard, which a refused batch has not.
+enum class BatchStatus { completed, narrowEnough, stopped, refused };
 
 /// What came out of a batch, or of a part of one. A value; it says what was run.
 struct BatchResult {
@@ -46,11 +48,17 @@ struct BatchResult {
     PartRange range;             ///< asked for; of a stopped batch not every part of it is in
     std::int64_t batchParts = 0; ///< parts of the whole batch
     BatchStatus status = BatchStatus::completed;
+    Issues issues; ///< why it was refused, as checkBatch() has them
     BatchStatistics statistics;
 };
 
-/// Runs a batch that checkBatch() passes. The same for any number of threads, bit for bit; a stop
-/// request ends it within a revolution of each thread and keeps what was done.
+/// Runs a batch: no part of one that checkBatch() does not pass, which is refused. The same for any
+/// number of threads, bit for bit; a stop request ends it within a revolution of each thread and
+/// keeps what was done.
 [[nodiscard]] BatchResult runBatch(const Project& project, const BatchOptions& options = {});
+
+/// The same of a batch that is known to pass.
+[[nodiscard]] BatchResult runBatchUnchecked(const Project& project,
+                                            const BatchOptions& options = {});
 
 } // namespace sparkout

@@ -2,8 +2,8 @@
 #include "core/batch/batch_state.h"
 
 #include "core/batch/state_seal.h"
+#include "core/format/project_file.h"
 #include "core/project/given_factors.h"
-#include "core/project/project_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -61,7 +61,7 @@ struct CharacteristicSummary {
     Share outside;                         ///< its limits
 };
 
-/// The figures of a batch. Corners are no sample: of them only extremes and counts are told.
+/// The figures of a batch. Corners are no sample: only extremes and counts of them are reported.
 struct BatchSummary {
     bool isSample = true;
     std::int64_t parts = 0, failed = 0;

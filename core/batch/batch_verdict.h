@@ -15,8 +15,8 @@ enum class BatchReason {
     partsFail, ///< too many of the parts run are not good
     someFail,  ///< some are, but no more than allowed
     stopped,   ///< not all parts were run
-    noSample,  ///< corners tell no capability
-    fewParts,  ///< one part tells none either
+    noSample,  ///< corners give no capability
+    fewParts,  ///< nor does one part
     outside,   ///< the share expected out of tolerance
     ppk,       ///< the lower bound of P_pk
     allHold    ///< nothing speaks against it

@@ -26,9 +26,9 @@ struct Characteristic {
 
 [[nodiscard]] std::vector<Characteristic> characteristicsOf(const Project& project);
 
-/// Whether capability is told of it: a size or a form of the finished part that the drawing limits.
-/// Not of the drives' power, which is no part's, nor of Ra, of which the batch scatters the pass's
-/// depth alone and not the wheel's face.
+/// Whether its capability is reported: a size or a form of the finished part that the drawing
+/// limits. Not of the drives' power, which is no part's, nor of Ra, of which the batch scatters the
+/// pass's depth alone and not the wheel's face.
 [[nodiscard]] bool hasCapability(const Characteristic& characteristic);
 
 /// Whether it is of the finished surface, of which nothing is stated where strips stay uncut.

@@ -3,6 +3,7 @@
 
 #include "core/printable.h"
 #include "core/project/validate.h"
+#include "core/quality/result_names.h"
 #include "core/simulation/simulate.h"
 
 #include <algorithm>
@@ -29,16 +30,7 @@ PartColumns PartColumns::of(const ScenarioSource& source, const std::stop_token&
 }
 
 std::string placeKey(const Characteristic& characteristic) {
-    if (characteristic.section < 0) {
-        return "part";
-    }
-    switch (characteristic.zone) {
-    case Zone::rz1: return "rz1";
-    case Zone::nz: return "nz";
-    case Zone::rz2: return "rz2";
-    case Zone::section: break;
-    }
-    return "section " + std::to_string(characteristic.section);
+    return sectionOrPart(characteristic.zone, characteristic.section);
 }
 
 std::vector<std::string> PartTable::keys(const PartColumns& columns) {

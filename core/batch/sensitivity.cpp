@@ -232,8 +232,11 @@ std::vector<std::optional<RankRegression>> rankRegressions(const BatchResult& re
 
 std::optional<SobolIndices> sobolIndices(const Project& project, int points,
                                          const BatchOptions& options) {
+    if (points < 1 || !project.batch || project.batch->correlation) {
+        return std::nullopt;
+    }
     const ScenarioSource source(project);
-    if (!project.batch || project.batch->correlation || source.factors().empty()) {
+    if (source.factors().empty()) {
         return std::nullopt;
     }
     const SobolDesign design(source, points, static_cast<std::uint32_t>(project.batch->seed));

@@ -11,7 +11,7 @@ namespace sparkout {
 
 /// Standardised rank regression of a batch that was run: the coefficients of the least-squares
 /// plane through the ranks of a characteristic over the ranks of the factors [IMAN1979]. Sign and
-/// size tell direction and weight as far as the dependence is monotone; R² tells how far that is.
+/// size show direction and weight as far as the dependence is monotone; R² shows how far that is.
 struct RankRegression {
     std::vector<double> coefficients; ///< by factor
     double determination = 0;         ///< R²
@@ -37,7 +37,8 @@ struct SobolIndices {
 
 /// Simulates points·(factors + 2) parts. The factors are taken as independent, a law over the batch
 /// as uniform between its ends. Nothing with correlated factors, for which the indices have no
-/// such meaning, and when it is stopped.
+/// such meaning, without a batch or points, and when it is stopped. Of a project that, if it has a
+/// batch, checkBatch() passes.
 [[nodiscard]] std::optional<SobolIndices> sobolIndices(const Project& project, int points,
                                                        const BatchOptions& options = {});
 

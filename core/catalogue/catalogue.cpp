@@ -2,10 +2,10 @@
 #include "core/catalogue/catalogue.h"
 
 #include "core/catalogue/catalogue_check.h"
-#include "core/project/project_file.h"
-#include "core/project/strict_json.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
+#include "core/format/project_file.h"
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/field.h"
+#include "core/catalogue/catalogue_entry.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
@@ -19,46 +19,6 @@
 namespace sparkout {
 
 inline constexpr int catalogueVersion = 1;
-
-/// Where one number of an entry comes from.
-struct ValueSource {
-    std::string key;    ///< of the value, "stiffness_n_um/headstock" for one inside another
-    std::string source; ///< key of core/SOURCES.md; empty: an estimate, to be calibrated
-    std::optional<std::vector<double>> range; ///< [lowest, highest] it plausibly has, in its unit
-    std::string note;                         ///< under which conditions it holds
-    std::string note_ru; ///< the same for the Russian window; empty: `note` serves both
-};
-
-/// A material's heat data over temperature, for whoever wants another temperature than at_c.
-struct ThermalData {
-    double at_c = 400;                   ///< at which the entry's λ and Ω are taken [°C]
-    std::optional<double> density_kg_m3; ///< ρ [kg/m³]
-    NumberRows conductivity_w_mk_at_c;   ///< rows of [°C, W/(m·K)]
-    NumberRows heat_capacity_j_kgk_at_c; ///< rows of [°C, J/(kg·K)]
-    std::string source;                  ///< key of core/SOURCES.md
-};
-
-struct MaterialEntry {
-    std::string name;
-    std::string note, note_ru; ///< what it is used for
-    Material value;
-    std::vector<ValueSource> sources; ///< one for each number of `value` that is given
-    std::optional<ThermalData> thermal;
-};
-
-struct WheelEntry {
-    std::string name;
-    std::string note, note_ru; ///< what it is used for
-    Wheel value;
-    std::vector<ValueSource> sources;
-};
-
-struct MachineEntry {
-    std::string name;
-    std::string note, note_ru; ///< what it is used for
-    Machine value;
-    std::vector<ValueSource> sources;
-};
 
 template <class Entry>
 struct CatalogueRead {
@@ -119,16 +79,5 @@ struct ThermalPoint {
     double conductivity_w_mk = 0, diffusivity_mm2_s = 0;
 };
 [[nodiscard]] std::optional<ThermalPoint> thermalAt(const ThermalData& data, double celsius);
-
-template <>
-const StructInfo& tableOf<ValueSource>();
-template <>
-const StructInfo& tableOf<ThermalData>();
-template <>
-const StructInfo& tableOf<MaterialEntry>();
-template <>
-const StructInfo& tableOf<WheelEntry>();
-template <>
-const StructInfo& tableOf<MachineEntry>();
 
 } // namespace sparkout

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/catalogue/catalogue_check.h"
 
+#include "core/format/strict_json.h"
 #include "core/project/range_check.h"
-#include "core/project/strict_json.h"
 
 #include <algorithm>
 

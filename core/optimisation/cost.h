@@ -15,7 +15,7 @@ namespace sparkout {
 /// wheel and diamond of a dressing, N the parts between dressings: given, else those of the batch's
 /// dullness, else there is no dressing. How long a wheel lasts is not derived from the cycle by the
 /// model (MODEL-8 has dullness as an input), so N does not depend on it, C grows with T alone, and
-/// of a grid the quickest cycle is the cheapest: the cost is told, not searched.
+/// of a grid the quickest cycle is the cheapest: the cost is reported, not searched.
 ///
 /// Nothing where the project gives no rates.
 [[nodiscard]] std::optional<double> costPerPart(const Project& project, double time_s);

@@ -22,9 +22,9 @@ GridFault Grid::read(const Project& project) {
         settings *= levelCount(asked.*feed.levels);
     }
     m_step_mm = asked.stock_step_mm;
-    const std::vector<double> counts = levelCount(asked.spark_out) > mostVariants
+    const std::vector<double> counts = levelCount(asked.unfed_steps) > mostVariants
                                            ? std::vector<double>{}
-                                           : levelValues(asked.spark_out);
+                                           : levelValues(asked.unfed_steps);
     m_sparkOut = counts.empty() ? 0 : static_cast<int>(counts.front());
     const double whole = m_stock_mm / asked.stock_step_mm;
     const double steps = m_sparkOut == 0        ? std::max(0.0, std::ceil(whole - 1e-9) - 1)
@@ -391,7 +391,7 @@ Cycle Grid::cycle(const GridCycle& cycle) const {
             stage.*axial->value = setting.axialFeed_mm_min;
         }
         if (setting.sparkOut > 0) {
-            stage.spark_out = {SparkOut::Mode::count, setting.sparkOut};
+            stage.sparkOutFor(setting.sparkOut);
         } else {
             stage.*m_operation->radial().value = setting.radial;
         }

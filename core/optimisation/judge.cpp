@@ -195,7 +195,7 @@ void Judge::decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner&
 bool Judge::isChallenged(const FeasibleCycle& found) {
     auto scenario = m_options.challenge(found);
     if (m_options.stop.stop_requested()) {
-        return true; // a test that is stopped tells nothing
+        return true; // a test that is stopped shows nothing
     }
     if (!scenario) {
         return false;

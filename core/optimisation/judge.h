@@ -25,7 +25,7 @@ public:
     /// states it.
     void decideDone(const CyclePrefix& whole, CycleSteps& steps, CycleRunner& runner,
                     int merged = 0);
-    /// Whether a cycle and each of the `merged` further ones is told to break a requirement in a
+    /// Whether a cycle and each of the `merged` further ones is known to break a requirement in a
     /// scenario, before the last stage is run; then it is decided.
     bool isHopeless(GridCycle cycle, int merged);
     /// Challenges those of the waiting cycles that take no longer than this [s] and would be the

@@ -20,30 +20,30 @@ LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,
     const auto isTooDeep = [&](const FollowedRadii& at) {
         return cuts.isTooDeep(run.diameterDeviation(at.radii[1].depth_mm, at.radii[2].depth_mm));
     };
-    LastStageOutlook told;
+    LastStageOutlook outlook;
     FollowedRadii strokes = telling;
     const auto ended = [&] {
-        return stage.sparkOut > 0
-                   ? told.leastSteps >= stage.sparkOut
-                   : strokes.radii[0].depth_mm >= size_mm && (stage.begun || told.leastSteps > 0);
+        return stage.sparkOut > 0 ? outlook.leastSteps >= stage.sparkOut
+                                  : strokes.radii[0].depth_mm >= size_mm
+                                        && (stage.begun || outlook.leastSteps > 0);
     };
     const long long mostPasses = maxVisits / run.radii(); // the run itself makes no more
-    while (!(told.cutsTooDeep = isTooDeep(strokes)) && !ended()) {
-        if (told.leastSteps >= stage.mostSteps || strokes.passes > mostPasses) {
-            return told;
+    while (!(outlook.cutsTooDeep = isTooDeep(strokes)) && !ended()) {
+        if (outlook.leastSteps >= stage.mostSteps || strokes.passes > mostPasses) {
+            return outlook;
         }
         follower.strokesAlone(strokes, stage.feed);
-        ++told.leastSteps;
+        ++outlook.leastSteps;
     }
-    if (told.cutsTooDeep) {
-        return told;
+    if (outlook.cutsTooDeep) {
+        return outlook;
     }
     FollowedRadii all = telling;
-    for (int made = 0; made < told.leastSteps && !told.cutsTooDeep; ++made) {
+    for (int made = 0; made < outlook.leastSteps && !outlook.cutsTooDeep; ++made) {
         follower.stepAlone(all, stage.feed);
-        told.cutsTooDeep = isTooDeep(all);
+        outlook.cutsTooDeep = isTooDeep(all);
     }
-    return told;
+    return outlook;
 }
 
 } // namespace sparkout

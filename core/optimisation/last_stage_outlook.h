@@ -16,8 +16,8 @@ struct LastStage {
     int mostSteps = std::numeric_limits<int>::max();
 };
 
-/// The radii that tell of a last stage: the deepest of the gauge's zone, and the two opposite ones
-/// that are the deepest together. Of a state with a follower.
+/// The radii that a last stage is judged by: the deepest of the gauge's zone, and the two opposite
+/// ones that are the deepest together. Of a state with a follower.
 [[nodiscard]] FollowedRadii tellingRadii(const CycleSteps& steps);
 
 /// What is proved of a last stage by three of the part's radii.
@@ -32,12 +32,12 @@ struct LastStageOutlook {
 /// Π_rem is |R_first − R_t| less the mean depth of two opposite radii of the gauge's zone, or of
 /// all of them: not before the deepest of these radii is at the size. They have one γ and are fed
 /// alike, and depth + a(t_П − depth) rises with depth, as a rises by no more than its infeed does:
-/// so the one that is the deepest now stays so, and it alone tells a number of steps before which
+/// so the one that is the deepest now stays so, and it alone gives a number of steps before which
 /// the stage does not end. Radii only grow deeper: a diameter of two others beyond the field after
 /// that many steps is beyond it at the end. Taken are the two that are the deepest now. For the
-/// same reason the strokes alone make none deeper than all passes do: mostly they tell already that
+/// same reason the strokes alone make none deeper than all passes do: mostly they show already that
 /// it is too deep, and only where they do not are the other passes followed. Where radii depend on
-/// each other, or the gauge stands elsewhere, nothing is told.
+/// each other, or the gauge stands elsewhere, nothing is known.
 ///
 /// @param part  any steps of the part, with a follower
 [[nodiscard]] LastStageOutlook outlook(const CycleSteps& part, const FollowedRadii& telling,

@@ -21,7 +21,7 @@ public:
     [[nodiscard]] std::optional<ConstraintKind> broken(const Run& run, std::size_t stage) const;
 
     /// At the end of a cycle: a diameter outside of the drawing's field, by more than rounding.
-    /// What most cycles fail by, told without closing the books and judging all the rest.
+    /// What most cycles fail by, found without closing the books and judging all the rest.
     [[nodiscard]] std::optional<ConstraintKind> brokenAtEnd(const Run& run) const;
     /// Whether a deviation of a diameter [mm] is beyond the end of the field that cutting comes to.
     [[nodiscard]] bool isTooDeep(double deviation_mm) const {

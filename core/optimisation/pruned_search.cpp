@@ -95,8 +95,8 @@ private:
                > static_cast<double>(m_judge.bestTime_us());
     }
 
-    /// A challenge is dear, so cycles wait for theirs until no branch can be quicker, or some work
-    /// was done since: often a better one is found meanwhile. Where there is no more room for
+    /// A challenge is expensive, so cycles wait for theirs until no branch can be quicker, or some
+    /// work was done since: often a better one is found meanwhile. Where there is no more room for
     /// branches a best cycle is needed, to drop some.
     void settleBefore(double bound_s) {
         constexpr long long patience = 1 << 12; // branches: some challenges' worth of work
@@ -153,10 +153,10 @@ private:
     [[nodiscard]] std::optional<std::size_t> toldShorter(const CyclePrefix& prefix) const {
         const std::vector<std::size_t>& counts = m_grid.stageCounts();
         const auto own = std::find(counts.begin(), counts.end(), prefix.stages);
-        const bool told = m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
-                          && (m_freeLast || !prefix.isBeforeLast())
-                          && std::find(counts.begin(), own, prefix.stages - 1) != own;
-        return told ? std::optional(prefix.cycle.back().setting) : std::nullopt;
+        const bool known = m_runs.isGauged() && !m_grid.hasStageBounds() && !prefix.cycle.empty()
+                           && (m_freeLast || !prefix.isBeforeLast())
+                           && std::find(counts.begin(), own, prefix.stages - 1) != own;
+        return known ? std::optional(prefix.cycle.back().setting) : std::nullopt;
     }
 
     /// Keeps a prefix whose steps are these, or go on from them.
@@ -270,7 +270,7 @@ private:
             m_judge.counts);
     }
 
-    /// Whether a few radii tell that a last stage takes too long or ends too deep.
+    /// Whether a few radii show that a last stage takes too long or ends too deep.
     [[nodiscard]] bool isHopeless(const CyclePrefix& done, std::size_t setting, int merged) {
         if (!m_runs.canTell()) {
             return false;
@@ -282,11 +282,11 @@ private:
             const double left_s = seconds(m_judge.bestTime_us()) - begin_s;
             mostSteps = static_cast<int>(std::min(left_s / step_s, 1e9)) + 2;
         }
-        const LastStageOutlook told = m_runs.outlook(done, setting, mostSteps);
-        if (isSlower(begin_s + told.leastSteps * step_s * (1 - 1e-9))) {
+        const LastStageOutlook outlook = m_runs.outlook(done, setting, mostSteps);
+        if (isSlower(begin_s + outlook.leastSteps * step_s * (1 - 1e-9))) {
             return true;
         }
-        if (told.cutsTooDeep) {
+        if (outlook.cutsTooDeep) {
             m_judge.cut(m_runner.cuts().tooDeep());
             return true;
         }

@@ -21,8 +21,8 @@
 ///    one so far; equal times are not dropped. Branches are taken in the order of their bounds, so
 ///    the bound of the next one holds for all that is left; those beyond the memory given newest
 ///    first, their bounds not below the last one taken in order.
-/// 4. Cuts. A branch is dropped when PassCuts tells that its passes break a requirement, and a
-///    cycle before its last stage is run when three radii of the part, or of a scenario, tell that
+/// 4. Cuts. A branch is dropped when PassCuts finds that its passes break a requirement, and a
+///    cycle before its last stage is run when three radii of the part, or of a scenario, show that
 ///    it takes too long or cuts too deep (LastStageOutlook). On scenarios too, what cycles have in
 ///    common is run once (ScenarioRunner), as in point 1.
 /// 5. Equal neighbours. Under gauge control two stages in a row with one setting make the passes of

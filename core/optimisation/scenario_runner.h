@@ -12,7 +12,7 @@ namespace sparkout {
 
 /// Runs cycles of a grid on another part, in any order. Under gauge control the stages that cycles
 /// begin with alike are run once, as the pruned search does (see there), as far as there is memory
-/// for them, and a last stage is not run when LastStageOutlook tells that it cuts too deep.
+/// for them, and a last stage is not run when LastStageOutlook finds that it cuts too deep.
 class ScenarioRunner {
 public:
     /// @param memory_bytes  for first stages, about; 0: each cycle is run from the blank
@@ -21,7 +21,7 @@ public:
     ScenarioRunner(const ScenarioRunner&) = delete; // the runs refer to the runner's cuts
     ScenarioRunner& operator=(const ScenarioRunner&) = delete;
 
-    /// Whether a cycle is told to break a requirement before its last stage is run.
+    /// Whether a cycle is known to break a requirement before its last stage is run.
     [[nodiscard]] bool isHopeless(const GridCycle& cycle, SearchCounts& counts);
     /// A cycle as simulate() has it; nothing when its passes or diameters break a requirement,
     /// which then counts as cut, or it does not end.

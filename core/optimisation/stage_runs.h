@@ -61,9 +61,9 @@ public:
     /// nothing: it is not reached.
     [[nodiscard]] std::optional<End> runTo(int taken, const CyclePrefix& from, CycleSteps& steps,
                                            std::size_t setting, SearchCounts& counts) const;
-    /// Whether a few radii tell of last stages: under gauge control.
+    /// Whether a few radii judge last stages: under gauge control.
     [[nodiscard]] bool canTell() const { return !m_feeds.empty(); }
-    /// What they tell of one with this setting, or of its first steps.
+    /// What they show of one with this setting, or of its first steps.
     [[nodiscard]] LastStageOutlook outlook(const CyclePrefix& from, std::size_t setting,
                                            int mostSteps = std::numeric_limits<int>::max()) const;
     /// The prefix behind the stage, without steps.

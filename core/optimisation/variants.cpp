@@ -29,12 +29,12 @@ double combinations(const Project& project) {
     const auto number = [](const Levels& levels) { return std::max(levelCount(levels), 1.0); };
     const double dwells =
         project.operation->travels ? number(asked.dwell_entry_s) * number(asked.dwell_exit_s) : 1;
-    return number(asked.work_speed_rpm) * dwells * number(asked.spark_out);
+    return number(asked.work_speed_rpm) * dwells * number(asked.unfed_steps);
 }
 
 /// The grid with one count of spark-outs.
 Grid gridWith(Project project, double sparkOut) {
-    project.optimisation->spark_out = only(sparkOut);
+    project.optimisation->unfed_steps = only(sparkOut);
     return Grid(project);
 }
 
@@ -88,7 +88,7 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
     const std::vector<double> speeds = listed(asked.work_speed_rpm, own.work_speed_rpm),
                               entries = listed(asked.dwell_entry_s, own.dwell_entry_s),
                               exits = listed(asked.dwell_exit_s, own.dwell_exit_s),
-                              sparkOuts = listed(asked.spark_out, 0);
+                              sparkOuts = listed(asked.unfed_steps, 0);
     const std::vector<std::shared_ptr<const Grid>> grids = gridsOf(plain, sparkOuts);
     for (const double speed : speeds) {
         m_isCutShort = grace.isOver();
@@ -102,7 +102,7 @@ Variants::Variants(const Project& project, const std::stop_token& stop) {
                     asked.work_speed_rpm = only(speed);
                     asked.dwell_entry_s = only(entry);
                     asked.dwell_exit_s = only(exit);
-                    asked.spark_out = only(sparkOuts[i]);
+                    asked.unfed_steps = only(sparkOuts[i]);
                     m_variants.push_back({plain, grids[i]});
                 }
             }
@@ -149,7 +149,7 @@ std::int64_t gridSize(const Project& project) {
     Project plain = project;
     plain.runs.clear();
     plain.batch.reset();
-    const std::vector<double> sparkOuts = listed(project.optimisation->spark_out, 0);
+    const std::vector<double> sparkOuts = listed(project.optimisation->unfed_steps, 0);
     const double others = combinations(project) / static_cast<double>(sparkOuts.size());
     std::array<std::optional<Grid>, 2> grids;
     long double sum = 0;

@@ -56,9 +56,9 @@ namespace sparkout {
 /// Ψ behind the sweeps have one limit, so the sweep from f* does not lower Ψ, f* is the solution,
 /// and as each limit is, all points tend to it. (The steps of 2 only speed that up: near the
 /// solution, once its set of sections is met, they converge as Newton's do.) That a step lowers Ψ
-/// is told by the slope r·δ alone, which rises along it, Ψ being convex: where it is not positive Ψ
-/// fell; a little beyond its zero the rise is less than what was won, by the areas under it. So
-/// differences of Ψ itself, lost to rounding near the minimum, are never formed.
+/// is decided by the slope r·δ alone, which rises along it, Ψ being convex: where it is not
+/// positive Ψ fell; a little beyond its zero the rise is less than what was won, by the areas under
+/// it. So differences of Ψ itself, lost to rounding near the minimum, are never formed.
 ///
 /// What is not solved after all is reported, never returned as if it were.
 class CoupledSections {

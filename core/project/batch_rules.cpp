@@ -3,7 +3,6 @@
 
 #include "core/project/cholesky.h"
 #include "core/project/given_factors.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 namespace sparkout {
 
-/// Faults of a batch that can be told without making a part of it: forms, bounds and the
+/// Faults of a batch that can be found without making a part of it: forms, bounds and the
 /// correlation matrix. A single cycle does not read them, so validate() only warns of them.
 [[nodiscard]] Issues batchFaults(const Project& project);
 

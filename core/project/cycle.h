@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/field.h"
+#include "core/project/spark_out.h"
 
 #include <optional>
 #include <vector>
@@ -26,6 +27,11 @@ struct Stage {
         return spark_out.mode == SparkOut::Mode::count ? std::optional(spark_out.count)
                                                        : std::nullopt;
     }
+    void dropSparkOut() { spark_out = {}; }
+    void sparkOutFor(int steps) { spark_out = SparkOut::ofNumber(steps); }
+    void sparkOutUntilSize() { spark_out = {SparkOut::Mode::untilSize, 0}; }
+
+    static constexpr const char* sparkOutKey = "spark_out"; ///< of the member in the file
 };
 
 struct Cycle {

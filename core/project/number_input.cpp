@@ -65,7 +65,7 @@ private:
             add(path, value ? std::optional<double>(*value) : std::nullopt, true);
             break;
         }
-        case Kind::sparkOut:
+        case Kind::countOrWord:
             if (const int* count = field.wholeNumber(owner)) {
                 add(path, *count, true);
             }
@@ -98,7 +98,7 @@ void store(const Field& field, void* owner, std::size_t part, double value) {
     case Kind::number: field.as<double>(owner) = value; break;
     case Kind::optionalNumber: field.as<std::optional<double>>(owner) = value; break;
     case Kind::integer:
-    case Kind::sparkOut: *field.wholeNumber(owner) = whole; break;
+    case Kind::countOrWord: *field.wholeNumber(owner) = whole; break;
     case Kind::optionalInteger: field.as<std::optional<int>>(owner) = whole; break;
     case Kind::compliance: {
         auto& given = field.as<GivenCompliance>(owner);

@@ -6,6 +6,21 @@
 
 namespace sparkout {
 
+std::vector<std::string> wholeCycleKeys() {
+    constexpr std::array members{&Optimisation::work_speed_rpm, &Optimisation::dwell_entry_s,
+                                 &Optimisation::dwell_exit_s, &Optimisation::unfed_steps};
+    Optimisation any;
+    std::vector<std::string> keys;
+    for (const Field& field : tableOf<Optimisation>().fields) {
+        for (const auto member : members) {
+            if (field.member(&any) == &(any.*member)) {
+                keys.emplace_back(field.key);
+            }
+        }
+    }
+    return keys;
+}
+
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>() {
     static const std::array choices{Choice{"nominal", SPARKOUT_NOOP("Choice", "nominal part")},
@@ -54,7 +69,7 @@ template <>
 const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
         SPARKOUT_FIELD(Optimisation, stages, .label = SPARKOUT_NOOP("Input", "Numbers of stages"),
-                       .hard = {1, 5}, .page = Page::search,
+                       .hard = {1, 5}, .whole = true, .page = Page::search,
                        .hint = SPARKOUT_NOOP("Input", "Numbers of stages the search tries."),
                        .source = "MODEL-8"),
         SPARKOUT_FIELD(Optimisation, stock_step_mm, .label = SPARKOUT_NOOP("Input", "Stock step"),
@@ -120,14 +135,18 @@ const StructInfo& tableOf<Optimisation>() {
             .hint =
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
-        SPARKOUT_FIELD(
-            Optimisation, spark_out, .label = SPARKOUT_NOOP("Input", "Spark-outs at the end"),
-            .hard = {0, 10000}, .nullMeaning = SPARKOUT_NOOP("Input", "none"), .page = Page::search,
-            .hint = SPARKOUT_NOOP("Input",
-                                  "Double strokes or revolutions of one more stage that feeds "
-                                  "nothing and takes the last stock: a list, or from, to and step; "
-                                  "0 is no such stage."),
-            .source = "MODEL-7"),
+        makeField<&Optimisation::unfed_steps>(
+            "spark_out",
+            Row{.label = SPARKOUT_NOOP("Input", "Spark-outs at the end"),
+                .hard = {0, 10000},
+                .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+                .whole = true,
+                .page = Page::search,
+                .hint = SPARKOUT_NOOP(
+                    "Input", "Double strokes or revolutions of one more stage that feeds "
+                             "nothing and takes the last stock: a list, or from, to and step; "
+                             "0 is no such stage."),
+                .source = "MODEL-7"}),
         SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm,
                        .label = SPARKOUT_NOOP("Input", "Radial feed by stage"),
                        .unit = "mm/dbl stroke", .hard = {0, 1},

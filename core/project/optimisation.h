@@ -4,14 +4,15 @@
 #include "core/field.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sparkout {
 
 enum class OptimisationScenarios { nominal, corners, batch };
 
-/// What a part costs, in any currency. Only told: it grows with the time, so the quickest cycle is
-/// the cheapest.
+/// What a part costs, in any currency. Only reported: it grows with the time, so the quickest cycle
+/// is the cheapest.
 struct Cost {
     double machine_per_h = 0;                   ///< of machine and operator [1/h]
     double handling_s = 0;                      ///< loading and measuring, a part [s]
@@ -34,14 +35,17 @@ struct Optimisation {
     Levels work_speed_rpm;     ///< n; not given: the machine's [rev/min]
     Levels dwell_entry_s;      ///< traverse; not given: the machine's [s]
     Levels dwell_exit_s;       ///< traverse; not given: the machine's [s]
-    Levels spark_out;          ///< strokes or revolutions of a last stage; 0: no such stage
+    Levels unfed_steps;        ///< a spark-out's strokes or revolutions; 0: no such stage
     // Least and most of each stage, a row a stage from the first on.
     NumberRows stage_radial_feed_mm;     ///< [mm]
     NumberRows stage_axial_feed_mm_min;  ///< [mm/min]
     NumberRows stage_radial_feed_mm_min; ///< plunge [mm/min]
     NumberRows stage_stock_mm;           ///< [mm]
-    std::optional<Cost> cost;            ///< not given: not told
+    std::optional<Cost> cost;            ///< not given: not reported
 };
+
+/// Keys of the levels that are set once for the whole cycle; the others are feeds of the stages.
+[[nodiscard]] std::vector<std::string> wholeCycleKeys();
 
 template <>
 std::span<const Choice> choicesOf<OptimisationScenarios>();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/range_check.h"
 
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 
 #include <charconv>
@@ -108,7 +107,7 @@ private:
             break;
         case Kind::integer:
         case Kind::optionalInteger:
-        case Kind::sparkOut:
+        case Kind::countOrWord:
             if (const int* number = field.wholeNumber(owner)) {
                 checkNumber(field, *number, path, relevant);
             }

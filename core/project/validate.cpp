@@ -365,7 +365,7 @@ private:
         const auto& feed = stage.*radial.value;
         const bool sparks = !stage.feeds();
         if (sparks && index + 1 < count) {
-            add(IssueCode::sparkOutNotLast, path + "/spark_out", countOf(index + 1),
+            add(IssueCode::sparkOutNotLast, path + "/" + Stage::sparkOutKey, countOf(index + 1),
                 countOf(count));
         }
         if (sparks && feed && *feed > 0) {
@@ -403,30 +403,31 @@ private:
         if (!project().optimisation) {
             return;
         }
-        const auto& stages = project().optimisation->stages;
-        for (std::size_t i = 0; i < stages.size(); ++i) {
-            if (stages[i] != std::floor(stages[i])) {
-                add(IssueCode::wrongType, "/optimisation/stages/" + std::to_string(i),
-                    Amount{stages[i]}, Phrase::wholeNumber);
+        for (const Field& field : tableOf<Optimisation>().fields) {
+            if (field.whole) {
+                checkWhole(field, &*project().optimisation,
+                           std::string("/optimisation/") + field.key);
             }
         }
-        checkSparkOuts(project().optimisation->spark_out);
     }
 
-    void checkSparkOuts(const Levels& levels) {
-        const auto whole = [this](double count, const std::string& key) {
-            if (count != std::floor(count)) {
-                add(IssueCode::wrongType, "/optimisation/spark_out/" + key, Amount{count},
-                    Phrase::wholeNumber);
+    /// Of a list or levels.
+    void checkWhole(const Field& field, const void* owner, const std::string& path) {
+        const auto check = [&](double number, const std::string& key) {
+            if (number != std::floor(number)) {
+                add(IssueCode::wrongType, path + "/" + key, Amount{number}, Phrase::wholeNumber);
             }
         };
-        if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
-            whole(stepped->from, "from");
-            whole(stepped->step, "step");
-        } else if (const auto* list = std::get_if<std::vector<double>>(&levels)) {
-            for (std::size_t i = 0; i < list->size(); ++i) {
-                whole((*list)[i], std::to_string(i));
-            }
+        const bool isList = field.kind == Kind::numberList;
+        const auto* levels = isList ? nullptr : &field.as<Levels>(owner);
+        const auto* list = isList ? &field.as<std::vector<double>>(owner)
+                                  : std::get_if<std::vector<double>>(levels);
+        for (std::size_t i = 0; list && i < list->size(); ++i) {
+            check((*list)[i], std::to_string(i));
+        }
+        if (const auto* stepped = levels ? std::get_if<SteppedLevels>(levels) : nullptr) {
+            check(stepped->from, "from");
+            check(stepped->step, "step");
         }
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/result_json.h"
 
-#include "core/project/strict_json.h"
+#include "core/format/strict_json.h"
 #include "core/quality/cycle_constraints.h"
 #include "core/quality/finished_surface.h"
 #include "core/quality/result_names.h"

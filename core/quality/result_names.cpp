@@ -38,6 +38,10 @@ std::string sectionName(Zone zone, int section) {
     return zone == Zone::section ? "section " + std::to_string(section) : zoneKey(zone);
 }
 
+std::string sectionOrPart(Zone zone, int section) {
+    return section < 0 ? "part" : sectionName(zone, section);
+}
+
 std::string placeText(const Place& place) {
     const bool plunge = place.zone == Zone::section;
     return sectionName(place.zone, place.section) + (plunge ? "" : " ") + stepKey(place.step)

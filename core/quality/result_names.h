@@ -17,6 +17,9 @@ namespace sparkout {
 /// "nz", "section 2" (from 0).
 [[nodiscard]] std::string sectionName(Zone zone, int section);
 
+/// "rz1", "section 3" (from 0), or "part" for a section below 0.
+[[nodiscard]] std::string sectionOrPart(Zone zone, int section);
+
 /// Where in the cycle: "nz E1 stage 1 double stroke 27".
 [[nodiscard]] std::string placeText(const Place& place);
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/run_summary.h"
 
-#include "core/project/project_file.h"
-#include "core/project/strict_json.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
+#include "core/format/project_file.h"
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
+#include "core/quality/result_names.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -100,16 +101,11 @@ using units::umPerMm;
 constexpr double sameShare = 1e-6;
 const std::string requirementsPath = "/requirements";
 
-const char* zoneKeyOf(Zone zone) {
-    constexpr std::array keys{"rz1", "nz", "rz2", "section"};
-    return keys[static_cast<std::size_t>(zone)];
-}
-
 std::string worstPlace(const ConstraintResult& constraint) {
     if (constraint.at || constraint.section >= 0) {
         const Zone zone = constraint.at ? constraint.at->zone : constraint.zone;
         const int section = constraint.at ? constraint.at->section : constraint.section;
-        return zone == Zone::section ? "section " + std::to_string(section) : zoneKeyOf(zone);
+        return sectionName(zone, section);
     }
     if (requirementOf(constraint.kind).scope == ConstraintScope::part) {
         return "part";
@@ -120,7 +116,7 @@ std::string worstPlace(const ConstraintResult& constraint) {
 ZoneSummary zoneSummary(const SectionResult& section, const SectionAccuracy& accuracy,
                         double nominal_mm) {
     ZoneSummary zone;
-    zone.zone = zoneKeyOf(section.zone);
+    zone.zone = zoneKey(section.zone);
     zone.position_mm = section.position_mm;
     zone.diameter_deviation_min_um = section.diameterDeviationMin_mm * umPerMm;
     zone.diameter_deviation_max_um = section.diameterDeviationMax_mm * umPerMm;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference/json_schema.h"
 
+#include "core/format/project_file.h"
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/project/conditions.h"
-#include "core/project/project_file.h"
-#include "core/project/strict_json.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -86,12 +86,16 @@ ordered_json listSchema(const Field& field) {
     return schema;
 }
 
-ordered_json choiceSchema(const Field& field) {
+ordered_json choiceKeys(const Field& field) {
     ordered_json keys = ordered_json::array();
     for (const Choice& choice : field.choices) {
         keys.push_back(choice.key);
     }
-    return {{"type", "string"}, {"enum", std::move(keys)}};
+    return keys;
+}
+
+ordered_json choiceSchema(const Field& field) {
+    return {{"type", "string"}, {"enum", choiceKeys(field)}};
 }
 
 ordered_json kindSchema(const Field& field) {
@@ -109,7 +113,8 @@ ordered_json kindSchema(const Field& field) {
     case Kind::object: return objectSchema(*field.nested);
     case Kind::optionalObject: return orNull(objectSchema(*field.nested));
     case Kind::objectList: return listSchema(field);
-    case Kind::sparkOut: return anyOf({integerSchema(field), {{"enum", {"until_size"}}}, null});
+    case Kind::countOrWord:
+        return anyOf({integerSchema(field), {{"enum", choiceKeys(field)}}, null});
     case Kind::compliance:
         return anyOf({numbersByName(field, {"rz1", "nz", "rz2"}), numbersSchema(field), null});
     case Kind::levels:
@@ -178,6 +183,17 @@ void addConditional(const StructInfo& table, const std::string& path, std::strin
     }
 }
 
+/// Where the search must be given whole numbers, which lists and levels of numbers do not say.
+std::string wholeNumbers(Kind kind) {
+    std::string list;
+    for (const Field& field : tableOf<Optimisation>().fields) {
+        if (field.whole && field.kind == kind) {
+            list += (list.empty() ? "/optimisation/" : ", /optimisation/") + std::string(field.key);
+        }
+    }
+    return list;
+}
+
 /// What the reader refuses and the schema does not.
 std::string gaps() {
     std::string conditional;
@@ -189,7 +205,8 @@ std::string gaps() {
              "a "
              "ground length that leaves no zone between the reversals, a list with another number "
              "of values than sections, or a spark-out before the last stage; among the levels of "
-             "/optimisation/spark_out and in /optimisation/stages what is not a whole number; the "
+           + wholeNumbers(Kind::levels) + " and in " + wholeNumbers(Kind::numberList)
+           + " what is not a whole number; the "
              "inputs of a kept run, which are a project of their own, and its summary; a key given "
              "twice in one object; a number beyond the range of a double; a file of more than "
            + std::to_string(limits::fileBytes >> 20U) + " MB, " + std::to_string(limits::values)

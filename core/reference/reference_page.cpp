@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reference/reference_page.h"
 
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/project/project.h"
-#include "core/project/strict_json.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
 #include "core/project/validate.h"
 #include "core/text.h"
 
@@ -70,7 +70,7 @@ const std::array<Question, 7>& questions() {
         {{SPARKOUT_NOOP("Condition", "the stage feeds"),
           SPARKOUT_NOOP("Condition", "the stage is a spark-out")},
          [](Project&, Stage& stage, std::size_t i) {
-             stage.spark_out.mode = i == 0 ? SparkOut::Mode::none : SparkOut::Mode::untilSize;
+             i == 0 ? stage.dropSparkOut() : stage.sparkOutUntilSize();
          }},
     }};
     return all;
@@ -116,7 +116,7 @@ const char* typeText(Kind kind) {
     case Kind::object:
     case Kind::optionalObject: return "object";
     case Kind::objectList: return "list of objects";
-    case Kind::sparkOut: return "whole number or `\"until_size\"`";
+    case Kind::countOrWord: return "whole number or";
     case Kind::compliance:
         return "object with rz1, nz, rz2 (traverse), or list of numbers (plunge)";
     case Kind::levels: return "list of numbers, or object with from, to, step";
@@ -132,7 +132,7 @@ bool mayBeNull(Kind kind) {
     case Kind::optionalInteger:
     case Kind::optionalNumberList:
     case Kind::optionalObject:
-    case Kind::sparkOut:
+    case Kind::countOrWord:
     case Kind::compliance:
     case Kind::levels:
     case Kind::numberRows: return true;
@@ -142,7 +142,7 @@ bool mayBeNull(Kind kind) {
 
 std::string typeColumn(const Field& field) {
     std::string text = typeText(field.kind);
-    if (field.kind == Kind::choice) {
+    if (field.kind == Kind::choice || field.kind == Kind::countOrWord) {
         for (std::size_t i = 0; i < field.choices.size(); ++i) {
             text += (i == 0 ? " `\"" : ", `\"") + std::string(field.choices[i].key) + "\"`";
         }

@@ -4,7 +4,7 @@
 #include "core/batch/batch_check.h"
 #include "core/batch/factor_law.h"
 #include "core/batch/scenario_source.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/evaluate.h"
 
+#include "core/process/system_compliance.h"
 #include "core/project/validate.h"
 #include "core/quality/remarks.h"
 #include "core/simulation/simulate.h"
@@ -23,6 +24,8 @@ OutcomePtr evaluate(const Project& project, const std::stop_token& stop) {
         outcome->trajectory.visits.reserve(static_cast<std::size_t>(outcome->result.visits));
         outcome->result = simulateUnchecked(project, &outcome->trajectory, stop);
     }
+    constexpr int places = 241; // as closely as a curve is drawn
+    outcome->compliance = complianceAlong(project, places, stop);
     if (stop.stop_requested() || outcome->result.status == RunStatus::stopped) {
         return nullptr;
     }

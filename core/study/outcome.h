@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/issue.h"
+#include "core/process/system_compliance.h"
 #include "core/quality/constraints.h"
 #include "core/quality/limit_series.h"
 #include "core/quality/shop_numbers.h"
@@ -26,6 +27,7 @@ struct Outcome {
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
     LimitSeries limits; ///< the cuts against the limits of the feed
+    std::vector<CompliantPlace> compliance; ///< γ along the part; none where it is given
     ShopNumbers shop;
 
     [[nodiscard]] bool ran() const { return !hasErrors(issues); }

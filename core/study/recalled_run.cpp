@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/recalled_run.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/evaluate.h"
 
 #include <utility>

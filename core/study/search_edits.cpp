@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/search_edits.h"
 
+#include "core/format/project_file.h"
 #include "core/optimisation/variants.h"
-#include "core/project/project_file.h"
 
 #include <algorithm>
 #include <cmath>

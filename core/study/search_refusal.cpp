@@ -5,16 +5,26 @@
 #include "core/optimisation/search_names.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace sparkout {
 
 namespace {
 
-/// "radial_feed_mm and axial_feed_mm_min"
-std::string feedKeys(const Operation& operation) {
-    std::string keys;
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& keys) {
+    std::string list;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        list += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
+    }
+    return list;
+}
+
+std::vector<std::string> feedKeys(const Operation& operation) {
+    std::vector<std::string> keys;
     for (const StageFeed& feed : operation->feeds) {
-        keys += (keys.empty() ? "" : " and ") + std::string(feed.key);
+        keys.emplace_back(feed.key);
     }
     return keys;
 }
@@ -30,7 +40,7 @@ std::string searchRefusal(const GridSearchReport& report) {
     case GridFault::none: break;
     case GridFault::notGiven: return "/optimisation: what to search is not given";
     case GridFault::noLevels:
-        return "/optimisation: " + feedKeys(report.project.operation) + " must be given";
+        return "/optimisation: " + listed(feedKeys(report.project.operation)) + " must be given";
     case GridFault::tooManyLevels:
         return "/optimisation: more than " + std::to_string(std::lround(mostSettings))
                + " settings of a stage's feeds";
@@ -39,7 +49,7 @@ std::string searchRefusal(const GridSearchReport& report) {
                + std::to_string(std::lround(mostStockSteps)) + " steps of stock";
     case GridFault::tooManyVariants:
         return "/optimisation: more than " + std::to_string(std::lround(mostVariants))
-               + " combinations of work_speed_rpm, dwell_entry_s, dwell_exit_s and spark_out";
+               + " combinations of " + listed(wholeCycleKeys());
     case GridFault::noDivision:
         return "/optimisation: the stock and the feeds cannot be divided into these numbers of "
                "stages within their bounds";

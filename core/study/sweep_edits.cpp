@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/sweep_edits.h"
 
+#include "core/format/project_file.h"
 #include "core/project/number_input.h"
-#include "core/project/project_file.h"
 #include "core/project/sweep_rules.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
+#include "core/project/validate.h"
 #include "core/study/refine_answer.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ private:
             if (progress.best && !m_outcome->robust) {
                 addFound(*progress.best);
             }
-            tell(stages, progress.bound_s, progress.evaluations);
+            report(stages, progress.bound_s, progress.evaluations);
         };
         SearchedNumber number{.stages = stages};
         int candidate = 0;
@@ -124,8 +125,8 @@ private:
         }
     }
 
-    void tell(int stages, double bound_s, long long evaluations,
-              FoundBy looksFor = FoundBy::search) const {
+    void report(int stages, double bound_s, long long evaluations,
+                FoundBy looksFor = FoundBy::search) const {
         SearchState state{
             .looksFor = looksFor, .stages = stages, .bound_s = bound_s, .evaluations = evaluations};
         for (const Noted& each : m_found) {
@@ -157,7 +158,7 @@ private:
             if (Clock::now() > end) {
                 ends.request_stop();
             }
-            tell(0, 0, progress.evaluations, FoundBy::margin);
+            report(0, 0, progress.evaluations, FoundBy::margin);
         };
         for (const SearchSummary& each :
              tradeOff(m_outcome->project, *quickest, options, most).cycles) {
@@ -167,7 +168,7 @@ private:
 
     /// From the best of the grid, as it stands in the outcome.
     void refineBest() {
-        tell(0, 0, 0, FoundBy::refinement);
+        report(0, 0, 0, FoundBy::refinement);
         const FoundCycle best = *m_outcome->best();
         Project project = m_outcome->project;
         setMachine(project, best.machine);
@@ -288,7 +289,17 @@ double SearchOutcome::nominal_s() const {
 
 SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::stop_token stop,
                                 std::function<void(const SearchState&)> note) {
-    return Search(project, wish, std::move(stop), std::move(note)).run();
+    Issues issues = validate(project);
+    std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::error; });
+    if (!issues.empty()) {
+        auto outcome = std::make_shared<SearchOutcome>();
+        outcome->project = project;
+        outcome->issues = std::move(issues);
+        return outcome;
+    }
+    return Search(
+               project, wish, std::move(stop), note ? std::move(note) : [](const SearchState&) {})
+        .run();
 }
 
 } // namespace sparkout

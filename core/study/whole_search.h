@@ -44,10 +44,11 @@ struct SearchedNumber {
     bool holds = true; ///< in all scenarios of the last round; what is not robust holds by itself
 };
 
-/// All that one search gives: an immutable value. With a fault nothing was searched.
+/// All that one search gives: an immutable value. Where it did not run nothing was searched.
 struct SearchOutcome {
     Project project; ///< as searched
     GridFault fault = GridFault::none;
+    Issues issues;      ///< errors of the project, with which it is not searched
     Issues batchIssues; ///< why the batch that the cycle must hold for cannot be run
     bool robust = false;
     bool refines = false;                ///< looked between the levels too
@@ -59,7 +60,9 @@ struct SearchOutcome {
     std::optional<std::vector<ConstraintKind>> binding;
     bool stopped = false;
 
-    [[nodiscard]] bool ran() const { return fault == GridFault::none && batchIssues.empty(); }
+    [[nodiscard]] bool ran() const {
+        return fault == GridFault::none && issues.empty() && batchIssues.empty();
+    }
     [[nodiscard]] const FoundCycle* best() const;    ///< of the grid
     [[nodiscard]] const FoundCycle* refined() const; ///< quicker than the grid's best, if any
     /// The rounds ran out for a number of stages that might have had a quicker cycle.

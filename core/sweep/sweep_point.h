@@ -11,7 +11,7 @@ struct MeasuredPoint {
     std::vector<SweepQuantity> quantities;
 };
 
-/// Everything a sweep tells of one run.
+/// Everything a sweep reports of one run.
 [[nodiscard]] MeasuredPoint measurePoint(const SimulationResult& result);
 
 } // namespace sparkout

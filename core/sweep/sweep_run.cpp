@@ -3,6 +3,7 @@
 
 #include "core/batch/worker_pool.h"
 #include "core/project/number_input.h"
+#include "core/project/range_check.h"
 #include "core/project/sweep_rules.h"
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
@@ -161,7 +162,11 @@ Issues checkSweep(const Project& project) {
     if (!project.sweep) {
         return {{IssueCode::missingKey, Severity::error, "/sweep", {}, Phrase::anObject}};
     }
-    return sweepFaults(project);
+    Issues issues = checkRanges(project);
+    std::erase_if(issues, [](const Issue& issue) {
+        return issue.severity != Severity::error || !issue.path.starts_with("/sweep/");
+    });
+    return issues.empty() ? sweepFaults(project) : issues;
 }
 
 std::vector<double> sweepValues(const SweepAxis& axis, bool integer) {
@@ -199,6 +204,10 @@ SweepResult runSweep(const Project& project, const SweepOptions& options) {
     result.project = project;
     result.project.runs.clear();
     result.engineVersion = version;
+    result.issues = checkSweep(project);
+    if (!result.ran()) {
+        return result;
+    }
     result.inputs = sweptInputs(project);
     result.points.resize(static_cast<std::size_t>(pointsOf(project)));
     SweepPool(result, options).run();

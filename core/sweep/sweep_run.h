@@ -14,7 +14,7 @@
 /// A cycle run again and again with one or two of its inputs varied: what they do to every result.
 namespace sparkout {
 
-/// What is told of every point, of a zone or section or of the whole part.
+/// What is reported of every point, of a zone or section or of the whole part.
 struct SweepQuantity {
     std::string name; ///< "time", "least_margin", "diameter", "peak_normal_force", "peak_power", or
                       ///< that of the requirement
@@ -62,7 +62,9 @@ struct SweepResult {
     std::vector<SweepQuantity> quantities; ///< all that any point has
     std::vector<SweepPoint> points;        ///< the first input's values, for each of the second's
     bool stopped = false;
+    Issues issues; ///< why no point was run, as checkSweep() has them
 
+    [[nodiscard]] bool ran() const { return issues.empty(); }
     [[nodiscard]] std::size_t index(std::size_t first, std::size_t second = 0) const {
         return second * inputs.front().values.size() + first;
     }
@@ -87,9 +89,9 @@ struct SweepOptions {
 /// How many points the sweep of a project has; 0 without one.
 [[nodiscard]] std::int64_t pointsOf(const Project& project);
 
-/// Runs a sweep that checkSweep() passes. The same for any number of threads, bit for bit: each
-/// point is the run of the project with its values. A stop request ends it within a revolution of
-/// each thread and keeps what was done.
+/// Runs a sweep: no point of one that checkSweep() does not pass. The same for any number of
+/// threads, bit for bit: each point is the run of the project with its values. A stop request ends
+/// it within a revolution of each thread and keeps what was done.
 [[nodiscard]] SweepResult runSweep(const Project& project, const SweepOptions& options = {});
 
 } // namespace sparkout

@@ -6,9 +6,9 @@
 // is 1 when a ratio is beyond four times its target.
 #include "core/batch/batch_run.h"
 #include "core/form/accuracy.h"
+#include "core/format/project_file.h"
 #include "core/limits/burn_table.h"
 #include "core/process/pass_kernel.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/limit_watch.h"

@@ -3,9 +3,9 @@
 // value in ns of processor time, or a count; ratio to the time allowed, or to another search of the
 // same run. The exit status is 1 when a ratio is beyond four times its target.
 #include "core/files/safe_file.h"
+#include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
 #include "core/optimisation/robust.h"
-#include "core/project/project_file.h"
 
 #include <cstdio>
 #include <ctime>

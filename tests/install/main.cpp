@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program of somebody else's: simulates the project files it is called with, and one that is no
-// project at all.
+// A program of somebody else's: simulates the project files it is called with, and asks everything
+// of one that is no project at all.
 #include <core/sparkout.h>
 
 #include <cstdio>
@@ -16,6 +16,17 @@ int main(int argc, char** argv) {
     if (sparkout::evaluate(sparkout::Project{})->ran()) {
         std::puts("an empty project was evaluated");
         return 1;
+    }
+    sparkout::Project unfit;
+    unfit.batch.emplace();
+    unfit.sweep.emplace().inputs.resize(1);
+    for (const sparkout::Project& project : {sparkout::Project{}, unfit}) {
+        if (sparkout::runBatch(project).status != sparkout::BatchStatus::refused
+            || sparkout::runBatch(project).issues.empty() || sparkout::runWholeBatch(project)->ran()
+            || sparkout::runSweep(project).ran() || !sparkout::runSweep(project).points.empty()) {
+            std::puts("a batch or a sweep of no project was run");
+            return 1;
+        }
     }
     for (int i = 1; i < argc; ++i) {
         std::ifstream file(argv[i]);

@@ -14,9 +14,14 @@ int main(int argc, char** argv) {
     if (!read.project) {
         return 1;
     }
-    if (sparkout::searchGrid(sparkout::Project{}, {}).ran()) {
-        std::puts("an empty project was searched");
-        return 1;
+    sparkout::Project unfit;
+    unfit.optimisation.emplace().stock_step_mm = 0;
+    for (const sparkout::Project& project : {sparkout::Project{}, unfit}) {
+        if (sparkout::searchGrid(project, {}).ran()
+            || sparkout::runWholeSearch(project, {}, {}, {})->ran()) {
+            std::puts("a project that is none was searched");
+            return 1;
+        }
     }
     const sparkout::GridSearchReport report = sparkout::searchGrid(*read.project, {});
     std::printf("%.17g\n", sparkout::hasAnswer(report) ? report.search.best->time_s / 60 : 0.0);

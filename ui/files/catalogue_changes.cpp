@@ -2,8 +2,8 @@
 #include "ui/files/catalogue_changes.h"
 
 #include "core/catalogue/catalogue_check.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "ui/text/number_text.h"
 #include "ui/text/source_names.h"
 #include "ui/text/texts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/files/disk_state.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "ui/session/project_io.h"
 
 #include <QDir>

@@ -2,7 +2,7 @@
 #include "ui/files/recovery_store.h"
 
 #include "core/files/temporary_file.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "ui/files/file_lock.h"
 #include "ui/session/project_io.h"
 

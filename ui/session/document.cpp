@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/document.h"
 
+#include "core/format/project_file.h"
 #include "core/project/difference.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "ui/text/example_texts.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/project_io.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include <QCryptographicHash>
 #include <QFile>

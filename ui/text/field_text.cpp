@@ -24,13 +24,15 @@ QString joined(const std::vector<double>& numbers) {
     return parts.join(QStringLiteral("; "));
 }
 
-QString sparkOutShown(const SparkOut& sparkOut, const Field& field) {
-    switch (sparkOut.mode) {
-    case SparkOut::Mode::untilSize: return FieldText::tr("until size");
-    case SparkOut::Mode::count: return QString::number(sparkOut.count);
-    case SparkOut::Mode::none: break;
+QString choiceShown(const Field& field, const void* owner) {
+    return choiceText(field.choices[static_cast<std::size_t>(field.getChoice(owner))].label);
+}
+
+QString countOrWordShown(const Field& field, const void* owner) {
+    if (const int* const number = field.wholeNumber(owner)) {
+        return QString::number(*number);
     }
-    return inputText(field.nullMeaning);
+    return field.getChoice(owner) < 0 ? inputText(field.nullMeaning) : choiceShown(field, owner);
 }
 
 QString complianceShown(const GivenCompliance& compliance, const Field& field) {
@@ -65,14 +67,13 @@ QString fieldText(const Field& field, const void* owner) {
     switch (field.kind) {
     case Kind::boolean: return field.as<bool>(owner) ? FieldText::tr("yes") : FieldText::tr("no");
     case Kind::text: return QString::fromStdString(field.as<std::string>(owner)).simplified();
-    case Kind::choice:
-        return choiceText(field.choices[static_cast<std::size_t>(field.getChoice(owner))].label);
+    case Kind::choice: return choiceShown(field, owner);
     case Kind::numberList: return joined(field.as<std::vector<double>>(owner));
     case Kind::optionalNumberList: {
         const auto& list = field.as<std::optional<std::vector<double>>>(owner);
         return list ? joined(*list) : inputText(field.nullMeaning);
     }
-    case Kind::sparkOut: return sparkOutShown(field.as<SparkOut>(owner), field);
+    case Kind::countOrWord: return countOrWordShown(field, owner);
     case Kind::compliance: return complianceShown(field.as<GivenCompliance>(owner), field);
     case Kind::levels: return levelsShown(field.as<Levels>(owner), field);
     case Kind::numberRows: return rowsShown(field.as<NumberRows>(owner), field);

@@ -90,8 +90,8 @@ QString whenRead(const FieldPlace& place) {
 
 QString choicesOfField(const Field& field) {
     QStringList list;
-    for (const Choice& choice : field.choices) {
-        list += choiceText(choice.label);
+    for (std::size_t i = 0; field.kind == Kind::choice && i < field.choices.size(); ++i) {
+        list += choiceText(field.choices[i].label);
     }
     return list.isEmpty() ? QString()
                           : fieldsTr(QT_TRANSLATE_NOOP("Help", "Choices: %1"))

@@ -9,7 +9,7 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/notice_bar.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "ui/text/file_error_text.h"
 
 #include <QFileInfo>

@@ -3,8 +3,8 @@
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/factor_law.h"
+#include "core/format/blanks_csv.h"
 #include "core/process/system_compliance.h"
-#include "core/project/blanks_csv.h"
 
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

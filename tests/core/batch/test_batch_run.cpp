@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/batch_check.h"
 #include "core/batch/batch_run.h"
 #include "core/batch/batch_state.h"
 #include "core/batch/batch_state_reader.h"
 #include "core/batch/batch_summary.h"
+#include "core/batch/sensitivity.h"
 
 #include "tests/check_line.h"
 #include "tests/core/support/batch_fixtures.h"
@@ -36,14 +38,14 @@ namespace {
 BatchResult runWith(const Project& project, int threads) {
     BatchOptions options;
     options.threads = threads;
-    return runBatch(project, options);
+    return runBatchUnchecked(project, options);
 }
 
 BatchResult runShard(const Project& project, int index, int shards) {
     BatchOptions options;
     options.threads = 1;
     options.range = shardRange(project.batch->parts, index, shards);
-    return runBatch(project, options);
+    return runBatchUnchecked(project, options);
 }
 
 JoinedBatch joined(const std::vector<BatchResult>& shards) {
@@ -389,6 +391,34 @@ private slots:
             }
             QVERIFY2(listed, requirementOf(c.kind).key);
         }
+    }
+
+    void whatCannotBeRunIsRefusedAndSaysWhy() {
+        Project noBatch = shaftBatch(5), noPart = shaftBatch(5), noProject = shaftBatch(5);
+        noBatch.batch.reset();
+        noPart.batch->parts = 0;
+        noProject.cycle.stages.clear();
+        for (const Project& project : {noBatch, noPart, noProject, Project{}}) {
+            const BatchResult result = runBatch(project);
+            QVERIFY(result.status == BatchStatus::refused);
+            QVERIFY(!result.issues.empty() && result.issues == checkBatch(project));
+            QCOMPARE(result.statistics.parts, std::int64_t{0});
+        }
+        QVERIFY(!sobolIndices(noBatch, 4) && !sobolIndices(shaftBatch(5), 0));
+        const BatchResult result = runBatch(shaftBatch(5));
+        QVERIFY(result.status == BatchStatus::completed && result.issues.empty());
+    }
+
+    void aRangeBeyondTheBatchIsCutToIt() {
+        BatchOptions options;
+        options.range = PartRange{-3, 90};
+        options.meanWidth_um = 1e-9;
+        options.round = 0;
+        const BatchResult result = runBatch(shaftBatch(5), options);
+        QCOMPARE(result.statistics.parts, std::int64_t{5});
+        QVERIFY(result.range.first == 0 && result.range.end == 5);
+        options.range = PartRange{4, 2};
+        QCOMPARE(runBatch(shaftBatch(5), options).statistics.parts, std::int64_t{0});
     }
 
     void aStopBeforeTheFirstPartLeavesNone() {

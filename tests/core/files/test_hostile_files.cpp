@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reliability checks 5 and 7: files that are damaged or meant to harm.
 #include "core/files/safe_file.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_samples.h"

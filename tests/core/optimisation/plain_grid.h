@@ -29,7 +29,7 @@ public:
                  listed(traverse ? asked.dwell_entry_s : Levels(), own.dwell_entry_s)) {
                 for (const double exit :
                      listed(traverse ? asked.dwell_exit_s : Levels(), own.dwell_exit_s)) {
-                    for (const double sparkOut : listed(asked.spark_out, 0)) {
+                    for (const double sparkOut : listed(asked.unfed_steps, 0)) {
                         machine = {speed, entry, exit};
                         sparks = static_cast<int>(sparkOut);
                         addNumbers();

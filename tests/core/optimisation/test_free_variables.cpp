@@ -51,7 +51,7 @@ Project freeCase(unsigned seed) {
     }
     if (dice.chance(0.6)) {
         const int most = traverse ? 2 : 20;
-        asked.spark_out = std::vector<double>{static_cast<double>(dice.integer(1, most)), 0};
+        asked.unfed_steps = std::vector<double>{static_cast<double>(dice.integer(1, most)), 0};
     }
     if (dice.chance(0.3)) {
         const int least = dice.integer(1, 2);
@@ -91,7 +91,7 @@ private slots:
             const Optimisation& asked = *p.optimisation;
             seen["speed"] += levelCount(asked.work_speed_rpm) > 0 ? 1 : 0;
             seen["dwell"] += levelCount(asked.dwell_entry_s) + levelCount(asked.dwell_exit_s) > 0;
-            seen["spark-out"] += levelCount(asked.spark_out) > 0 ? 1 : 0;
+            seen["spark-out"] += levelCount(asked.unfed_steps) > 0 ? 1 : 0;
             seen["stock"] += asked.stage_stock_mm ? 1 : 0;
             seen["radial"] += asked.stage_radial_feed_mm || asked.stage_radial_feed_mm_min ? 1 : 0;
             seen["axial"] += asked.stage_axial_feed_mm_min ? 1 : 0;
@@ -167,7 +167,7 @@ private slots:
             const SearchSummary best = search(few);
             for (Levels Optimisation::*levels :
                  {&Optimisation::work_speed_rpm, &Optimisation::dwell_exit_s,
-                  &Optimisation::spark_out}) {
+                  &Optimisation::unfed_steps}) {
                 Project more = few;
                 std::vector<double> values = levelValues((*few.optimisation).*levels);
                 if (values.empty()) {

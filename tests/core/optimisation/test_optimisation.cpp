@@ -3,7 +3,7 @@
 #include "core/optimisation/optimise.h"
 #include "core/project/validate.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/optimisation/search_checks.h"
 #include "tests/core/support/project_fixtures.h"

@@ -29,7 +29,7 @@ Project withVariants(Project p, unsigned seed) {
     if (seed % 4 == 1) {
         p.optimisation->work_speed_rpm = std::vector<double>{150, 180, 210};
     } else if (seed % 4 == 3) {
-        p.optimisation->spark_out = std::vector<double>{0, 3};
+        p.optimisation->unfed_steps = std::vector<double>{0, 3};
     }
     return p;
 }

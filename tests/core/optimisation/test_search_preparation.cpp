@@ -126,7 +126,7 @@ private slots:
         QCOMPARE(gridSize(p), 500 * (70 * 70 + two * two * 149));
         p.optimisation->non_increasing = false;
         QCOMPARE(gridSize(p), 500 * (4900LL + 4900LL * 4900 * 149));
-        p.optimisation->spark_out = std::vector<double>{0, 2, 3};
+        p.optimisation->unfed_steps = std::vector<double>{0, 2, 3};
         QCOMPARE(gridSize(p), Variants(p).size());
     }
 

@@ -260,7 +260,7 @@ private slots:
                     grid.radial_feed_mm = evenly(0.001, 0.02, feeds);
                     grid.axial_feed_mm_min = evenly(200, 4000, feeds);
                     grid.work_speed_rpm = evenly(60, 400, 250);
-                    grid.spark_out = std::vector<double>{0, 2};
+                    grid.unfed_steps = std::vector<double>{0, 2};
                     grid.stock_step_mm = p.part.stock_mm / 9999;
                     grid.non_increasing = nonIncreasing;
                     if (bounded) {

@@ -40,7 +40,7 @@ Project sparkingOut(Project p, double count) {
     asked.radial_feed_mm_min = std::vector<double>{1.8};
     asked.radial_feed_mm = std::vector<double>{0.01};
     asked.axial_feed_mm_min = std::vector<double>{2000};
-    asked.spark_out = std::vector<double>{count};
+    asked.unfed_steps = std::vector<double>{count};
     p.optimisation = asked;
     return p;
 }
@@ -91,7 +91,7 @@ private slots:
         bore.wheel.diameter_mm = 20;
         QVERIFY(close(steplessLimit_s(bore), (15 + 1) * revolution_s, 2e-9));
         Project gauged = shaft;
-        gauged.optimisation->spark_out = std::vector<double>{0};
+        gauged.optimisation->unfed_steps = std::vector<double>{0};
         QVERIFY(close(steplessLimit_s(gauged), 20 * revolution_s, 2e-9));
     }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/project_file.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
+#include "core/format/project_file.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/project/validate.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/core/support/project_samples.h"
@@ -37,7 +37,7 @@ public:
                 m_seen.insert(spot.place);
             }
             if (spot.field->kind == Kind::compliance || spot.field->kind == Kind::levels
-                || spot.field->kind == Kind::sparkOut) {
+                || spot.field->kind == Kind::countOrWord) {
                 m_seen.insert(spot.place + " " + value.type_name());
             }
         }
@@ -69,7 +69,7 @@ private:
         case Kind::object: return {}; // its members count
         case Kind::compliance:
         case Kind::levels: return {"", " null", " array", " object"};
-        case Kind::sparkOut: return {"", " null", " number", " string"};
+        case Kind::countOrWord: return {"", " null", " number", " string"};
         default: return {""};
         }
     }
@@ -125,7 +125,7 @@ inline std::vector<json> wrongValues(Kind kind) {
         return {false, true, 0, 1.5, "", json::array(), json{json::object()}, object};
     case Kind::objectList:
         return {nullptr, true, 0, "", json{1}, json{nullptr}, json{json::array()}, object};
-    case Kind::sparkOut: return {true, false, 1.5, "5", "none", json::array(), json{5}, object};
+    case Kind::countOrWord: return {true, false, 1.5, "5", "none", json::array(), json{5}, object};
     case Kind::compliance:
         return {true, 1e-4, "1e-4", json{"1"}, json{nullptr}, json{true}, json::object(), object};
     case Kind::levels:
@@ -153,7 +153,7 @@ numbersOf(const Field& field) {
     case Kind::optionalNumber:
     case Kind::integer:
     case Kind::optionalInteger:
-    case Kind::sparkOut: return {{"", [](double x) { return json(x); }}};
+    case Kind::countOrWord: return {{"", [](double x) { return json(x); }}};
     case Kind::numberList:
     case Kind::optionalNumberList: return {{"/0", list}};
     case Kind::compliance:

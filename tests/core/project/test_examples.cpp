@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The shipped example projects: well formed, in the writer's own form, and what their notes say.
 #include "core/batch/batch_summary.h"
+#include "core/format/project_file.h"
 #include "core/project/given_factors.h"
-#include "core/project/project_file.h"
 #include "core/quality/constraints.h"
 #include "core/quality/result_names.h"
 #include "core/quality/run_summary.h"

@@ -216,7 +216,8 @@ private slots:
         QFETCH(int, index);
         const samples::Place& place = samples::places()[static_cast<std::size_t>(index)];
         const Range& hard = place.field->hard;
-        const bool whole = place.field->kind == Kind::integer || place.field->kind == Kind::sparkOut
+        const bool whole = place.field->kind == Kind::integer
+                           || place.field->kind == Kind::countOrWord
                            || place.field->kind == Kind::optionalInteger;
         const double infinity = std::numeric_limits<double>::infinity();
         const auto above = [&](double x) { return whole ? x + 1 : std::nextafter(x, infinity); };

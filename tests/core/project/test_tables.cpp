@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/project/validate.h"
 #include "core/reference/reference_page.h"
 #include "tests/core/support/project_samples.h"
@@ -62,7 +62,7 @@ bool isNullable(Kind kind) {
     case Kind::optionalInteger:
     case Kind::optionalNumberList:
     case Kind::optionalObject:
-    case Kind::sparkOut:
+    case Kind::countOrWord:
     case Kind::compliance:
     case Kind::levels:
     case Kind::numberRows: return true;
@@ -180,7 +180,7 @@ private:
                      "the usual range leaves the allowed one");
         }
         const bool whole = field.kind == Kind::integer || field.kind == Kind::optionalInteger
-                           || field.kind == Kind::sparkOut || field.kind == Kind::objectList;
+                           || field.kind == Kind::countOrWord || field.kind == Kind::objectList;
         if (whole && !hard.unbounded()) {
             QVERIFY(hard.low == std::floor(hard.low) && hard.high == std::floor(hard.high));
             QVERIFY(hard.low >= -2147483647.0 && hard.high <= 2147483647.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same cycle with coupled and with independent sections [MODEL-6].
-#include "core/quality/coupling_comparison.h"
+#include "core/study/coupling_comparison.h"
 
 #include "core/simulation/simulate.h"
 #include "tests/core/support/project_fixtures.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where to put the gauge [AKINTSEVA2020, section 3].
-#include "core/quality/gauge_placement.h"
+#include "core/study/gauge_placement.h"
 
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"

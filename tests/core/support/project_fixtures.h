@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/format/project_file.h"
 #include "core/process/profile.h"
 #include "core/project/project.h"
-#include "core/project/project_file.h"
 #include "core/simulation/simulate.h"
 #include "words/issue_words.h"
 

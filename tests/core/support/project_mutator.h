@@ -96,7 +96,7 @@ private:
         field.resize(owner, static_cast<std::size_t>(m_pick(4)));
         for (std::size_t i = size; i < field.size(owner); ++i) {
             for (const Field& member : field.nested->fields) {
-                if (member.kind != Kind::sparkOut) {
+                if (member.kind != Kind::countOrWord) {
                     change(member, field.at(owner, i));
                 }
             }
@@ -166,10 +166,8 @@ private:
             }
             break;
         case Kind::objectList: changeList(field, owner); break;
-        case Kind::sparkOut:
-            field.as<SparkOut>(owner) = m_pick(3) == 0
-                                            ? SparkOut{SparkOut::Mode::untilSize, 0}
-                                            : SparkOut{SparkOut::Mode::count, whole(field.hard)};
+        case Kind::countOrWord:
+            m_pick(3) == 0 ? field.setChoice(owner, 0) : field.setNumber(owner, whole(field.hard));
             break;
         case Kind::compliance: changeCompliance(field, owner); break;
         case Kind::levels: changeLevels(field, owner); break;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/format/project_file.h"
 #include "core/issue.h"
-#include "core/project/project_file.h"
 #include "words/issue_words.h"
 
 #include <nlohmann/json.hpp>

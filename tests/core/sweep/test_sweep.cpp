@@ -327,6 +327,33 @@ private slots:
             warned, [&](const Issue& issue) { return issue.path == issues[0].path; }));
     }
 
+    void whatCannotBeRunHasNoPointAndSaysWhy() {
+        Project noSweep = shaft();
+        const Project onePoint = swept(shaft(), {axis("/wheel/dullness", 0.01, 0.02, 1)}),
+                      noPoint = swept(shaft(), {axis("/wheel/dullness", 0.01, 0.02, -1)}),
+                      noAxis = swept(shaft(), {}),
+                      threeAxes = swept(shaft(), {axis("/wheel/dullness", 0.01, 0.02),
+                                                  axis("/part/stock_mm", 0.1, 0.2),
+                                                  axis("/part/length_mm", 90, 95)}),
+                      noPath = swept(shaft(), {axis("/wheel", 0.01, 0.02)});
+        for (const Project& project :
+             {noSweep, onePoint, noPoint, noAxis, threeAxes, noPath, Project{}}) {
+            const SweepResult result = runSweep(project);
+            QVERIFY(!result.ran() && result.issues == checkSweep(project));
+            QVERIFY(result.points.empty() && result.inputs.empty() && !result.stopped);
+            QCOMPARE(pointsOf(project), std::int64_t{0});
+        }
+        // Of a project that is none every point is refused.
+        Project noProject = swept(shaft(), {axis("/wheel/dullness", 0.01, 0.02, 2)});
+        noProject.cycle.stages.clear();
+        const SweepResult result = runSweep(noProject);
+        QVERIFY(result.ran() && result.points.size() == 2);
+        for (const SweepPoint& point : result.points) {
+            QCOMPARE(point.status, SweepStatus::refused);
+            QVERIFY(!point.issues.empty());
+        }
+    }
+
     void oneInputIsNotVariedTwice() {
         const Project project = swept(
             shaft(), {axis("/wheel/dullness", 0.01, 0.02), axis("/wheel/dullness", 0.01, 0.03)});

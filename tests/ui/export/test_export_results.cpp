@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results and traces on their way to other programs: the numbers of the engine, to the last bit.
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/simulation/progress.h"
 #include "tests/registry.h"
 #include "tests/ui/export/export_bench.h"

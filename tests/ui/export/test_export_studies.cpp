@@ -2,7 +2,7 @@
 // Batch, sweep and search as workbooks, all parts as rows: by the window's own ways and by
 // sparkout --export.
 #include "core/batch/batch_verdict.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/evaluate.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/ui/support/dialog_answers.h"

@@ -8,7 +8,7 @@
 #include "ui/session/document.h"
 #include "ui/text/number_text.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include "tests/registry.h"
 

@@ -6,7 +6,7 @@
 #include "ui/files/autosave.h"
 #include "ui/session/document.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>

@@ -7,7 +7,7 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include <QFileInfo>
 #include <QProcess>

@@ -3,7 +3,7 @@
 // mouse.
 #include "core/batch/batch_check.h"
 #include "core/batch/scenario_source.h"
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/operation.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"

@@ -10,7 +10,7 @@
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include "tests/registry.h"

@@ -12,7 +12,7 @@
 #include "ui/text/texts.h"
 #include "ui/window/main_window.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include "tests/registry.h"

@@ -6,7 +6,7 @@
 #include "ui/inputs/inputs_panel.h"
 #include "ui/session/document.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include "tests/registry.h"

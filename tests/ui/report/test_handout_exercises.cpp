@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The questions of the course hand-out, run again, and the page of their answers.
+#include "core/format/project_file.h"
 #include "core/project/difference.h"
-#include "core/project/project_file.h"
 #include "core/simulation/simulate.h"
 #include "tests/registry.h"
 #include "tests/ui/report/handout_bench.h"
@@ -29,8 +29,7 @@ QString onOneLine(QString text) {
 }
 
 /// What is asked for, read off a run by this test.
-double measured(report::Asked asked, const SimulationResult& result, const Visit* visit) {
-    using report::Asked;
+double measured(Asked asked, const SimulationResult& result, const Visit* visit) {
     double low = 1e9, high = -1e9, runout = 0;
     for (const SectionResult& section : result.sections) {
         low = std::min(low, section.diameterDeviationMin_mm);
@@ -50,10 +49,9 @@ double measured(report::Asked asked, const SimulationResult& result, const Visit
     return 0;
 }
 
-constexpr report::Asked everything[] = {report::Asked::stepFeed_um, report::Asked::stepForce_n,
-                                        report::Asked::time_min,    report::Asked::count,
-                                        report::Asked::spread_um,   report::Asked::runout_um,
-                                        report::Asked::peakForce_n, report::Asked::peakPower_kw};
+constexpr Asked everything[] = {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min,
+                                Asked::count,       Asked::spread_um,   Asked::runout_um,
+                                Asked::peakForce_n, Asked::peakPower_kw};
 
 /// "stage 2 takes 0.0687 min less" against the stages of both runs.
 void checkStageTimes(const QString& reason, const SimulationResult& was, const SimulationResult& is,
@@ -74,8 +72,7 @@ void checkStageTimes(const QString& reason, const SimulationResult& was, const S
         QVERIFY2(std::abs((longer ? said : -said) - more) <= 0.006 * std::abs(more),
                  qPrintable(reason));
     }
-    const bool ofTime =
-        reason.contains(report::askedQuantity(report::Asked::time_min, Operation::plunge));
+    const bool ofTime = reason.contains(report::askedQuantity(Asked::time_min, Operation::plunge));
     QVERIFY2((count > 0) == ofTime, qPrintable(reason));
 }
 
@@ -166,9 +163,9 @@ private slots:
         result.sections[0].diameterDeviationMax_mm = 0.009;
         result.sections[1].diameterDeviationMin_mm = -0.002;
         result.sections[1].diameterDeviationMax_mm = 0.001;
-        QCOMPARE(report::askedValue(report::Asked::spread_um, result, nullptr).value_or(0), 14.0);
+        QCOMPARE(askedValue(Asked::spread_um, result, nullptr).value_or(0), 14.0);
         std::swap(result.sections[0], result.sections[1]);
-        QCOMPARE(report::askedValue(report::Asked::spread_um, result, nullptr).value_or(0), 14.0);
+        QCOMPARE(askedValue(Asked::spread_um, result, nullptr).value_or(0), 14.0);
     }
 
     void theAnswersAreThoseOfTheChangedProject_data() { addCases(); }
@@ -192,17 +189,18 @@ private slots:
             QVERIFY(text.contains(onOneLine(exercise.question)));
             QVERIFY(text.contains(onOneLine(exercise.reason)));
             QVERIFY(!exercise.answers.empty());
-            for (const report::Answer& answer : exercise.answers) {
+            for (const Answer& answer : exercise.answers) {
                 const auto visit = [&](const Trajectory& in) {
                     return exercise.at ? visitOf(in, *exercise.at, step->radius) : nullptr;
                 };
                 QCOMPARE(answer.before,
                          measured(answer.asked, outcome->result, visit(outcome->trajectory)));
                 QCOMPARE(answer.after, measured(answer.asked, result, visit(trajectory)));
-                const QString before = askedNumber(answer.asked, answer.before),
-                              after = askedNumber(answer.asked, answer.after);
+                const QString before = report::askedNumber(answer.asked, answer.before),
+                              after = report::askedNumber(answer.asked, answer.after);
                 const QString row = onOneLine(
-                    QStringList{askedName(answer.asked, operation), before, after}.join(u' '));
+                    QStringList{report::askedName(answer.asked, operation), before, after}.join(
+                        u' '));
                 QVERIFY2(text.contains(row), qPrintable(row));
                 // the text beside the table says what the table says
                 QVERIFY2(before != after, qPrintable(row));
@@ -215,7 +213,7 @@ private slots:
                     !exercise.reason.contains(report::movedText(answer.asked, operation, !rises)),
                     qPrintable(exercise.reason));
             }
-            for (const report::Asked asked : everything) {
+            for (const Asked asked : everything) {
                 if (std::ranges::none_of(exercise.answers,
                                          [&](const auto& a) { return a.asked == asked; })) {
                     const QString name = report::askedQuantity(asked, operation);
@@ -229,7 +227,6 @@ private slots:
     }
 
     void whatCannotBeReadIsNotAsked() {
-        using report::Asked;
         for (const auto& [asked, before, after, read] :
              {std::tuple(Asked::runout_um, 0.0, 0.0, false),
               std::tuple(Asked::runout_um, 1.03, 1.12, false), // less than a gauge shows
@@ -239,7 +236,7 @@ private slots:
               std::tuple(Asked::count, 20.0, 21.0, false), // the phase of the gauge
               std::tuple(Asked::count, 20.0, 22.0, true),
               std::tuple(Asked::peakPower_kw, 2.07, 2.07, false)}) {
-            QCOMPARE(report::canBeRead({asked, before, after}), read);
+            QCOMPARE(canBeRead({asked, before, after}), read);
         }
         Project stiff = fixtures::traverseProject();
         stiff.machine.compliance_mm_per_n = ZoneCompliance{1e-9, 1e-9, 1e-9};
@@ -295,7 +292,7 @@ private slots:
         changed.wheel.dullness = outcome->result.project.wheel.dullness;
         QVERIFY(sameProject(changed, outcome->result.project));
         const auto force = std::ranges::find_if(exercises.front().answers, [](const auto& answer) {
-            return answer.asked == report::Asked::stepForce_n;
+            return answer.asked == Asked::stepForce_n;
         });
         QVERIFY(force != exercises.front().answers.end() && force->after > force->before);
     }

@@ -65,7 +65,7 @@ private slots:
             }
         }
         QVERIFY(deepest > 0);
-        QCOMPARE(report::visitAt(trajectory, *step)->actual_mm, deepest);
+        QCOMPARE(visitAt(trajectory, *step)->actual_mm, deepest);
         QVERIFY(!report::findStep(trajectory, *report::readStepWish(QStringLiteral("99999"))));
         QVERIFY(!report::findStep(trajectory, *report::readStepWish(QStringLiteral("s1"))));
     }
@@ -86,7 +86,7 @@ private slots:
         const auto shared = [&](int count) {
             Place place = one.passes.front().place;
             place.cycleCount = count;
-            const std::optional<Place> found = report::sharedPlace(one, other, place);
+            const std::optional<Place> found = sharedPlace(one, other, place);
             return found ? found->cycleCount : -1;
         };
         QCOMPARE(shared(9), 8); // the other cycle has none
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(shared(30), 20); // 21 is of the other alone
         Place elsewhere = one.passes.front().place;
         elsewhere.stage = 2;
-        QVERIFY(!report::sharedPlace(one, other, elsewhere));
+        QVERIFY(!sharedPlace(one, other, elsewhere));
     }
 
     void theDialogOffersTheStepTheCycleStandsAt() {

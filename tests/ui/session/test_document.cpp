@@ -3,7 +3,7 @@
 #include "core/study/operation.h"
 #include "ui/session/document.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include "tests/registry.h"

@@ -8,7 +8,7 @@
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/core/support/project_mutator.h"
 #include "tests/registry.h"

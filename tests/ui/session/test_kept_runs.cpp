@@ -2,7 +2,7 @@
 // Kept runs of a document: edits that can be undone and are saved; computed again aside.
 #include "ui/session/kept_runs.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/evaluate.h"
 #include "core/study/operation.h"
 #include "tests/registry.h"

@@ -6,9 +6,9 @@
 #include "ui/session/document.h"
 #include "ui/text/operation_changes.h"
 
+#include "core/format/project_file.h"
 #include "core/optimisation/levels.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/project_file.h"
 #include "core/project/validate.h"
 #include "core/quality/constraints.h"
 #include "core/simulation/simulate.h"

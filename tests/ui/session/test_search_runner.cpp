@@ -92,7 +92,7 @@ private slots:
         const SearchOutcomePtr usual = searched(project);
         project.optimisation->work_speed_rpm =
             std::vector<double>{project.machine.work_speed_rpm, 260};
-        project.optimisation->spark_out = std::vector<double>{0, 1};
+        project.optimisation->unfed_steps = std::vector<double>{0, 1};
         const SearchOutcomePtr outcome = searched(project);
         QVERIFY(usual && outcome && outcome->proved());
         QVERIFY(outcome->best()->time_s <= usual->best()->time_s);
@@ -207,6 +207,10 @@ private slots:
         Project project = fixtures::searchedShaft();
         project.optimisation->axial_feed_mm_min = {};
         QVERIFY(searched(project)->fault == GridFault::noLevels);
+        project = fixtures::searchedShaft();
+        project.cycle.stages.clear();
+        const SearchOutcomePtr refused = searched(project);
+        QVERIFY(!refused->ran() && !refused->best() && hasErrors(refused->issues));
         project = fixtures::searchedShaft();
         project.optimisation->scenarios = OptimisationScenarios::corners;
         project.batch = Batch{};

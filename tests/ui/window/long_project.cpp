@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window/long_project.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/evaluate.h"
 #include "core/study/operation.h"
 

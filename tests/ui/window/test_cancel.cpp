@@ -5,8 +5,8 @@
 // 40 of batches and searches, 200 of the others). Prints the worst; fails only at four times the
 // target.
 #include "core/batch/batch_run.h"
+#include "core/format/project_file.h"
 #include "core/optimisation/optimise.h"
-#include "core/project/project_file.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"

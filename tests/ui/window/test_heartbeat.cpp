@@ -3,7 +3,7 @@
 // projects opened. Prints the worst gap, and the worst that comes back at its time when the same is
 // done again: that one is the window's own. Fails only at four times the target, so that a busy
 // machine does not turn it red.
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"

@@ -17,7 +17,7 @@
 #include "ui/window/notice_bar.h"
 #include "ui/window/view_tabs.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
 #include "tests/registry.h"
 

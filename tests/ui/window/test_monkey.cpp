@@ -3,7 +3,7 @@
 // Qt, and nearly every widget reached (check 22). Two of them, of different seeds, make 5,000
 // events together, with SPARKOUT_LONG ten of them 100,000; SPARKOUT_SEED and SPARKOUT_EVENTS
 // choose.
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/ui/window/monkey.h"

@@ -106,12 +106,13 @@ void SparkOutEditor::setMode(SparkOut::Mode mode) {
     m_mode->setCurrentIndex(m_mode->findData(int(mode)));
 }
 
-SparkOut SparkOutEditor::value() const {
+void SparkOutEditor::putInto(Stage& stage) const {
     const int count = static_cast<int>(m_count->value().value_or(1));
-    return {mode(), mode() == SparkOut::Mode::count ? count : 0};
+    stage.spark_out = {mode(), mode() == SparkOut::Mode::count ? count : 0};
 }
 
-void SparkOutEditor::setValue(const SparkOut& value) {
+void SparkOutEditor::showStage(const Stage& stage) {
+    const SparkOut& value = stage.spark_out;
     m_before = m_before.value_or(value);
     setMode(value.mode);
     if (value.mode == SparkOut::Mode::count || !m_count->value()) {

@@ -19,8 +19,8 @@ public:
     SparkOutEditor(const Field& field, const Operation& operation, QWidget* parent);
     ~SparkOutEditor() override;
 
-    [[nodiscard]] SparkOut value() const; ///< with the last good count
-    void setValue(const SparkOut& value);
+    void putInto(Stage& stage) const; ///< with the last good count
+    void showStage(const Stage& stage);
     void revert(); ///< back to the value it was opened with
 
     [[nodiscard]] bool refused() const; ///< not while one types

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inputs/editors/text_editor.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "ui/kit/font_size.h"
 #include "ui/session/document.h"
 

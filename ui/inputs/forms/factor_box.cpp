@@ -2,7 +2,7 @@
 #include "ui/inputs/forms/factor_box.h"
 
 #include "core/files/safe_file.h"
-#include "core/project/blanks_csv.h"
+#include "core/format/blanks_csv.h"
 #include "ui/fields/reason_label.h"
 #include "ui/inputs/editors/choice_editor.h"
 #include "ui/inputs/editors/factor_lines.h"

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -59,7 +60,7 @@ const StageModel& stagesOf(const QModelIndex& index) {
 QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                      const QModelIndex& index) const {
     const Field& field = stagesOf(index).field(index);
-    if (field.kind != Kind::sparkOut) {
+    if (field.kind != Kind::countOrWord) {
         return ListDelegate::createEditor(parent, option, index);
     }
     auto* self = const_cast<StageDelegate*>(this);
@@ -68,7 +69,7 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
     connect(editor, &SparkOutEditor::edited, self, [self, editor] { self->commit(editor); });
     connect(editor, &SparkOutEditor::left, self, [self, editor] { self->close(editor); });
     if (const QString refused = stagesOf(index).refusedText(index); !refused.isNull()) {
-        editor->setValue(stagesOf(index).stage(index).spark_out);
+        editor->showStage(stagesOf(index).stage(index));
         editor->showRefused(refused);
     }
     return editor;
@@ -76,7 +77,7 @@ QWidget* StageDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem
 
 void StageDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     if (auto* sparkOut = qobject_cast<SparkOutEditor*>(editor)) {
-        sparkOut->setValue(stagesOf(index).stage(index).spark_out);
+        sparkOut->showStage(stagesOf(index).stage(index));
     } else {
         ListDelegate::setEditorData(editor, index);
     }
@@ -90,7 +91,9 @@ void StageDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
         return;
     }
     auto* stages = static_cast<StageModel*>(model);
-    stages->setSparkOut(index, sparkOut->value());
+    Stage edited = stages->stage(index);
+    sparkOut->putInto(edited);
+    stages->setSparkOut(index, std::move(edited));
     if (sparkOut->refused()) {
         stages->refuse(index, sparkOut->refusedText(), sparkOut->refusal());
     } else {

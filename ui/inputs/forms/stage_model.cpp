@@ -9,7 +9,9 @@
 #include <QPalette>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace sparkout {
 
@@ -35,17 +37,16 @@ const Stage& StageModel::stage(const QModelIndex& index) const {
 }
 
 bool StageModel::relevant(const QModelIndex& index) const {
-    if (field(index).kind == Kind::sparkOut) {
+    if (field(index).kind == Kind::countOrWord) {
         return index.row() == rowCount() - 1 || !stage(index).feeds();
     }
     return ListModel::relevant(index);
 }
 
-void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
+void StageModel::setSparkOut(const QModelIndex& index, Stage edited) {
     Project project = document().project();
     Stage& to = project.cycle.stages[std::size_t(index.row())];
-    const Stage before = to;
-    to.spark_out = sparkOut;
+    const Stage before = std::exchange(to, std::move(edited));
     if (!to.feeds()) { // a spark-out feeds nothing
         to.radial_feed_mm.reset();
         to.radial_feed_mm_min.reset();
@@ -64,15 +65,12 @@ void StageModel::setSparkOut(const QModelIndex& index, SparkOut sparkOut) {
 }
 
 QString StageModel::sparkOutShown(const QModelIndex& index) const {
-    const SparkOut& sparkOut = stage(index).spark_out;
-    switch (sparkOut.mode) {
-    case SparkOut::Mode::none: return tr("none");
-    case SparkOut::Mode::untilSize: return tr("until size");
-    case SparkOut::Mode::count: break;
+    const std::optional<int> steps = stage(index).sparkOutSteps();
+    if (!steps) {
+        return stage(index).feeds() ? tr("none") : tr("until size");
     }
-    return document().project().operation->countsStrokes
-               ? tr("%n double strokes", nullptr, sparkOut.count)
-               : tr("%n revolutions", nullptr, sparkOut.count);
+    return document().project().operation->countsStrokes ? tr("%n double strokes", nullptr, *steps)
+                                                         : tr("%n revolutions", nullptr, *steps);
 }
 
 void StageModel::setOutcome(const OutcomePtr& outcome) {
@@ -156,7 +154,7 @@ QVariant StageModel::resultHeader(int, int role) const {
 
 QString StageModel::shown(const QModelIndex& index) const {
     const bool sparkOut =
-        field(index).kind == Kind::sparkOut && relevant(index) && refusedText(index).isNull();
+        field(index).kind == Kind::countOrWord && relevant(index) && refusedText(index).isNull();
     return sparkOut ? sparkOutShown(index) : ListModel::shown(index);
 }
 

@@ -22,7 +22,9 @@ public:
     using ListModel::ListModel;
 
     [[nodiscard]] const Stage& stage(const QModelIndex& index) const;
-    void setSparkOut(const QModelIndex& index, SparkOut sparkOut);
+    /// Takes over a stage whose spark-out was edited: what a spark-out does not feed goes, and
+    /// comes back with it.
+    void setSparkOut(const QModelIndex& index, Stage edited);
     void setOutcome(const sparkout::OutcomePtr& outcome);
 
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
@@ -68,7 +69,7 @@ void StageTable::addRow() {
         --at;
     }
     Stage added = stages[at];
-    added.spark_out = {};
+    added.dropSparkOut();
     if (!stages[at].feeds()) {
         const Operation& operation = document().project().operation;
         added.*operation->radial().value = operation->usualRadial;
@@ -100,11 +101,13 @@ void StageTable::removeRow() {
 
 void StageTable::clearCell() {
     const QModelIndex cell = view().currentIndex();
-    if (!m_stages->isField(cell) || m_stages->field(cell).kind != Kind::sparkOut) {
+    if (!m_stages->isField(cell) || m_stages->field(cell).kind != Kind::countOrWord) {
         ListTable::clearCell();
     } else if (m_stages->flags(cell) & Qt::ItemIsEditable) {
         m_stages->accept(cell);
-        m_stages->setSparkOut(cell, {});
+        Stage stage = m_stages->stage(cell);
+        stage.dropSparkOut();
+        m_stages->setSparkOut(cell, std::move(stage));
         document().endMerge();
     }
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/handout/exercises.h"
 
-#include "core/project/validate.h"
-#include "core/quality/finished_surface.h"
-#include "core/simulation/simulate.h"
 #include "core/units.h"
 #include "ui/report/parts/report_values.h"
 #include "ui/text/names.h"
@@ -13,19 +10,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 namespace sparkout::report {
 
 namespace {
 
-constexpr double dulling = 2, softening = 1.5, slowing = 0.5, wobbling = 2, moreStock = 1.2;
 constexpr double digitsKept = 1e6;
 
-// What can be read: of any quantity so much of its value, of a form so much as a gauge shows, of a
-// count more than the phase of the gauge makes by chance.
-constexpr double leastShare = 0.02;
-constexpr double leastForm_um = 0.1;
-constexpr double leastCount = 2;
 constexpr double leastTime_min = 5e-4; ///< of a stage
 
 struct ExerciseText {
@@ -39,15 +32,12 @@ struct Why {
     QString text;
 };
 
-/// A change of one input; nothing where it cannot be made.
-struct Change {
-    Project project;
-    std::vector<Asked> asked;
+/// What is said of a change.
+struct ChangeWords {
     QString told;
-    std::vector<Why> why{};
+    std::vector<Why> why;
     bool moreLag = false; ///< the system lags further behind its feed
 };
-using MadeChange = std::optional<Change>;
 
 const char* unitOf(Asked asked) {
     switch (asked) {
@@ -67,120 +57,85 @@ QString mm(double value) {
     return withUnit(plainNumber(value), "mm");
 }
 
-MadeChange duller(const Project& project) {
-    Change change{project, {Asked::stepFeed_um, Asked::stepForce_n, Asked::time_min}, {}};
-    double& dullness = change.project.wheel.dullness;
-    dullness *= dulling;
-    change.told = ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
-                      .arg(plainNumber(project.wheel.dullness), plainNumber(dullness));
-    change.why = {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
-                  {Asked::stepForce_n, true,
-                   ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}};
-    change.moreLag = true;
-    return project.wheel.dullness > 0 ? MadeChange(change) : std::nullopt;
+ChangeWords duller(const Project& project, const ExerciseRun& run) {
+    return {ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
+                .arg(plainNumber(project.wheel.dullness), plainNumber(run.changed.wheel.dullness)),
+            {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
+             {Asked::stepForce_n, true,
+              ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
+            true};
 }
 
-/// Every compliance of the system, given or computed, by the same factor.
-MadeChange softer(const Project& project) {
-    Change change{project, {Asked::spread_um, Asked::peakForce_n, Asked::time_min}, {}};
-    change.told =
-        (project.operation->hasZones
-             ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
-             : ExerciseText::tr("The technological system is %1 times as compliant in every "
-                                "section."))
-            .arg(plainNumber(softening));
-    change.why = {{Asked::spread_um, true,
-                   ExerciseText::tr("a place differs in diameter from the one with the gauge by "
-                                    "twice the difference of their deflections γ·Py at the end")},
-                  {Asked::peakForce_n, false,
-                   ExerciseText::tr("the lag takes longer to build up, and the stage is over "
-                                    "before the force of its feed is reached")}};
-    change.moreLag = true;
-    Machine& machine = change.project.machine;
-    if (auto* zones = std::get_if<ZoneCompliance>(&machine.compliance_mm_per_n)) {
-        for (double* value : {&zones->rz1, &zones->nz, &zones->rz2}) {
-            *value *= softening;
-        }
-    } else if (auto* all = std::get_if<std::vector<double>>(&machine.compliance_mm_per_n)) {
-        std::ranges::for_each(*all, [](double& value) { value *= softening; });
-    } else if (machine.stiffness_n_um) {
-        change.told = ExerciseText::tr(
-                          "The units of the machine yield %1 times as much under the same force.")
-                          .arg(plainNumber(softening));
-        for (double* value :
-             {&machine.stiffness_n_um->headstock, &machine.stiffness_n_um->tailstock,
-              &machine.stiffness_n_um->wheel_head}) {
-            *value /= softening;
-        }
-    } else {
-        return {};
-    }
-    return change;
+ChangeWords softer(const Project& project, const ExerciseRun&) {
+    const bool isComputed =
+        std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
+    const QString told =
+        isComputed
+            ? ExerciseText::tr("The units of the machine yield %1 times as much under the same "
+                               "force.")
+        : project.operation->hasZones
+            ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
+            : ExerciseText::tr("The technological system is %1 times as compliant in every "
+                               "section.");
+    return {told.arg(plainNumber(softerBy)),
+            {{Asked::spread_um, true,
+              ExerciseText::tr("a place differs in diameter from the one with the gauge by "
+                               "twice the difference of their deflections γ·Py at the end")},
+             {Asked::peakForce_n, false,
+              ExerciseText::tr("the lag takes longer to build up, and the stage is over "
+                               "before the force of its feed is reached")}},
+            true};
 }
 
-/// The last stage that feeds, at half its feed.
-MadeChange slower(const Project& project) {
-    Change change{project, {Asked::time_min, Asked::spread_um, Asked::runout_um}, {}};
-    const bool strokes = project.operation->countsStrokes;
+ChangeWords slower(const Project& project, const ExerciseRun& run) {
     const StageFeed& radial = project.operation->radial();
-    change.why = {{Asked::spread_um, false,
-                   ExerciseText::tr("the force at the end is that of a smaller feed, so the "
-                                    "deflections differ less from place to place")},
-                  {Asked::runout_um, false,
-                   strokes ? ExerciseText::tr("after more and shallower cuts less of it is left")
-                           : ExerciseText::tr("the last revolution leaves a step as deep as its "
-                                              "cut, which is shallower now")}};
-    auto& stages = change.project.cycle.stages;
-    for (std::size_t z = stages.size(); z-- > 0;) {
-        auto& feed = stages[z].*radial.value;
-        if (stages[z].feeds() && feed && *feed > 0) {
-            const double before = *feed;
-            feed = before * slowing;
-            const char* const unit = tableOf<Stage>().find(radial.key)->unit;
-            change.told = ExerciseText::tr("The radial feed of stage %1 is halved, from %2 to %3.")
-                              .arg(QString::number(z + 1), plainNumber(before),
-                                   withUnit(plainNumber(*feed), unit));
-            return change;
-        }
+    const auto feedOf = [&](const Project& of) {
+        return (of.cycle.stages[run.stage].*radial.value).value_or(0);
+    };
+    return {ExerciseText::tr("The radial feed of stage %1 is halved, from %2 to %3.")
+                .arg(QString::number(run.stage + 1), plainNumber(feedOf(project)),
+                     withUnit(plainNumber(feedOf(run.changed)),
+                              tableOf<Stage>().find(radial.key)->unit)),
+            {{Asked::spread_um, false,
+              ExerciseText::tr("the force at the end is that of a smaller feed, so the "
+                               "deflections differ less from place to place")},
+             {Asked::runout_um, false,
+              project.operation->countsStrokes
+                  ? ExerciseText::tr("after more and shallower cuts less of it is left")
+                  : ExerciseText::tr("the last revolution leaves a step as deep as its "
+                                     "cut, which is shallower now")}}};
+}
+
+ChangeWords rounder(const Project& project, const ExerciseRun&) {
+    const double runout = project.part.initial_runout_mm;
+    return {ExerciseText::tr("The blanks come with twice the runout, %1 instead of %2.")
+                .arg(mm(runout * moreRunoutBy), mm(runout)),
+            {{Asked::runout_um, true,
+              ExerciseText::tr("high places are cut deeper than low ones, but not so much "
+                               "deeper that nothing is left of the added %1")
+                  .arg(mm(runout * (moreRunoutBy - 1)))},
+             {Asked::count, true,
+              ExerciseText::tr("the stock is the least that any radius has, so a larger "
+                               "runout is more metal to take off")}}};
+}
+
+ChangeWords thicker(const Project& project, const ExerciseRun& run) {
+    return {ExerciseText::tr("The stock is larger by a fifth: %1 instead of %2 per side, and the "
+                             "first stage takes the rest off.")
+                .arg(mm(std::round(run.changed.part.stock_mm * digitsKept) / digitsKept),
+                     mm(project.part.stock_mm)),
+            {{Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}}};
+}
+
+ChangeWords wordsOf(const Project& project, const ExerciseRun& run) {
+    switch (run.change) {
+    case ExerciseChange::dullerWheel: return duller(project, run);
+    case ExerciseChange::softerSystem: return softer(project, run);
+    case ExerciseChange::slowerFeed: return slower(project, run);
+    case ExerciseChange::moreRunout: return rounder(project, run);
+    case ExerciseChange::thickerStock: return thicker(project, run);
     }
     return {};
-}
-
-MadeChange rounder(const Project& project) {
-    const double runout = project.part.initial_runout_mm;
-    Change change{project, {Asked::runout_um, Asked::count, Asked::time_min}, {}};
-    change.told = ExerciseText::tr("The blanks come with twice the runout, %1 instead of %2.")
-                      .arg(mm(runout * wobbling), mm(runout));
-    change.why = {{Asked::runout_um, true,
-                   ExerciseText::tr("high places are cut deeper than low ones, but not so much "
-                                    "deeper that nothing is left of the added %1")
-                       .arg(mm(runout * (wobbling - 1)))},
-                  {Asked::count, true,
-                   ExerciseText::tr("the stock is the least that any radius has, so a larger "
-                                    "runout is more metal to take off")}};
-    change.project.part.initial_runout_mm *= wobbling;
-    return runout > 0 && project.part.profile != ProfileForm::measured ? MadeChange(change)
-                                                                       : std::nullopt;
-}
-
-/// More metal for the first stage to take off.
-MadeChange thicker(const Project& project) {
-    Change change{project, {Asked::time_min, Asked::count, Asked::peakPower_kw}, {}};
-    change.why = {
-        {Asked::count, true, ExerciseText::tr("the first stage has more metal to take off")}};
-    Project& changed = change.project;
-    const double more = project.part.stock_mm * (moreStock - 1);
-    if (changed.cycle.stages.empty() || !changed.cycle.stages.front().feeds()) {
-        return {};
-    }
-    changed.part.stock_mm += more;
-    changed.cycle.stages.front().stock_mm += more;
-    change.told =
-        ExerciseText::tr("The stock is larger by a fifth: %1 instead of %2 per side, and the first "
-                         "stage takes the rest off.")
-            .arg(mm(std::round(changed.part.stock_mm * digitsKept) / digitsKept),
-                 mm(project.part.stock_mm));
-    return change;
 }
 
 /// In which double stroke, where it is not that of the step.
@@ -208,13 +163,11 @@ QString asks(const std::vector<Answer>& answers, Operation operation) {
 }
 
 /// Where the time goes: stage by stage, and what a longer lag does to it.
-QString whyTime(const SimulationResult& was, const SimulationResult& is, bool moreLag) {
+QString whyTime(const std::vector<double>& was_s, const std::vector<double>& is_s, bool moreLag) {
     QStringList stages;
     bool firstLonger = false, laterShorter = false;
-    const std::size_t count = std::min(was.timeByStage_s.size(), is.timeByStage_s.size());
-    for (std::size_t z = 0; z < count; ++z) {
-        const double more_min =
-            (is.timeByStage_s[z] - was.timeByStage_s[z]) / units::secondsPerMinute;
+    for (std::size_t z = 0; z < std::min(was_s.size(), is_s.size()); ++z) {
+        const double more_min = (is_s[z] - was_s[z]) / units::secondsPerMinute;
         if (std::abs(more_min) < leastTime_min) {
             continue;
         }
@@ -236,92 +189,36 @@ QString whyTime(const SimulationResult& was, const SimulationResult& is, bool mo
 }
 
 /// How each answer moves, and why.
-QString reasonOf(const Change& change, const std::vector<Answer>& answers,
-                 const SimulationResult& was, const SimulationResult& is) {
+QString reasonOf(const ChangeWords& words, const ExerciseRun& run, const SimulationResult& was) {
     QStringList sentences;
-    for (const Answer& answer : answers) {
+    for (const Answer& answer : run.answers) {
         const bool rises = answer.after > answer.before;
-        const auto known = std::ranges::find_if(change.why, [&](const Why& why) {
+        const auto known = std::ranges::find_if(words.why, [&](const Why& why) {
             return why.asked == answer.asked && why.rises == rises;
         });
-        const QString why = answer.asked == Asked::time_min ? whyTime(was, is, change.moreLag)
-                            : known != change.why.end()     ? known->text
-                                                            : QString();
+        const QString why = answer.asked == Asked::time_min
+                                ? whyTime(was.timeByStage_s, run.timeByStage_s, words.moreLag)
+                            : known != words.why.end() ? known->text
+                                                       : QString();
         const QString moved = movedText(answer.asked, was.project.operation, rises);
         sentences << (why.isEmpty() ? moved : moved + QStringLiteral(": ") + why) + u'.';
     }
     return sentences.join(u' ');
 }
 
-/// Runs the changed project and reads off both what is asked for; nothing where there is nothing
-/// to read.
-std::optional<Exercise> solved(const Change& change, const Outcome& outcome,
-                               const std::optional<HandoutStep>& step) {
-    Exercise exercise{{}, {}, change.project};
-    const bool needsStep = step && std::ranges::count(change.asked, Asked::stepFeed_um) > 0;
-    Trajectory trajectory;
-    const SimulationResult result =
-        simulate(exercise.changed, needsStep ? &trajectory : nullptr, {});
-    if (result.status != RunStatus::completed) {
-        return {}; // its numbers are of a cycle that was broken off
-    }
-    const Visit *before = nullptr, *after = nullptr;
-    if (needsStep) {
-        exercise.at = sharedPlace(outcome.trajectory, trajectory,
-                                  outcome.trajectory.passes[step->pass].place);
-        if (exercise.at) {
-            before = visitAt(outcome.trajectory, *exercise.at, step->radius);
-            after = visitAt(trajectory, *exercise.at, step->radius);
-        }
-    }
-    bool ofStep = false;
-    for (const Asked asked : change.asked) {
-        const auto was = askedValue(asked, outcome.result, before);
-        const auto is = askedValue(asked, result, after);
-        if (was && is && canBeRead({asked, *was, *is})) {
-            exercise.answers.push_back({asked, *was, *is});
-            ofStep = ofStep || asked == Asked::stepFeed_um || asked == Asked::stepForce_n;
-        }
-    }
-    if (exercise.answers.empty()) {
-        return {};
-    }
-    exercise.question =
-        change.told + u' ' + asks(exercise.answers, outcome.result.project.operation);
-    if (ofStep) {
-        exercise.question +=
-            u' ' + asksAt(*exercise.at, outcome.trajectory.passes[step->pass].place, outcome);
-    }
-    exercise.reason = reasonOf(change, exercise.answers, outcome.result, result);
-    return exercise;
+QString questionOf(const ChangeWords& words, const ExerciseRun& run, const Outcome& outcome,
+                   const std::optional<RecordedStep>& step) {
+    const QString question =
+        words.told + u' ' + asks(run.answers, outcome.result.project.operation);
+    const bool ofStep = std::ranges::any_of(run.answers, [](const Answer& answer) {
+        return answer.asked == Asked::stepFeed_um || answer.asked == Asked::stepForce_n;
+    });
+    return ofStep ? question + u' '
+                        + asksAt(*run.at, outcome.trajectory.passes[step->pass].place, outcome)
+                  : question;
 }
 
 } // namespace
-
-std::optional<double> askedValue(Asked asked, const SimulationResult& result, const Visit* visit) {
-    const FinishedSurface surface(result.project);
-    switch (asked) {
-    case Asked::stepFeed_um:
-        return visit ? std::optional(visit->actual_mm * units::umPerMm) : std::nullopt;
-    case Asked::stepForce_n: return visit ? std::optional(visit->normalForce_n) : std::nullopt;
-    case Asked::time_min: return result.time_s / units::secondsPerMinute;
-    case Asked::count: return result.cycleCount;
-    case Asked::spread_um: {
-        const auto& sections = result.sections;
-        const auto least = std::ranges::min(sections, {}, &SectionResult::diameterDeviationMin_mm);
-        const auto most = std::ranges::max(sections, {}, &SectionResult::diameterDeviationMax_mm);
-        return surface.stated((most.diameterDeviationMax_mm - least.diameterDeviationMin_mm)
-                              * units::umPerMm);
-    }
-    case Asked::runout_um:
-        return surface.stated(
-            std::ranges::max(result.sections, {}, &SectionResult::radialRunout_mm).radialRunout_mm
-            * units::umPerMm);
-    case Asked::peakForce_n: return result.peakNormalForce_n;
-    case Asked::peakPower_kw: return result.peakPower_w / units::wPerKw;
-    }
-    return {};
-}
 
 QString askedQuantity(Asked asked, Operation operation) {
     switch (asked) {
@@ -345,13 +242,6 @@ QString askedName(Asked asked, Operation operation) {
     return *unit ? name + QStringLiteral(", ") + unitText(unit) : name;
 }
 
-bool canBeRead(const Answer& answer) {
-    const double moved = std::abs(answer.after - answer.before);
-    const bool isForm = answer.asked == Asked::spread_um || answer.asked == Asked::runout_um;
-    const double least = isForm ? leastForm_um : answer.asked == Asked::count ? leastCount : 0;
-    return moved > 0 && moved >= least && moved >= leastShare * std::abs(answer.before);
-}
-
 QString movedText(Asked asked, Operation operation, bool rises) {
     return (rises ? ExerciseText::tr("%1 rises") : ExerciseText::tr("%1 falls"))
         .arg(askedQuantity(asked, operation));
@@ -366,22 +256,16 @@ QString askedNumber(Asked asked, double value) {
     }
 }
 
-std::vector<Exercise> makeExercises(const Outcome& outcome, const std::optional<HandoutStep>& step,
+std::vector<Exercise> makeExercises(const Outcome& outcome, const std::optional<RecordedStep>& step,
                                     const std::function<void()>& breathe) {
-    Project project = outcome.result.project;
-    project.runs.clear();
     std::vector<Exercise> exercises;
-    if (outcome.result.status != RunStatus::completed) {
-        return exercises;
-    }
-    for (const auto make : {duller, softer, slower, rounder, thicker}) {
-        if (MadeChange change = make(project);
-            change && exercises.size() < mostExercises && !hasErrors(validate(change->project))) {
-            breathe();
-            if (auto exercise = solved(*change, outcome, step)) {
-                exercises.push_back(std::move(*exercise));
-            }
-        }
+    for (ExerciseRun& run : runExercises(outcome, step, breathe)) {
+        const ChangeWords words = wordsOf(outcome.result.project, run);
+        Exercise exercise;
+        exercise.question = questionOf(words, run, outcome, step);
+        exercise.reason = reasonOf(words, run, outcome.result);
+        static_cast<ExerciseRun&>(exercise) = std::move(run);
+        exercises.push_back(std::move(exercise));
     }
     return exercises;
 }

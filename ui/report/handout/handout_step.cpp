@@ -3,8 +3,8 @@
 
 #include <QStringList>
 
-#include <cstdlib>
-#include <set>
+#include <cstddef>
+#include <utility>
 
 namespace sparkout::report {
 
@@ -55,12 +55,6 @@ bool fits(const Place& at, const StepWish& wish) {
            && is(wish.step, static_cast<int>(at.step)) && is(wish.revolution, at.revolution);
 }
 
-/// But for the double stroke or revolution of the cycle.
-bool alike(const Place& a, const Place& b) {
-    return a.zone == b.zone && a.step == b.step && a.section == b.section && a.stage == b.stage
-           && a.revolution == b.revolution;
-}
-
 } // namespace
 
 std::optional<StepWish> readStepWish(const QString& text) {
@@ -90,42 +84,6 @@ std::optional<HandoutStep> findStep(const Trajectory& trajectory, const StepWish
         }
     }
     return found;
-}
-
-const Visit* visitAt(const Trajectory& trajectory, const HandoutStep& step) {
-    return &trajectory.visits[trajectory.passes[step.pass].firstVisit
-                              + static_cast<std::size_t>(step.radius)];
-}
-
-const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius) {
-    for (std::size_t i = 0; i < trajectory.passes.size() && radius < trajectory.radii; ++i) {
-        const Place& at = trajectory.passes[i].place;
-        if (alike(at, place) && at.cycleCount == place.cycleCount) {
-            return visitAt(trajectory, {i, radius});
-        }
-    }
-    return nullptr;
-}
-
-std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
-                                 const Place& place) {
-    std::set<int> counts;
-    for (const Pass& pass : one.passes) {
-        if (alike(pass.place, place)) {
-            counts.insert(pass.place.cycleCount);
-        }
-    }
-    std::optional<Place> nearest;
-    for (const Pass& pass : other.passes) {
-        const int count = pass.place.cycleCount;
-        if (alike(pass.place, place) && counts.contains(count)
-            && (!nearest
-                || std::abs(count - place.cycleCount)
-                       < std::abs(nearest->cycleCount - place.cycleCount))) {
-            nearest = pass.place;
-        }
-    }
-    return nearest;
 }
 
 } // namespace sparkout::report

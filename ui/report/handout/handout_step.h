@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/trajectory.h"
+#include "core/study/recorded_step.h"
 
 #include <QString>
 
@@ -9,12 +9,8 @@
 
 namespace sparkout::report {
 
-/// One radius under the wheel once: what the hand-out works out.
-struct HandoutStep {
-    std::size_t pass = 0; ///< index in the trajectory
-    int radius = 0;       ///< k
-    friend bool operator==(const HandoutStep&, const HandoutStep&) = default;
-};
+/// What the hand-out works out.
+using HandoutStep = RecordedStep;
 
 /// Which step is wanted; what is not told may be any.
 struct StepWish {
@@ -38,15 +34,5 @@ struct StepWish {
 /// or none was recorded.
 [[nodiscard]] std::optional<HandoutStep> findStep(const Trajectory& trajectory,
                                                   const StepWish& wish = {});
-
-[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const HandoutStep& step);
-
-/// The visit of a radius at a place; null: there is none.
-[[nodiscard]] const Visit* visitAt(const Trajectory& trajectory, const Place& place, int radius);
-
-/// The double stroke or revolution nearest to that of a place in which both runs are at this zone,
-/// stage, step and revolution; nothing when there is none.
-[[nodiscard]] std::optional<Place> sharedPlace(const Trajectory& one, const Trajectory& other,
-                                               const Place& place);
 
 } // namespace sparkout::report

@@ -12,7 +12,6 @@ namespace {
 
 using style::Hue;
 
-constexpr int placesDrawn = 241;
 constexpr double valueRoom = 1.1; ///< above the highest value
 constexpr int opacity = 110;
 
@@ -58,9 +57,14 @@ QCPGraph* ComplianceCurves::stack(CompliancePart part) const {
     return m_stack[static_cast<std::size_t>(part)];
 }
 
+const std::vector<CompliantPlace>& ComplianceCurves::places() const {
+    static const std::vector<CompliantPlace> none;
+    return m_outcome ? m_outcome->compliance : none;
+}
+
 bool ComplianceCurves::has(CompliancePart part) const {
     return std::ranges::any_of(
-        m_places, [part](const CompliantPlace& p) { return valueOf(p.parts, part) != 0; });
+        places(), [part](const CompliantPlace& p) { return valueOf(p.parts, part) != 0; });
 }
 
 bool ComplianceCurves::hasZones() const {
@@ -69,7 +73,6 @@ bool ComplianceCurves::hasZones() const {
 
 void ComplianceCurves::show(OutcomePtr outcome) {
     m_outcome = std::move(outcome);
-    m_places = complianceAlong(m_outcome->result.project, placesDrawn);
     fillUsed();
     applyChoice();
 }
@@ -90,17 +93,17 @@ void ComplianceCurves::fillUsed() {
 
 /// What is hidden leaves the stack; the sum stays what it is.
 void ComplianceCurves::applyChoice() {
-    const auto n = static_cast<qsizetype>(m_places.size());
+    const auto n = static_cast<qsizetype>(places().size());
     QVector<double> x(n), height(n, 0.0), sum(n);
     for (qsizetype i = 0; i < n; ++i) {
-        const CompliantPlace& place = m_places[static_cast<std::size_t>(i)];
+        const CompliantPlace& place = places()[static_cast<std::size_t>(i)];
         x[i] = place.position_mm;
         sum[i] = sumOf(place.parts) * nmPerMm;
     }
     m_base->setData(x, height, true);
     for (const CompliancePart part : stacked) {
         for (qsizetype i = 0; chosen(static_cast<int>(part)) && i < n; ++i) {
-            height[i] += valueOf(m_places[static_cast<std::size_t>(i)].parts, part) * nmPerMm;
+            height[i] += valueOf(places()[static_cast<std::size_t>(i)].parts, part) * nmPerMm;
         }
         stack(part)->setData(x, height, true);
         stack(part)->setVisible(shows(static_cast<int>(part)) && has(part));
@@ -166,7 +169,7 @@ LegendEntries ComplianceCurves::legendEntries() const {
                                     quill ? tr("bending of the quill") : nameOf(part)));
         }
     }
-    if (!m_places.empty()) {
+    if (!places().empty()) {
         entries.push_back(
             entry(sumKey, plot().ink(), Qt::SolidLine,
                   has(CompliancePart::rests) ? tr("γ, with the steady rests") : tr("γ")));
@@ -185,14 +188,14 @@ CsvTable ComplianceCurves::table() const {
     for (const CompliancePart part : allComplianceParts) {
         table.header << tr("%1, mm/N").arg(nameOf(part));
     }
-    for (const CompliantPlace& place : m_places) {
+    for (const CompliantPlace& place : places()) {
         std::vector<CsvCell> row{place.position_mm, sumOf(place.parts)};
         for (const CompliancePart part : allComplianceParts) {
             row.emplace_back(valueOf(place.parts, part));
         }
         table.rows.push_back(std::move(row));
     }
-    if (m_places.empty() && m_outcome) {
+    if (places().empty() && m_outcome) {
         for (const SectionResult& section : m_outcome->result.sections) {
             table.rows.push_back({section.position_mm, section.compliance_mm_per_n});
         }
@@ -201,12 +204,12 @@ CsvTable ComplianceCurves::table() const {
 }
 
 QString ComplianceCurves::valuesAt(double x_mm) const {
-    if (m_places.empty() || x_mm < m_places.front().position_mm
-        || x_mm > m_places.back().position_mm) {
+    if (places().empty() || x_mm < places().front().position_mm
+        || x_mm > places().back().position_mm) {
         return {};
     }
     const auto nearest = std::ranges::min_element(
-        m_places, {}, [x_mm](const CompliantPlace& p) { return std::abs(p.position_mm - x_mm); });
+        places(), {}, [x_mm](const CompliantPlace& p) { return std::abs(p.position_mm - x_mm); });
     const auto value = [](double gamma_mm_n) { return Names::significant(gamma_mm_n * nmPerMm); };
     QStringList parts;
     for (const CompliancePart part : allComplianceParts) {
@@ -240,13 +243,13 @@ ReadCurves ComplianceCurves::readCurves() const {
     const auto along = [this](auto value) {
         return [this, value](double x) {
             std::vector<XY> line;
-            for (const CompliantPlace& place : m_places) {
+            for (const CompliantPlace& place : places()) {
                 line.push_back({place.position_mm, value(place.parts) * nmPerMm});
             }
             return valueAt(line, x);
         };
     };
-    if (!m_places.empty() && shows(sumKey)) {
+    if (!places().empty() && shows(sumKey)) {
         add(tr("γ"), along(sumOf));
     }
     for (const CompliancePart part : allComplianceParts) {

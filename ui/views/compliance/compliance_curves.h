@@ -32,7 +32,7 @@ public:
 
     void show(OutcomePtr outcome);
 
-    [[nodiscard]] const std::vector<CompliantPlace>& places() const { return m_places; }
+    [[nodiscard]] const std::vector<CompliantPlace>& places() const;
     [[nodiscard]] QCPGraph* sum() const { return m_sum; }
     [[nodiscard]] QCPGraph* used() const { return m_used; }
     [[nodiscard]] QCPGraph* stack(CompliancePart part) const; ///< upper edge; rests have none
@@ -55,7 +55,6 @@ private:
     [[nodiscard]] static QString nameOf(CompliancePart part);
 
     OutcomePtr m_outcome;
-    std::vector<CompliantPlace> m_places;
     QCPGraph* m_base;                   ///< the axis, for the first fill
     std::array<QCPGraph*, 4> m_stack{}; ///< of the parts up to bending
     QCPGraph* m_sum;

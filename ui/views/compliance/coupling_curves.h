@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/coupling_comparison.h"
+#include "core/study/coupling_comparison.h"
 #include "ui/views/compliance/length_curves.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/gauge_placement.h"
+#include "core/study/gauge_placement.h"
 #include "core/study/outcome.h"
 #include "ui/views/compliance/length_curves.h"
 

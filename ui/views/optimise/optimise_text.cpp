@@ -101,6 +101,9 @@ QString OptimiseText::state(const SearchState& state) {
 }
 
 QString OptimiseText::fault(const SearchOutcome& outcome) {
+    if (!outcome.issues.empty()) {
+        return Names::refusal(outcome.issues, 2);
+    }
     switch (outcome.fault) {
     case GridFault::none: break;
     case GridFault::notGiven: return tr("What is to be searched is not given.");

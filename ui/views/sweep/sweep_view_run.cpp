@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of sweeps: when what is run, and what becomes of it.
+#include "core/format/project_file.h"
 #include "core/project/number_input.h"
-#include "core/project/project_file.h"
 #include "core/study/sweep_edits.h"
 #include "ui/views/sweep/sweep_axis_box.h"
 #include "ui/views/sweep/sweep_curves.h"

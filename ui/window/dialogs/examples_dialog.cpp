@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/dialogs/examples_dialog.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/study/evaluate.h"
 #include "ui/kit/help_topic.h"
 #include "ui/kit/metrics.h"

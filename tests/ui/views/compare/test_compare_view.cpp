@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view "Compare": the table holds what differs and nothing else, and the list keeps, restores,
 // renames and deletes.
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/views/compare/compare_bench.h"

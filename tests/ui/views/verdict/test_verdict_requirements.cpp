@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The requirements in the verdict panel: chosen, explained, led to their input.
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "tests/registry.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
 #include "ui/charts/profiles_series.h"

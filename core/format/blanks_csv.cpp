@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/blanks_csv.h"
+#include "core/format/blanks_csv.h"
 
 #include <algorithm>
 #include <charconv>

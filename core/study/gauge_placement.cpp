@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge_placement.h"
+#include "core/study/gauge_placement.h"
 
 #include "core/process/system_compliance.h"
-#include "core/quality/coupling_comparison.h"
 #include "core/simulation/simulate.h"
+#include "core/study/coupling_comparison.h"
 #include "core/units.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/strict_json.h"
+#include "core/format/strict_json.h"
 
 #include "core/printable.h"
 
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 #include "core/project/validate.h"
 
 #include <algorithm>

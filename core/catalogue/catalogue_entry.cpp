@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/catalogue/catalogue.h"
+#include "core/catalogue/catalogue_entry.h"
 
 #include "core/project/conditions.h"
 #include "core/text.h"

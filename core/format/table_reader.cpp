@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/table_reader.h"
+#include "core/format/table_reader.h"
 
-#include "core/project/project_file.h"
-#include "core/project/strict_json.h"
+#include "core/format/project_file.h"
+#include "core/format/strict_json.h"
 #include "core/project/validate.h"
 
 #include <algorithm>
@@ -107,13 +107,21 @@ private:
             refuse(path, value, Phrase::text);
             return;
         }
-        for (std::size_t i = 0; i < field.choices.size(); ++i) {
+        if (const auto choice = choiceOf(value, field)) {
+            field.setChoice(owner, *choice);
+        } else {
+            report(IssueCode::notOneOf, path, value, allowedIn(field));
+        }
+    }
+
+    /// The choice that a text names.
+    static std::optional<int> choiceOf(const json& value, const Field& field) {
+        for (std::size_t i = 0; value.is_string() && i < field.choices.size(); ++i) {
             if (value.get_ref<const std::string&>() == field.choices[i].key) {
-                field.setChoice(owner, static_cast<int>(i));
-                return;
+                return static_cast<int>(i);
             }
         }
-        report(IssueCode::notOneOf, path, value, allowedIn(field));
+        return std::nullopt;
     }
 
     void readList(const json& value, const Field& field, void* owner, const std::string& path) {
@@ -133,18 +141,16 @@ private:
         }
     }
 
-    void readSparkOut(const json& value, const Field& field, void* owner, const std::string& path) {
-        auto& sparkOut = field.as<SparkOut>(owner);
-        if (value.is_null()) {
-            sparkOut = {};
-        } else if (value == "until_size") {
-            sparkOut = {SparkOut::Mode::untilSize, 0};
-        } else if (value.is_number()) {
+    void readCountOrWord(const json& value, const Field& field, void* owner,
+                         const std::string& path) {
+        if (value.is_number()) {
             if (const auto count = wholeNumber(value, field, path)) {
-                sparkOut = {SparkOut::Mode::count, *count};
+                field.setNumber(owner, *count);
             }
+        } else if (const auto word = choiceOf(value, field); word || value.is_null()) {
+            field.setChoice(owner, word.value_or(-1));
         } else {
-            refuse(path, value, Phrase::wholeNumberOrUntilSize);
+            refuse(path, value, field.expected());
         }
     }
 
@@ -273,7 +279,7 @@ private:
             readObject(value, *field.nested, field.object(owner, true), path, {});
             break;
         case Kind::objectList: readList(value, field, owner, path); break;
-        case Kind::sparkOut: readSparkOut(value, field, owner, path); break;
+        case Kind::countOrWord: readCountOrWord(value, field, owner, path); break;
         case Kind::compliance: readCompliance(value, field, owner, path); break;
         case Kind::levels: readLevels(value, field, owner, path); break;
         case Kind::numberRows: readRows(value, field, owner, path); break;

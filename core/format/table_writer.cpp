@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/table_writer.h"
+#include "core/format/table_writer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -32,13 +32,15 @@ ordered_json levelsJson(const Levels& levels) {
     return list ? ordered_json(*list) : ordered_json(nullptr);
 }
 
-ordered_json sparkOutJson(const SparkOut& sparkOut) {
-    switch (sparkOut.mode) {
-    case SparkOut::Mode::count: return sparkOut.count;
-    case SparkOut::Mode::untilSize: return "until_size";
-    case SparkOut::Mode::none: break;
+ordered_json choiceJson(const Field& field, const void* owner) {
+    return field.choices[static_cast<std::size_t>(field.getChoice(owner))].key;
+}
+
+ordered_json countOrWordJson(const Field& field, const void* owner) {
+    if (const int* number = field.wholeNumber(owner)) {
+        return *number;
     }
-    return nullptr;
+    return field.getChoice(owner) < 0 ? ordered_json(nullptr) : choiceJson(field, owner);
 }
 
 ordered_json listJson(const Field& field, const void* owner) {
@@ -57,7 +59,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
     case Kind::optionalInteger: return orNull(field.as<std::optional<int>>(owner));
     case Kind::boolean: return field.as<bool>(owner);
     case Kind::text: return field.as<std::string>(owner);
-    case Kind::choice: return field.choices[static_cast<std::size_t>(field.getChoice(owner))].key;
+    case Kind::choice: return choiceJson(field, owner);
     case Kind::numberList: return field.as<std::vector<double>>(owner);
     case Kind::optionalNumberList:
         return orNull(field.as<std::optional<std::vector<double>>>(owner));
@@ -67,7 +69,7 @@ ordered_json fieldJson(const Field& field, const void* owner) {
         return object ? writeByTable(*field.nested, object) : ordered_json(nullptr);
     }
     case Kind::objectList: return listJson(field, owner);
-    case Kind::sparkOut: return sparkOutJson(field.as<SparkOut>(owner));
+    case Kind::countOrWord: return countOrWordJson(field, owner);
     case Kind::compliance: return complianceJson(field.as<GivenCompliance>(owner));
     case Kind::levels: return levelsJson(field.as<Levels>(owner));
     case Kind::numberRows: return orNull(field.as<NumberRows>(owner));

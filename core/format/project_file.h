@@ -20,7 +20,6 @@ inline constexpr std::size_t fileBytes = 32u << 20;
 inline constexpr std::size_t depth = 64;
 inline constexpr std::size_t values = 2'000'000;
 inline constexpr std::size_t stringBytes = 64u << 10;
-inline constexpr std::size_t issues = 200; ///< faults listed at most
 } // namespace limits
 
 struct ReadResult {

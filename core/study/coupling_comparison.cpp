@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/coupling_comparison.h"
+#include "core/study/coupling_comparison.h"
 
 #include "core/simulation/simulate.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/project_file.h"
+#include "core/format/project_file.h"
 
+#include "core/format/strict_json.h"
+#include "core/format/table_reader.h"
+#include "core/format/table_writer.h"
 #include "core/project/conditions.h"
 #include "core/project/range_check.h"
-#include "core/project/strict_json.h"
-#include "core/project/table_reader.h"
-#include "core/project/table_writer.h"
 #include "core/project/validate.h"
 
 #include <algorithm>
