@@ -53,7 +53,17 @@
         </message>
     </context>
     <context>
-        <name>Passport</name>
+        <name>PassportPrediction</name>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Of the %n part, which is number 0, number %1 has the least margin. %2.</numerusform>
+                <numerusform>Of the %n parts, the first of which is number 0, number %1 has the least margin. %2.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportInputs</name>
         <message numerus="yes">
             <source>as measured, %n value(s), %1</source>
             <translation>
@@ -73,13 +83,6 @@
             <translation>
                 <numerusform>Smallest and largest tried: of the first part.</numerusform>
                 <numerusform>Smallest and largest tried: of the first %n parts.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
-            <translation>
-                <numerusform>Of the %n part, which is number 0, number %1 has the least margin. %2.</numerusform>
-                <numerusform>Of the %n parts, the first of which is number 0, number %1 has the least margin. %2.</numerusform>
             </translation>
         </message>
     </context>
@@ -142,6 +145,9 @@
                 <numerusform>Saved; %n fields hold a refused text, their last good values were saved.</numerusform>
             </translation>
         </message>
+    </context>
+    <context>
+        <name>sparkout::StatusLine</name>
         <message numerus="yes">
             <source>Not computed: %n faults in the inputs. The curves show the last good run.</source>
             <translation>

@@ -493,6 +493,29 @@
             <source>Answers</source>
             <translation>Ответы</translation>
         </message>
+    </context>
+    <context>
+        <name>StepFormulas</name>
+        <message>
+            <source>%1, eq. %2</source>
+            <comment>key of a source, its equation</comment>
+            <translation>%1, ф. %2</translation>
+        </message>
+        <message>
+            <source>Source: %1</source>
+            <translation>Источник: %1</translation>
+        </message>
+        <message>
+            <source>Symbol</source>
+            <translation>Обозначение</translation>
+        </message>
+        <message>
+            <source>Meaning</source>
+            <translation>Величина</translation>
+        </message>
+    </context>
+    <context>
+        <name>HandoutTask</name>
         <message>
             <source>Course</source>
             <translation>Курс</translation>
@@ -500,6 +523,14 @@
         <message>
             <source>Project file</source>
             <translation>Файл проекта</translation>
+        </message>
+        <message>
+            <source>A shaft of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
+            <translation>Шлифуется вал %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
+        </message>
+        <message>
+            <source>A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
+            <translation>Шлифуется отверстие %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
         </message>
         <message>
             <source>By the model the cycle takes %1. Follow one step of it, formula by formula, and find what limits the feed there.</source>
@@ -529,6 +560,20 @@
             <source>Compliance of the system, %1</source>
             <translation>Податливость технологической системы, %1</translation>
         </message>
+    </context>
+    <context>
+        <name>HandoutFigures</name>
+        <message>
+            <source>Feeds in double stroke %1; the line marks the step</source>
+            <translation>Подачи за двойной ход %1; линия отмечает разобранный шаг</translation>
+        </message>
+        <message>
+            <source>Feeds around revolution %1; the line marks the step</source>
+            <translation>Подачи около оборота %1; линия отмечает разобранный шаг</translation>
+        </message>
+    </context>
+    <context>
+        <name>ExerciseSheet</name>
         <message>
             <source>Computed by the engine: it has run the whole cycle with that one input changed.</source>
             <translation>Ответы вычислены программой: весь цикл просчитан с одним изменённым исходным данным.</translation>
@@ -549,126 +594,16 @@
             <source>Difference, %</source>
             <translation>Изменение, %</translation>
         </message>
+    </context>
+    <context>
+        <name>Citations</name>
         <message>
             <source>Key</source>
             <translation>Ключ</translation>
         </message>
         <message>
-            <source>%1, eq. %2</source>
-            <comment>key of a source, its equation</comment>
-            <translation>%1, ф. %2</translation>
-        </message>
-        <message>
-            <source>Source: %1</source>
-            <translation>Источник: %1</translation>
-        </message>
-        <message>
-            <source>Feeds in double stroke %1; the line marks the step</source>
-            <translation>Подачи за двойной ход %1; линия отмечает разобранный шаг</translation>
-        </message>
-        <message>
-            <source>Feeds around revolution %1; the line marks the step</source>
-            <translation>Подачи около оборота %1; линия отмечает разобранный шаг</translation>
-        </message>
-        <message>
-            <source>Zone or section</source>
-            <translation>Зона или сечение</translation>
-        </message>
-        <message>
-            <source>Stage</source>
-            <translation>Ступень</translation>
-        </message>
-        <message>
-            <source>Double stroke</source>
-            <translation>Двойной ход</translation>
-        </message>
-        <message>
-            <source>Revolution</source>
-            <translation>Оборот</translation>
-        </message>
-        <message>
-            <source>Step</source>
-            <translation>Этап</translation>
-        </message>
-        <message>
-            <source>Revolution of the step</source>
-            <translation>Оборот этапа</translation>
-        </message>
-        <message>
-            <source>Radius</source>
-            <translation>Радиус</translation>
-        </message>
-        <message>
-            <source>Effective width b</source>
-            <translation>Эффективная ширина резания b</translation>
-        </message>
-        <message>
-            <source>Programmed so far, tП</source>
-            <translation>Накопленная программная подача tП</translation>
-        </message>
-        <message>
-            <source>Actual feed a</source>
-            <translation>Фактическая подача a</translation>
-        </message>
-        <message>
-            <source>Stock left at this radius</source>
-            <translation>Оставшийся припуск на этом радиусе</translation>
-        </message>
-        <message>
-            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
-            <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
-        </message>
-        <message>
-            <source>What limits the feed at this step</source>
-            <translation>Что ограничивает подачу на этом шаге</translation>
-        </message>
-        <message>
-            <source>No requirement of this project limits the feed.</source>
-            <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
-        </message>
-        <message>
-            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
-            <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
-        </message>
-        <message>
-            <source>Requirement</source>
-            <translation>Требование</translation>
-        </message>
-        <message>
-            <source>Limiting depth of cut, µm</source>
-            <translation>Предельная фактическая подача, мкм</translation>
-        </message>
-        <message>
-            <source>As a feed, mm/min</source>
-            <translation>Скорость подачи, мм/мин</translation>
-        </message>
-        <message>
-            <source>Depth of cut of the step, µm</source>
-            <translation>Фактическая подача шага, мкм</translation>
-        </message>
-        <message>
-            <source>Share of the limit, %</source>
-            <translation>Доля предела, %</translation>
-        </message>
-        <message>
-            <source>not met at any depth</source>
-            <translation>не выполнено ни при какой подаче</translation>
-        </message>
-        <message>
-            <source>No other requirement of this project limits the feed.</source>
-            <translation>Других требований, ограничивающих подачу, в проекте нет.</translation>
-        </message>
-        <message>
-            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from.</source>
-            <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
-        </message>
-        <message>
-            <source>A shaft of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
-            <translation>Шлифуется вал %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
-        </message>
-        <message>
-            <source>A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of stock per side and a runout of %4 mm.</source>
-            <translation>Шлифуется отверстие %1 на длине %2 мм. Припуск заготовки — не менее %3 мм на сторону, её радиальное биение — %4 мм.</translation>
+            <source>Source</source>
+            <translation>Источник</translation>
         </message>
     </context>
     <context>
@@ -741,6 +676,56 @@
             <source>Verdict</source>
             <translation>Заключение</translation>
         </message>
+        <message>
+            <source>Cycle card of a grinding operation</source>
+            <translation>Операционная карта шлифования (карта цикла)</translation>
+        </message>
+        <message>
+            <source>Tooling and settings</source>
+            <translation>Оснастка и режимы</translation>
+        </message>
+        <message>
+            <source>Regimes by stage</source>
+            <translation>Режимы по ступеням</translation>
+        </message>
+        <message>
+            <source>Predicted accuracy</source>
+            <translation>Ожидаемая точность</translation>
+        </message>
+        <message>
+            <source>Requirements and margins</source>
+            <translation>Требования и запасы</translation>
+        </message>
+        <message>
+            <source>Course of the cycle</source>
+            <translation>Ход цикла</translation>
+        </message>
+        <message>
+            <source>What rests on estimates</source>
+            <translation>Что опирается на оценки</translation>
+        </message>
+        <message>
+            <source>Remarks</source>
+            <translation>Замечания</translation>
+        </message>
+        <message>
+            <source>Notes</source>
+            <translation>Примечания</translation>
+        </message>
+        <message>
+            <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
+            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
+        </message>
+    </context>
+    <context>
+        <name>OutcomeRemarks</name>
+        <message>
+            <source>These predictions rest on inputs that are estimates, to be calibrated at the machine.</source>
+            <translation>Эти результаты опираются на исходные данные, которые являются оценками и подлежат калибровке на станке.</translation>
+        </message>
+    </context>
+    <context>
+        <name>OperationSetup</name>
         <message>
             <source>Cylindrical traverse grinding</source>
             <translation>Круглое наружное шлифование с осевой подачей</translation>
@@ -822,12 +807,12 @@
             <translation>Ступень</translation>
         </message>
         <message>
-            <source>Radial feed, mm/dbl stroke</source>
-            <translation>Подача радиальная, мм/дв.ход</translation>
-        </message>
-        <message>
             <source>Radial feed, mm/min</source>
             <translation>Подача радиальная, мм/мин</translation>
+        </message>
+        <message>
+            <source>Radial feed, mm/dbl stroke</source>
+            <translation>Подача радиальная, мм/дв.ход</translation>
         </message>
         <message>
             <source>Axial feed, mm/min</source>
@@ -868,50 +853,6 @@
         <message>
             <source>Cycle</source>
             <translation>Цикл</translation>
-        </message>
-        <message>
-            <source>Cycle card of a grinding operation</source>
-            <translation>Операционная карта шлифования (карта цикла)</translation>
-        </message>
-        <message>
-            <source>Tooling and settings</source>
-            <translation>Оснастка и режимы</translation>
-        </message>
-        <message>
-            <source>Regimes by stage</source>
-            <translation>Режимы по ступеням</translation>
-        </message>
-        <message>
-            <source>Predicted accuracy</source>
-            <translation>Ожидаемая точность</translation>
-        </message>
-        <message>
-            <source>Requirements and margins</source>
-            <translation>Требования и запасы</translation>
-        </message>
-        <message>
-            <source>Course of the cycle</source>
-            <translation>Ход цикла</translation>
-        </message>
-        <message>
-            <source>What rests on estimates</source>
-            <translation>Что опирается на оценки</translation>
-        </message>
-        <message>
-            <source>Remarks</source>
-            <translation>Замечания</translation>
-        </message>
-        <message>
-            <source>Notes</source>
-            <translation>Примечания</translation>
-        </message>
-        <message>
-            <source>The numbers are predictions of a model and are to be confirmed at the machine. The card follows the layout of an operation card and claims no conformity with the form of any standard.</source>
-            <translation>Числа предсказаны моделью и подлежат проверке на станке. Карта следует расположению операционной карты и не претендует на соответствие форме какого-либо стандарта.</translation>
-        </message>
-        <message>
-            <source>These predictions rest on inputs that are estimates, to be calibrated at the machine.</source>
-            <translation>Эти результаты опираются на исходные данные, которые являются оценками и подлежат калибровке на станке.</translation>
         </message>
     </context>
     <context>
@@ -4316,22 +4257,261 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Примечания</translation>
         </message>
         <message>
-            <source>%1: %2</source>
-            <comment>zone, range of values</comment>
-            <translation>%1: %2</translation>
+            <source>–: of so few values it would be the smallest or the largest.</source>
+            <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
+        </message>
+    </context>
+    <context>
+        <name>WorkedStep</name>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
         </message>
         <message>
-            <source>%1: number of parts</source>
-            <translation>%1: число деталей</translation>
+            <source>Stage</source>
+            <translation>Ступень</translation>
         </message>
         <message>
-            <source>Diameter along the part against the tolerance field</source>
-            <translation>Диаметр вдоль детали в поле допуска</translation>
+            <source>Double stroke</source>
+            <translation>Двойной ход</translation>
         </message>
         <message>
-            <source>Cross-sections, deviations magnified</source>
-            <translation>Поперечные сечения, отклонения увеличены</translation>
+            <source>Revolution</source>
+            <translation>Оборот</translation>
         </message>
+        <message>
+            <source>Step</source>
+            <translation>Этап</translation>
+        </message>
+        <message>
+            <source>Revolution of the step</source>
+            <translation>Оборот этапа</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Радиус</translation>
+        </message>
+        <message>
+            <source>Effective width b</source>
+            <translation>Эффективная ширина резания b</translation>
+        </message>
+        <message>
+            <source>Programmed so far, tП</source>
+            <translation>Накопленная программная подача tП</translation>
+        </message>
+        <message>
+            <source>Actual feed a</source>
+            <translation>Фактическая подача a</translation>
+        </message>
+        <message>
+            <source>Stock left at this radius</source>
+            <translation>Оставшийся припуск на этом радиусе</translation>
+        </message>
+        <message>
+            <source>The forces are those of the depth of cut that the elastic balance gives, further below.</source>
+            <translation>Силы вычислены для той фактической подачи, которую даёт упругий баланс, приведённый ниже.</translation>
+        </message>
+        <message>
+            <source>What limits the feed at this step</source>
+            <translation>Что ограничивает подачу на этом шаге</translation>
+        </message>
+        <message>
+            <source>No other requirement of this project limits the feed.</source>
+            <translation>Других требований, ограничивающих подачу, в проекте нет.</translation>
+        </message>
+        <message>
+            <source>No requirement of this project limits the feed.</source>
+            <translation>Ни одно требование этого проекта не ограничивает подачу.</translation>
+        </message>
+        <message>
+            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from. Roughness limits the last cut of the cycle alone.</source>
+            <translation>Каждое требование допускает свою наибольшую фактическую подачу; откуда она берётся, показывают формулы ниже. Шероховатость ограничивает только последний срез цикла.</translation>
+        </message>
+        <message>
+            <source>Each requirement allows a greatest depth of cut; the formulas below say where it comes from.</source>
+            <translation>Каждое требование допускает свою наибольшую подачу; откуда она берётся, показывают формулы ниже.</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Limiting depth of cut, µm</source>
+            <translation>Предельная фактическая подача, мкм</translation>
+        </message>
+        <message>
+            <source>As a feed, mm/min</source>
+            <translation>Скорость подачи, мм/мин</translation>
+        </message>
+        <message>
+            <source>Depth of cut of the step, µm</source>
+            <translation>Фактическая подача шага, мкм</translation>
+        </message>
+        <message>
+            <source>Share of the limit, %</source>
+            <translation>Доля предела, %</translation>
+        </message>
+        <message>
+            <source>not met at any depth</source>
+            <translation>не выполнено ни при какой подаче</translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportVerdict</name>
+        <message>
+            <source>the nominal part fails</source>
+            <translation>номинальная деталь не годна</translation>
+        </message>
+        <message>
+            <source>the nominal part holds; no batch is described, so its scatter is not weighed</source>
+            <translation>номинальная деталь годна; партия не описана, поэтому рассеяние не учтено</translation>
+        </message>
+        <message>
+            <source>The cycle, by the prediction</source>
+            <translation>Цикл по результатам расчёта</translation>
+        </message>
+        <message>
+            <source>What decided</source>
+            <translation>Чем определено</translation>
+        </message>
+        <message>
+            <source>Nominal part: %1.</source>
+            <translation>Номинальная деталь: %1.</translation>
+        </message>
+        <message>
+            <source>Parts of the batch that are not good</source>
+            <translation>Негодных деталей в партии</translation>
+        </message>
+        <message>
+            <source>Least Ppk</source>
+            <translation>Наименьший Ppk</translation>
+        </message>
+        <message>
+            <source>%1: out of tolerance %2.</source>
+            <translation>%1: вне допуска %2.</translation>
+        </message>
+        <message>
+            <source>Worst part, number %1: %2.</source>
+            <translation>Худшая деталь, номер %1: %2.</translation>
+        </message>
+        <message>
+            <source>no batch is described</source>
+            <translation>партия не описана</translation>
+        </message>
+        <message>
+            <source>Machining time</source>
+            <translation>Время обработки</translation>
+        </message>
+        <message>
+            <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
+            <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
+        </message>
+        <message>
+            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when the capability or the expected share outside falls short or is not known. %2</source>
+            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если пригодность процесса или ожидаемая доля вне допуска недостаточна или неизвестна. %2</translation>
+        </message>
+        <message>
+            <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>
+            <translation>Без партии цикл условно годен, если номинальная деталь доводится до размера и выдерживает все требования. %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportPrediction</name>
+        <message>
+            <source>Characteristic</source>
+            <translation>Характеристика</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Единица</translation>
+        </message>
+        <message>
+            <source>Limits</source>
+            <translation>Пределы</translation>
+        </message>
+        <message>
+            <source>Nominal part</source>
+            <translation>Номинал</translation>
+        </message>
+        <message>
+            <source>Smallest</source>
+            <translation>Наим.</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Среднее</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Наиб.</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Mean, 95 %</source>
+            <translation>Среднее, 95 %</translation>
+        </message>
+        <message>
+            <source>Pp</source>
+            <translation>Pp</translation>
+        </message>
+        <message>
+            <source>Ppk</source>
+            <translation>Ppk</translation>
+        </message>
+        <message>
+            <source>Out of tolerance</source>
+            <translation>Вне допуска</translation>
+        </message>
+        <message numerus="yes">
+            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
+            <translation>
+                <numerusform>Из %n детали, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Zone or section</source>
+            <translation>Зона или сечение</translation>
+        </message>
+        <message>
+            <source>Requirement</source>
+            <translation>Требование</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Значение</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Предел</translation>
+        </message>
+        <message>
+            <source>Margin</source>
+            <translation>Запас</translation>
+        </message>
+        <message>
+            <source>Where in the cycle</source>
+            <translation>Место в цикле</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>a setting</source>
+            <translation>настройка</translation>
+        </message>
+        <message>
+            <source>at the end</source>
+            <translation>в конце</translation>
+        </message>
+    </context>
+    <context>
+        <name>PassportInputs</name>
         <message>
             <source>Correlation</source>
             <translation>Корреляция</translation>
@@ -4477,153 +4657,36 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>The same inputs give the same numbers. All that the computation reads is in the appendix, each number with all its digits.</source>
             <translation>Те же исходные данные дают те же результаты. Всё, что читает расчёт, приведено в приложении, каждое число — со всеми знаками.</translation>
         </message>
+    </context>
+    <context>
+        <name>PassportFigures</name>
         <message>
-            <source>The cycle, by the prediction</source>
-            <translation>Цикл по результатам расчёта</translation>
-        </message>
-        <message>
-            <source>Nominal part: %1.</source>
-            <translation>Номинальная деталь: %1.</translation>
-        </message>
-        <message>
-            <source>Parts of the batch that are not good</source>
-            <translation>Негодных деталей в партии</translation>
-        </message>
-        <message>
-            <source>%1: out of tolerance %2.</source>
-            <translation>%1: вне допуска %2.</translation>
-        </message>
-        <message>
-            <source>Worst part, number %1: %2.</source>
-            <translation>Худшая деталь, номер %1: %2.</translation>
-        </message>
-        <message>
-            <source>no batch is described</source>
-            <translation>партия не описана</translation>
-        </message>
-        <message>
-            <source>Machining time</source>
-            <translation>Время обработки</translation>
-        </message>
-        <message>
-            <source>Characteristic</source>
-            <translation>Характеристика</translation>
-        </message>
-        <message>
-            <source>Limits</source>
-            <translation>Пределы</translation>
-        </message>
-        <message>
-            <source>Nominal part</source>
-            <translation>Номинал</translation>
-        </message>
-        <message>
-            <source>Smallest</source>
-            <translation>Наим.</translation>
-        </message>
-        <message>
-            <source>Mean</source>
-            <translation>Среднее</translation>
-        </message>
-        <message>
-            <source>Largest</source>
-            <translation>Наиб.</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
-        </message>
-        <message>
-            <source>Mean, 95 %</source>
-            <translation>Среднее, 95 %</translation>
-        </message>
-        <message>
-            <source>Out of tolerance</source>
-            <translation>Вне допуска</translation>
-        </message>
-        <message numerus="yes">
-            <source>Of the %n part(s), the first of which is number 0, number %1 has the least margin. %2.</source>
-            <translation>
-                <numerusform>Из %n детали, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
-                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
-                <numerusform>Из %n деталей, считая с нулевой, наименьший запас у детали номер %1. %2.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Zone or section</source>
-            <translation>Зона или сечение</translation>
-        </message>
-        <message>
-            <source>Requirement</source>
-            <translation>Требование</translation>
-        </message>
-        <message>
-            <source>Limit</source>
-            <translation>Предел</translation>
-        </message>
-        <message>
-            <source>Margin</source>
-            <translation>Запас</translation>
-        </message>
-        <message>
-            <source>Where in the cycle</source>
-            <translation>Место в цикле</translation>
-        </message>
-        <message>
-            <source>a setting</source>
-            <translation>настройка</translation>
-        </message>
-        <message>
-            <source>at the end</source>
-            <translation>в конце</translation>
-        </message>
-        <message>
-            <source>–: of so few values it would be the smallest or the largest.</source>
-            <translation>–: при таком числе значений это было бы наименьшее или наибольшее из них.</translation>
+            <source>%1: %2</source>
+            <comment>zone, range of values</comment>
+            <translation>%1: %2</translation>
         </message>
         <message>
             <source>%1: number of parts, where the Ppk is least</source>
             <translation>%1: число деталей, где Ppk наименьший</translation>
         </message>
         <message>
+            <source>%1: number of parts</source>
+            <translation>%1: число деталей</translation>
+        </message>
+        <message>
+            <source>Diameter along the part against the tolerance field</source>
+            <translation>Диаметр вдоль детали в поле допуска</translation>
+        </message>
+        <message>
+            <source>Cross-sections, deviations magnified</source>
+            <translation>Поперечные сечения, отклонения увеличены</translation>
+        </message>
+    </context>
+    <context>
+        <name>CapabilityChart</name>
+        <message>
             <source>Ppk with its 95 % bounds, the least first; dashed: 1 and %1</source>
             <translation>Ppk с 95%-ными границами, начиная с наименьшего; штрихами — 1 и %1</translation>
-        </message>
-        <message>
-            <source>the nominal part fails</source>
-            <translation>номинальная деталь не годна</translation>
-        </message>
-        <message>
-            <source>the nominal part holds; no batch is described, so its scatter is not weighed</source>
-            <translation>номинальная деталь годна; партия не описана, поэтому рассеяние не учтено</translation>
-        </message>
-        <message>
-            <source>What decided</source>
-            <translation>Чем определено</translation>
-        </message>
-        <message>
-            <source>Least Ppk</source>
-            <translation>Наименьший Ppk</translation>
-        </message>
-        <message>
-            <source>This is the prediction of a model, to be confirmed at the machine; it is no assessment of conformity and replaces no measurement.</source>
-            <translation>Это результат расчёта по модели, который следует подтвердить на станке; он не является подтверждением соответствия и не заменяет измерений.</translation>
-        </message>
-        <message>
-            <source>The cycle conforms when the nominal part and every part that was run reach size and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it conforms conditionally when no more parts fail than the share allowed, or when the capability or the expected share outside falls short or is not known. %2</source>
-            <translation>Цикл годен, если номинальная деталь и каждая рассчитанная деталь партии доводятся до размера и выдерживают все требования, а нижние 95%-ные границы всех Ppk не меньше %1; он условно годен, если доля негодных деталей не больше допущенной либо если пригодность процесса или ожидаемая доля вне допуска недостаточна или неизвестна. %2</translation>
-        </message>
-        <message>
-            <source>Without a batch the cycle conforms conditionally when the nominal part reaches size and holds every requirement. %1</source>
-            <translation>Без партии цикл условно годен, если номинальная деталь доводится до размера и выдерживает все требования. %1</translation>
-        </message>
-        <message>
-            <source>Pp</source>
-            <translation>Pp</translation>
-        </message>
-        <message>
-            <source>Ppk</source>
-            <translation>Ppk</translation>
         </message>
     </context>
     <context>
@@ -9024,6 +9087,17 @@ mm/min</source>
             <translation>Файл не открыт</translation>
         </message>
         <message>
+            <source>Untitled</source>
+            <translation>Без названия</translation>
+        </message>
+        <message>
+            <source>Opened: %1</source>
+            <translation>Открыт: %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::ProjectSaver</name>
+        <message>
             <source>Save the project</source>
             <translation>Сохранить проект</translation>
         </message>
@@ -9032,24 +9106,51 @@ mm/min</source>
             <translation>Проекты Sparkout (*.sparkout)</translation>
         </message>
         <message>
-            <source>Untitled</source>
-            <translation>Без названия</translation>
+            <source>Saved: %1</source>
+            <translation>Сохранён: %1</translation>
         </message>
         <message>
             <source>%1 copy</source>
             <translation>%1 (копия)</translation>
         </message>
         <message>
+            <source>Untitled</source>
+            <translation>Без названия</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::FileNotices</name>
+        <message>
             <source>Kept runs of this file hold inputs that this version refuses. They stay in the file as they are, but cannot be computed again.</source>
             <translation>В сохранённых расчётах этого файла есть исходные данные, которые эта версия не принимает. Они останутся в файле как есть, но пересчитать их нельзя.</translation>
+        </message>
+        <message>
+            <source>Show…</source>
+            <translation>Показать…</translation>
         </message>
         <message>
             <source>“%1” is open read-only. Saving asks for another name.</source>
             <translation>«%1» открыт только для чтения. При сохранении будет спрошено другое имя.</translation>
         </message>
         <message>
+            <source>Save as…</source>
+            <translation>Сохранить как…</translation>
+        </message>
+        <message>
+            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
+            <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
+        </message>
+        <message>
+            <source>Reload</source>
+            <translation>Перезагрузить</translation>
+        </message>
+        <message>
             <source>“%1” was removed or renamed by another program. The project now is in this window only.</source>
             <translation>«%1» удалён или переименован другой программой. Проект теперь есть только в этом окне.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Сохранить</translation>
         </message>
         <message>
             <source>“%1” was changed by another program while it has unsaved changes here. Saving will ask which version counts.</source>
@@ -9058,6 +9159,10 @@ mm/min</source>
         <message>
             <source>“%1” was changed by another program. Reload it?</source>
             <translation>«%1» изменён другой программой. Перезагрузить его?</translation>
+        </message>
+        <message>
+            <source>Keep mine</source>
+            <translation>Оставить мою</translation>
         </message>
         <message>
             <source>This is recovered work of %1. It is not saved yet.</source>
@@ -9072,9 +9177,20 @@ mm/min</source>
             <translation>Файл настроек был повреждён и сохранён как %1. Действуют настройки по умолчанию.</translation>
         </message>
         <message>
+            <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
+            <translation>Файл настроек повреждён, и убрать его в сторону не удалось (%1): %2. Он оставлен как есть; действуют настройки по умолчанию, их изменения не сохраняются.</translation>
+        </message>
+        <message>
+            <source>The settings are the default ones: %1</source>
+            <translation>Действуют настройки по умолчанию: %1</translation>
+        </message>
+        <message>
             <source>Unsaved work is not protected from a crash: %1</source>
             <translation>Несохранённая работа не защищена от сбоя: %1</translation>
         </message>
+    </context>
+    <context>
+        <name>WorkRecovery</name>
         <message>
             <source>Recover work</source>
             <translation>Восстановление работы</translation>
@@ -9084,52 +9200,16 @@ mm/min</source>
             <translation>Несохранённой работы не найдено.</translation>
         </message>
         <message>
+            <source>The file was not opened</source>
+            <translation>Файл не открыт</translation>
+        </message>
+        <message>
             <source>“%1” is damaged.</source>
             <translation>«%1» повреждён.</translation>
         </message>
         <message>
-            <source>Show…</source>
-            <translation>Показать…</translation>
-        </message>
-        <message>
-            <source>Save as…</source>
-            <translation>Сохранить как…</translation>
-        </message>
-        <message>
-            <source>Reload</source>
-            <translation>Перезагрузить</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>Сохранить</translation>
-        </message>
-        <message>
-            <source>Keep mine</source>
-            <translation>Оставить мою</translation>
-        </message>
-        <message>
-            <source>Saved: %1</source>
-            <translation>Сохранён: %1</translation>
-        </message>
-        <message>
-            <source>Opened: %1</source>
-            <translation>Открыт: %1</translation>
-        </message>
-        <message>
             <source>Another window has recovered this work meanwhile.</source>
             <translation>Эта работа тем временем восстановлена в другом окне.</translation>
-        </message>
-        <message>
-            <source>The settings are the default ones: %1</source>
-            <translation>Действуют настройки по умолчанию: %1</translation>
-        </message>
-        <message>
-            <source>The file is not locked against other users: “%1” stands where its lock belongs and is not a lock file. It was left as it is.</source>
-            <translation>Файл не заблокирован для других пользователей: на месте его файла блокировки стоит «%1», а это не файл блокировки. Он оставлен как есть.</translation>
-        </message>
-        <message>
-            <source>The settings file is damaged and could not be put aside (%1): %2. It is left as it is; the settings are the default ones, and changes of them are not kept.</source>
-            <translation>Файл настроек повреждён, и убрать его в сторону не удалось (%1): %2. Он оставлен как есть; действуют настройки по умолчанию, их изменения не сохраняются.</translation>
         </message>
     </context>
     <context>
@@ -9763,30 +9843,6 @@ target, µm</source>
                 <numerusform>Сохранено; %n полей содержат непринятый текст, записаны их последние принятые значения.</numerusform>
             </translation>
         </message>
-        <message numerus="yes">
-            <source>Not computed: %n faults in the inputs. The curves show the last good run.</source>
-            <translation>
-                <numerusform>Не рассчитано: %n ошибка в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
-                <numerusform>Не рассчитано: %n ошибки в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
-                <numerusform>Не рассчитано: %n ошибок в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>The cycle is complete.</source>
-            <translation>Цикл завершён.</translation>
-        </message>
-        <message>
-            <source>The cycle cannot reach size: it stopped making progress.</source>
-            <translation>Цикл не достигает размера: съём прекратился.</translation>
-        </message>
-        <message>
-            <source>The cycle is too long to be computed to its end.</source>
-            <translation>Цикл слишком длинный, чтобы рассчитать его до конца.</translation>
-        </message>
-        <message>
-            <source>Computed in %1 ms</source>
-            <translation>Расчёт за %1 мс</translation>
-        </message>
         <message>
             <source>Untitled</source>
             <translation>Без названия</translation>
@@ -9800,25 +9856,16 @@ target, µm</source>
             <translation>%1[*] — Sparkout</translation>
         </message>
         <message>
-            <source>Inputs</source>
-            <translation>Исходные данные</translation>
+            <source>%1[*] (read-only) — Sparkout</source>
+            <translation>%1[*] (только чтение) — Sparkout</translation>
         </message>
         <message>
-            <source>Verdict</source>
-            <translation>Заключение</translation>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
-        <message>
-            <source>Messages</source>
-            <translation>Сообщения</translation>
-        </message>
-        <message>
-            <source>Status</source>
-            <translation>Состояние</translation>
-        </message>
-        <message>
-            <source>Computing time</source>
-            <translation>Время расчёта</translation>
-        </message>
+    </context>
+    <context>
+        <name>sparkout::WindowLayout</name>
         <message>
             <source>Detach or attach the panel</source>
             <translation>Отделить или вернуть панель</translation>
@@ -9844,8 +9891,43 @@ target, µm</source>
             <translation>Прокрутить вправо</translation>
         </message>
         <message>
-            <source>%1[*] (read-only) — Sparkout</source>
-            <translation>%1[*] (только чтение) — Sparkout</translation>
+            <source>Inputs</source>
+            <translation>Исходные данные</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Заключение</translation>
+        </message>
+        <message>
+            <source>Messages</source>
+            <translation>Сообщения</translation>
+        </message>
+        <message>
+            <source>Formulas of the step</source>
+            <translation>Формулы этапа</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::StatusLine</name>
+        <message numerus="yes">
+            <source>Not computed: %n faults in the inputs. The curves show the last good run.</source>
+            <translation>
+                <numerusform>Не рассчитано: %n ошибка в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+                <numerusform>Не рассчитано: %n ошибки в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+                <numerusform>Не рассчитано: %n ошибок в исходных данных. Показаны кривые последнего удачного расчёта.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The cycle is complete.</source>
+            <translation>Цикл завершён.</translation>
+        </message>
+        <message>
+            <source>The cycle cannot reach size: it stopped making progress.</source>
+            <translation>Цикл не достигает размера: съём прекратился.</translation>
+        </message>
+        <message>
+            <source>The cycle is too long to be computed to its end.</source>
+            <translation>Цикл слишком длинный, чтобы рассчитать его до конца.</translation>
         </message>
         <message>
             <source>The forces of the coupled sections were not found.</source>
@@ -9856,12 +9938,16 @@ target, µm</source>
             <translation>Податливость одного из сечений отрицательна: равномерная нагрузка за люнетом прижимает его к кругу. Свяжите сечения.</translation>
         </message>
         <message>
-            <source>Formulas of the step</source>
-            <translation>Формулы этапа</translation>
+            <source>Computed in %1 ms</source>
+            <translation>Расчёт за %1 мс</translation>
         </message>
         <message>
-            <source>%1: %2</source>
-            <translation>%1: %2</translation>
+            <source>Status</source>
+            <translation>Состояние</translation>
+        </message>
+        <message>
+            <source>Computing time</source>
+            <translation>Время расчёта</translation>
         </message>
     </context>
     <context>

@@ -5,14 +5,13 @@
 #include "ui/plot/feed_text.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/plot/run_dash.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
 
 namespace sparkout {
-
-using style::Hue;
 
 namespace {
 
@@ -28,15 +27,7 @@ const FeedPoint* feedPointAt(const FeedPoints& points, double time_s) {
 } // namespace
 
 QColor ComparePlot::colourOf(Quantity quantity) const {
-    switch (quantity) {
-    case Quantity::actual: return style::colour(Hue::vermilion, palette());
-    case Quantity::actualSum: return style::colour(Hue::blue, palette());
-    case Quantity::left: return style::colour(Hue::purple, palette());
-    case Quantity::programmed:
-    case Quantity::programmedSum: return style::colour(Hue::sky, palette());
-    case Quantity::axialFeed: return style::colour(Hue::orange, palette());
-    default: return style::colour(Hue::green, palette());
-    }
+    return style::colour(style::drawnAs(quantity), palette());
 }
 
 void ComparePlot::restyle() {

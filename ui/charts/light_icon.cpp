@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/light_icon.h"
 
-#include "ui/kit/theme.h"
+#include "ui/plot/quantity_colour.h"
 
 #include <QGuiApplication>
 #include <QPainter>
@@ -10,17 +10,16 @@
 
 namespace sparkout {
 
-namespace {
-
-QColor lightColour(Light light) {
-    const QPalette palette = QGuiApplication::palette();
+QColor lightColour(Light light, const QPalette& palette) {
     switch (light) {
-    case Light::holds: return tone(Tone::green, palette);
-    case Light::close: return tone(Tone::orange, palette);
+    case Light::holds: return style::colour(style::Drawn::holds, palette);
+    case Light::close: return style::colour(style::Drawn::close, palette);
     case Light::fails: break;
     }
-    return tone(Tone::vermilion, palette);
+    return style::colour(style::Drawn::fails, palette);
 }
+
+namespace {
 
 void paintLight(QPainter& painter, Light light, const QRectF& box) {
     switch (light) {
@@ -36,7 +35,7 @@ void paintLight(QPainter& painter, Light light, const QRectF& box) {
 } // namespace
 
 QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
-    const QColor colour = lightColour(light);
+    const QColor colour = lightColour(light, QGuiApplication::palette());
     // Qt keeps what it draws of an icon by the identity of its picture: a new one for every result
     // would fill that memory.
     const QString key = QStringLiteral("sparkout-light %1 %2 %3 %4 %5")

@@ -3,9 +3,13 @@
 
 #include "ui/charts/verdict_model.h"
 
+#include <QColor>
+#include <QPalette>
 #include <QPixmap>
 
 namespace sparkout {
+
+[[nodiscard]] QColor lightColour(Light light, const QPalette& palette);
 
 /// Circle, triangle or square in the light's colour of the present theme, told apart without
 /// colour too.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/margin_model.h"
 
+#include "ui/charts/light_icon.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_model.h"
 #include "ui/kit/theme.h"
@@ -25,15 +26,6 @@ constexpr int leastBarWidth = 76;
 constexpr int air = 4;
 constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
 constexpr double tiny = 1e-12;                      ///< in place of 0, to divide by
-
-Tone toneOf(Light light) {
-    switch (light) {
-    case Light::holds: return Tone::green;
-    case Light::close: return Tone::orange;
-    case Light::fails: break;
-    }
-    return Tone::vermilion;
-}
 
 /// What fails first; settings of the machine last, which hold up to the ends of their ranges.
 std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
@@ -252,7 +244,7 @@ void MarginBar::paint(QPainter* painter, const QStyleOptionViewItem& given,
     const QRectF area = QRectF(option.rect).adjusted(air, air, -air, -air);
     const bool selected = option.state.testFlag(QStyle::State_Selected);
     const QColor ink = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
-    QColor fill = tone(toneOf(light), option.palette);
+    QColor fill = lightColour(light, option.palette);
     fill.setAlphaF(selected ? 0.6F : 0.45F);
     if (const QVariant place = index.data(MarginModel::placeRole); place.isValid()) {
         painter->save();

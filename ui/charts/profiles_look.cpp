@@ -2,31 +2,32 @@
 #include "ui/charts/profiles_look.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 
 namespace sparkout {
 
-using style::Hue;
+using style::Drawn;
 
 namespace {
 
-Hue hueOf(ProfileLine line) {
+Drawn drawnAs(ProfileLine line) {
     switch (line) {
     case ProfileLine::profile:
-    case ProfileLine::spread: return Hue::vermilion;
-    case ProfileLine::blank: return Hue::orange;
-    case ProfileLine::target:
-    case ProfileLine::gauge: return Hue::blue;
+    case ProfileLine::spread: return Drawn::profile;
+    case ProfileLine::blank: return Drawn::blank;
+    case ProfileLine::target: return Drawn::target;
+    case ProfileLine::gauge: return Drawn::gauge;
     case ProfileLine::leastSquares:
-    case ProfileLine::minimumZone: return Hue::purple;
+    case ProfileLine::minimumZone: return Drawn::referenceCircle;
     case ProfileLine::field: break;
     }
-    return Hue::green;
+    return Drawn::toleranceField;
 }
 
 } // namespace
 
 QPen ProfileLook::pen(ProfileLine line, const QPalette& palette, bool dim) {
-    const QColor colour = style::dimmed(style::colour(hueOf(line), palette), dim);
+    const QColor colour = style::dimmed(style::colour(drawnAs(line), palette), dim);
     switch (line) {
     case ProfileLine::profile: return {colour, 1.6, Qt::SolidLine};
     case ProfileLine::spread: return {colour, 0.8, Qt::SolidLine};
@@ -41,7 +42,7 @@ QPen ProfileLook::pen(ProfileLine line, const QPalette& palette, bool dim) {
 }
 
 QColor ProfileLook::fill(ProfileLine line, const QPalette& palette, bool dim) {
-    QColor colour = style::dimmed(style::colour(hueOf(line), palette), dim);
+    QColor colour = style::dimmed(style::colour(drawnAs(line), palette), dim);
     const bool strong = line == ProfileLine::spread;
     colour.setAlphaF(colour.alphaF() * (strong ? 0.35F : style::isDark(palette) ? 0.22F : 0.16F));
     return colour;

@@ -7,7 +7,7 @@
 #include "core/version.h"
 #include "ui/charts/run_table.h"
 #include "ui/dialogs/table_file.h"
-#include "ui/report/documents/passport_parts.h"
+#include "ui/report/documents/passport_inputs.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -113,7 +113,7 @@ CsvTable batchFacts(const BatchOutcome& outcome) {
             static_cast<double>(summary.failed));
     for (const GivenFactor& factor : outcome.factors) {
         addFact(table, StudyBook::tr("Factor: %1").arg(BatchText::factor(factor.kind)),
-                report::Passport::law(factor), factorUnit(factor.kind));
+                report::PassportInputs::law(factor), factorUnit(factor.kind));
     }
     return table;
 }

@@ -16,19 +16,6 @@ bool isDark(const QPalette& palette) {
     return sparkout::isDark(palette);
 }
 
-QColor colour(Hue hue, const QPalette& palette) {
-    switch (hue) {
-    case Hue::blue: return tone(Tone::blue, palette);
-    case Hue::sky: return tone(Tone::sky, palette);
-    case Hue::vermilion: return tone(Tone::vermilion, palette);
-    case Hue::orange: return tone(Tone::orange, palette);
-    case Hue::green: return tone(Tone::green, palette);
-    case Hue::purple: return tone(Tone::purple, palette);
-    case Hue::yellow: return tone(Tone::yellow, palette);
-    }
-    return palette.color(QPalette::Text);
-}
-
 QColor dimmed(QColor colour, bool dim) {
     if (dim) {
         colour.setAlphaF(colour.alphaF() * 0.35F);

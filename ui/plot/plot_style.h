@@ -9,16 +9,10 @@ class QCPAxis;
 class QCPAxisRect;
 class QCustomPlot;
 
-/// Colours and safe ranges that the plots share. The set of colours is Okabe and Ito's, told apart
-/// by colour-blind readers too; text and lines of the axes follow the palette.
+/// Axes and safe ranges that the plots share; text and lines of the axes follow the palette.
 namespace sparkout::style {
 
-enum class Hue { blue, sky, vermilion, orange, green, purple, yellow };
-
 [[nodiscard]] bool isDark(const QPalette& palette);
-
-/// A colour of the set, in the shade that stands out from the palette's background.
-[[nodiscard]] QColor colour(Hue hue, const QPalette& palette);
 
 [[nodiscard]] QColor dimmed(QColor colour, bool dim); ///< mostly transparent when dim
 

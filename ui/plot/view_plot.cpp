@@ -63,8 +63,12 @@ void ViewPlot::restyle() {
     }
 }
 
-QColor ViewPlot::toned(style::Hue hue) const {
-    return style::dimmed(style::colour(hue, palette()), m_dim);
+QColor ViewPlot::toned(style::Drawn what) const {
+    return style::dimmed(style::colour(what, palette()), m_dim);
+}
+
+QColor ViewPlot::toned(Tone tone) const {
+    return style::dimmed(sparkout::tone(tone, palette()), m_dim);
 }
 
 QColor ViewPlot::ink() const {

@@ -4,6 +4,7 @@
 #include "ui/plot/legend_drawing.h"
 #include "ui/plot/plot_history.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
 
@@ -27,10 +28,11 @@ public:
 
     void setDimmed(bool dim);
     [[nodiscard]] bool isDimmed() const { return m_dim; }
-    [[nodiscard]] QColor toned(style::Hue hue) const; ///< faint while dimmed
-    [[nodiscard]] QColor ink() const;                 ///< of the texts, faint while dimmed
-    void retranslate();                               ///< numbers and texts
-    virtual void restyle(); ///< by palette and font; here background and axes
+    [[nodiscard]] QColor toned(style::Drawn what) const; ///< its colour, faint while dimmed
+    [[nodiscard]] QColor toned(Tone tone) const;
+    [[nodiscard]] QColor ink() const; ///< of the texts, faint while dimmed
+    void retranslate();               ///< numbers and texts
+    virtual void restyle();           ///< by palette and font; here background and axes
 
     virtual void fit() = 0; ///< brings all into sight; no replot
     [[nodiscard]] virtual LegendEntries legendEntries() const { return {}; }

@@ -10,6 +10,7 @@
 #include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
 #include "ui/window/dialogs/examples_dialog.h"
+#include "ui/window/dialogs/file_questions.h"
 #include "ui/window/dialogs/versions_dialog.h"
 #include "ui/window/notice_bar.h"
 #include "ui/window/recent_files_menu.h"
@@ -17,7 +18,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 
 #include <algorithm>
 #include <stop_token>
@@ -43,11 +43,22 @@ FileCommands::FileCommands(Document& document, Settings& settings, QWidget* wind
     , m_document(document)
     , m_settings(settings)
     , m_window(window)
-    , m_notices(new NoticeBar(window))
+    , m_bar(new NoticeBar(window))
     , m_recent(new RecentFilesMenu(settings, window))
-    , m_guard(document) {
+    , m_guard(document)
+    , m_notices(document, settings, m_guard, *m_bar, window)
+    , m_saver(document, settings, m_guard, m_wait, window)
+    , m_recovery(document, m_guard, m_notices, m_wait, window) {
     connect(m_recent, &RecentFilesMenu::chosen, this, &FileCommands::openInstead);
-    connectNotices();
+    connect(&m_notices, &FileNotices::saveWanted, this, &FileCommands::save);
+    connect(&m_notices, &FileNotices::saveAsWanted, this, &FileCommands::saveAs);
+    connect(&m_notices, &FileNotices::reloadWanted, this, &FileCommands::reload);
+    connect(&m_saver, &ProjectSaver::reloadWanted, this, &FileCommands::reload);
+    connect(&m_saver, &ProjectSaver::saved, this, [this](const QString& path) {
+        m_notices.followSaved();
+        remember(path);
+        emit saved();
+    });
     m_window->installEventFilter(this);
 }
 
@@ -58,24 +69,15 @@ void FileCommands::protect(const QString& stateFolder, Autosave::Times times) {
 }
 
 void FileCommands::start(const QString& file) {
-    tellDamagedSettings();
+    m_notices.showDamagedSettings();
     if (m_guard.recovery() != nullptr) {
         m_guard.recovery()->removeOldDiscarded(QDateTime::currentDateTimeUtc());
     }
-    const bool recovered = offerRecovery(false);
+    const bool recovered = m_recovery.offer(false);
     const bool isOpen = recovered && realPath(file) == realPath(m_document.filePath());
     if (!file.isEmpty() && !isOpen) {
         openInstead(file);
     }
-}
-
-/// Runs work on a disk without freezing the window.
-void FileCommands::aside(const std::function<void()>& work) {
-    m_busy = true;
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    runAside(work);
-    QGuiApplication::restoreOverrideCursor();
-    m_busy = false;
 }
 
 void FileCommands::startNew(Operation operation) {
@@ -94,7 +96,7 @@ void FileCommands::open() {
 }
 
 void FileCommands::openInstead(const QString& path) {
-    if (!m_busy && mayDiscard()) {
+    if (!m_wait.busy() && mayDiscard()) {
         openFile(path);
     }
 }
@@ -124,11 +126,12 @@ bool FileCommands::openFile(const QString& given) {
     }
     LoadedProject loaded;
     std::stop_source stop;
-    m_busy = true;
-    const bool read = runWatched(
-        m_window, tr("Opening %1").arg(printableText(QFileInfo(path).fileName())),
-        [&](const KeepGoing&) { loaded = loadProject(path, stop.get_token()); }, stop);
-    m_busy = false;
+    bool read = false;
+    m_wait.during([&] {
+        read = runWatched(
+            m_window, tr("Opening %1").arg(printableText(QFileInfo(path).fileName())),
+            [&](const KeepGoing&) { loaded = loadProject(path, stop.get_token()); }, stop);
+    });
     if (!read) {
         m_guard.dropClaim();
         return false;
@@ -138,12 +141,16 @@ bool FileCommands::openFile(const QString& given) {
         return true;
     }
     m_guard.dropClaim();
+    showWhyRefused(loaded, path);
+    return false;
+}
+
+void FileCommands::showWhyRefused(const LoadedProject& loaded, const QString& path) {
     if (loaded.error) {
         showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
     } else {
         FaultsDialog(path, loaded.issues, m_window).exec();
     }
-    return false;
 }
 
 void FileCommands::take(LoadedProject loaded, const QString& path, Opening opening) {
@@ -159,7 +166,7 @@ void FileCommands::take(LoadedProject loaded, const QString& path, Opening openi
     }
     remember(path);
     ProgramLog::note(tr("Opened: %1").arg(printableText(path)));
-    tellOpened(loaded.issues);
+    m_notices.showOpened(loaded.issues);
 }
 
 void FileCommands::remember(const QString& path) {
@@ -194,17 +201,42 @@ void FileCommands::openEarlierVersion() {
 
 bool FileCommands::openAsCopy(const QString& path) {
     LoadedProject loaded;
-    aside([&] { loaded = loadProject(path); });
+    m_wait.aside([&] { loaded = loadProject(path); });
     if (loaded.project) {
         m_document.startUntitled(std::move(*loaded.project));
         return true;
     }
-    if (loaded.error) {
-        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
-    } else {
-        FaultsDialog(path, loaded.issues, m_window).exec();
-    }
+    showWhyRefused(loaded, path);
     return false;
+}
+
+/// The history keeps what was in the window.
+void FileCommands::reload() {
+    const QString path = m_document.filePath();
+    LoadedProject loaded;
+    m_wait.aside([&] { loaded = loadProject(path); });
+    if (loaded.project) {
+        m_document.reload(std::move(*loaded.project), loaded.hash);
+        m_guard.followDisk();
+        m_notices.followDisk();
+        m_notices.showOpened(loaded.issues);
+    } else {
+        showWhyRefused(loaded, path);
+    }
+}
+
+void FileCommands::recoverWork() {
+    if (mayDiscard()) {
+        m_recovery.offer(true);
+    }
+}
+
+bool FileCommands::save() {
+    return m_saver.save();
+}
+
+bool FileCommands::saveAs() {
+    return m_saver.saveAs();
 }
 
 bool FileCommands::mayDiscard() {
@@ -225,7 +257,7 @@ bool FileCommands::mayDiscard() {
 }
 
 bool FileCommands::mayClose() {
-    if (m_busy || !mayDiscard()) {
+    if (m_wait.busy() || !mayDiscard()) {
         return false;
     }
     if (m_guard.autosave() != nullptr) {

@@ -3,13 +3,15 @@
 
 #include "core/project/project.h"
 #include "ui/files/file_guard.h"
-#include "ui/window/dialogs/file_questions.h"
+#include "ui/window/disk_wait.h"
+#include "ui/window/file_notices.h"
+#include "ui/window/project_saver.h"
+#include "ui/window/work_recovery.h"
 
 #include <QObject>
 
 #include <functional>
 #include <optional>
-#include <utility>
 
 class QWidget;
 
@@ -20,7 +22,7 @@ class NoticeBar;
 class RecentFilesMenu;
 class Settings;
 
-/// The commands that deal with files, with their questions, messages and notices.
+/// The commands that deal with files: new, open, save and recover, each with its questions.
 class FileCommands : public QObject {
     Q_OBJECT
 
@@ -51,7 +53,7 @@ public:
     [[nodiscard]] bool mayClose();
 
     [[nodiscard]] FileGuard& guard() { return m_guard; }
-    [[nodiscard]] NoticeBar& notices() { return *m_notices; }
+    [[nodiscard]] NoticeBar& notices() { return *m_bar; }
     [[nodiscard]] RecentFilesMenu& recentFiles() { return *m_recent; }
 
 signals:
@@ -63,41 +65,24 @@ protected:
 private:
     enum class Opening { write, readOnly, copy };
 
-    // file_commands.cpp
     [[nodiscard]] std::optional<Opening> wayToOpen(const QString& path);
     void take(LoadedProject loaded, const QString& path, Opening opening);
     bool openAsCopy(const QString& path);
-    void remember(const QString& path);
-    void aside(const std::function<void()>& work);
-
-    // file_commands_save.cpp
-    bool saveTo(const QString& path);
-    [[nodiscard]] SaveAnswer clearTheWay(const QString& path);
-    [[nodiscard]] QString suggestedPath() const;
     void reload();
-
-    // file_notices.cpp
-    bool offerRecovery(bool alsoDiscarded);
-    bool recover(const RecoveryItem& item);
-    void connectNotices();
-    void tellSameAsDisk();
-    void tellOpened(const Issues& issues);
-    void tellReadOnly();
-    void tellStrangeLock();
-    void tellChangedOnDisk(const DiskState& state);
-    void tellRecovered(const RecoveryHeader& header);
-    void tellDamagedSettings();
-    void tellAutosaveFailed(const FileError& error);
+    void showWhyRefused(const LoadedProject& loaded, const QString& path);
+    void remember(const QString& path);
 
     Document& m_document;
     Settings& m_settings;
     QWidget* m_window;
-    NoticeBar* m_notices;
+    NoticeBar* m_bar;
     RecentFilesMenu* m_recent;
     std::function<QStringList()> m_refused = [] { return QStringList(); };
-    QString m_linksAccepted; ///< the file whose other names may keep the old text
-    bool m_busy = false;     ///< a disk is being waited for
+    DiskWait m_wait;
     FileGuard m_guard;
+    FileNotices m_notices;
+    ProjectSaver m_saver;
+    WorkRecovery m_recovery;
 };
 
 } // namespace sparkout

@@ -4,9 +4,11 @@
 #include "ui/charts/verdict_why.h"
 #include "ui/inputs/inputs_panel.h"
 #include "ui/inputs/messages_panel.h"
+#include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/tool_tips.h"
 #include "ui/plot/step_sheet.h"
+#include "ui/session/background.h"
 #include "ui/session/kept_runs.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_view.h"
@@ -20,51 +22,29 @@
 #include "ui/views/sweep/sweep_view.h"
 #include "ui/views/verdict/verdict_panel.h"
 #include "ui/window/actions.h"
+#include "ui/window/export_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help_desk.h"
 #include "ui/window/notice_bar.h"
 #include "ui/window/operation_notice.h"
 #include "ui/window/playback_bar.h"
+#include "ui/window/recent_files_menu.h"
+#include "ui/window/report_commands.h"
 #include "ui/window/run_keeper.h"
+#include "ui/window/status_line.h"
+#include "ui/window/studies_shown.h"
 #include "ui/window/view_tabs.h"
+#include "ui/window/window_layout.h"
 
-#include "core/process/coupled_sections.h"
-
-#include <QAbstractButton>
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QDockWidget>
 #include <QFileInfo>
-#include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace sparkout {
-
-namespace {
-
-/// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
-void nameQtButtons(const QWidget& window) {
-    const auto name = [&window](const char* object, const QString& text) {
-        for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
-            button->setAccessibleName(text);
-            button->setAccessibleDescription(text);
-            button->setToolTip(text);
-        }
-    };
-    name("qt_dockwidget_floatbutton", MainWindow::tr("Detach or attach the panel"));
-    name("qt_dockwidget_closebutton", MainWindow::tr("Close the panel"));
-    name("qt_toolbar_ext_button", MainWindow::tr("More commands"));
-    name("qt_menubar_ext_button", MainWindow::tr("More menus"));
-    name("ScrollLeftButton", MainWindow::tr("Scroll to the left"));
-    name("ScrollRightButton", MainWindow::tr("Scroll to the right"));
-}
-
-} // namespace
 
 MainWindow::MainWindow(Settings& settings, Language& language, RunController::Runner runner)
     : m_settings(settings)
@@ -79,8 +59,6 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     , m_messages(new MessagesPanel(this))
     , m_playback(new PlaybackBar(m_cursor, this))
     , m_sheet(new StepSheet(m_cursor, this))
-    , m_status(new QLabel(this))
-    , m_time(new QLabel(this))
     , m_actions(new Actions(*this))
     , m_files(new FileCommands(m_document, settings, this))
     , m_help(new HelpDesk(*this, settings, *m_inputs, *m_tabs, *m_actions))
@@ -89,24 +67,21 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();
-    m_status->setTextFormat(Qt::PlainText);
-    m_time->setTextFormat(Qt::PlainText);
-    statusBar()->addWidget(m_status, 1);
-    statusBar()->addPermanentWidget(m_time);
-    buildDocks();
+    m_status = new StatusLine(*statusBar());
+    m_layout = new WindowLayout(*this, {m_inputs, m_verdict, m_messages, m_sheet}, *m_tabs,
+                                *m_playback, m_settings);
     connectActions();
     connectDocument();
     retranslate();
     keepMnemonics(*this);
-    restoreWindow();
+    m_layout->restore();
 }
 
 MainWindow::~MainWindow() {
     delete m_files; // keeps the last changes of the document
     m_document.disconnect();
-    delete m_inputsDock; // its fields look at the document
-    delete m_sheetDock;  // it looks at the cursor of the cycle
-    delete m_playback;   // likewise
+    delete m_layout;   // with the panels that look at the document and the cursor of the cycle
+    delete m_playback; // it looks at the cursor, too
 }
 
 void MainWindow::buildViews() {
@@ -131,13 +106,14 @@ void MainWindow::buildViews() {
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
-    connect(m_keeper, &RunKeeper::told, this, &MainWindow::tell);
-    const auto tellEnd = [this](const View* view) { // its notice says how: done, stopped, refused
-        return [this, view] { tell(tr("%1: ended.").arg(view->title())); };
+    connect(m_keeper, &RunKeeper::told, this,
+            [this](const QString& text) { m_status->showForAWhile(text); });
+    const auto reportEnd = [this](const View* view) { // its notice says how: done, stopped, refused
+        return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
     };
-    connect(m_batch, &BatchView::batchShown, this, tellEnd(m_batch));
-    connect(sweep, &SweepView::sweepShown, this, tellEnd(sweep));
-    connect(optimise, &OptimiseView::searchShown, this, tellEnd(optimise));
+    connect(m_batch, &BatchView::batchShown, this, reportEnd(m_batch));
+    connect(sweep, &SweepView::sweepShown, this, reportEnd(sweep));
+    connect(optimise, &OptimiseView::searchShown, this, reportEnd(optimise));
     connect(m_keeper, &RunKeeper::compareWanted, this,
             [this, compare] { m_tabs->showView(compare); });
     for (View* view : std::initializer_list<View*>{m_feeds, m_profiles, m_constraints, compliance,
@@ -169,9 +145,124 @@ const std::vector<View*>& MainWindow::views() const {
     return m_tabs->views();
 }
 
-void MainWindow::tell(const QString& text) {
-    constexpr int patience_ms = 6000;
-    statusBar()->showMessage(text, patience_ms);
+void MainWindow::connectActions() {
+    m_actions->addDocks(m_layout->toggles());
+    const QList<QAction*> shows = m_actions->addViews(static_cast<int>(views().size()));
+    for (int i = 0; i < shows.size(); ++i) {
+        View* view = views()[std::size_t(i)];
+        connect(shows[i], &QAction::triggered, this, [this, view] { m_tabs->showView(view); });
+    }
+    m_actions->addRecentFiles(&m_files->recentFiles());
+    const auto on = [this](QAction* action, auto slot) {
+        connect(action, &QAction::triggered, this, slot);
+    };
+    for (QAction* action :
+         {m_actions->newTraverse, m_actions->newPlunge, m_actions->open, m_actions->examples,
+          m_actions->save, m_actions->saveAs, m_actions->earlierVersions, m_actions->recoverWork,
+          m_actions->undo, m_actions->redo, m_actions->keepRun}) {
+        on(action, [this] { m_inputs->endTyping(); }); // first
+    }
+    on(m_actions->newTraverse, [this] { m_files->startNew(Operation::traverse); });
+    on(m_actions->newPlunge, [this] { m_files->startNew(Operation::plunge); });
+    on(m_actions->open, [this] { m_files->open(); });
+    on(m_actions->examples, [this] { m_files->openExample(); });
+    on(m_actions->save, [this] { m_files->save(); });
+    on(m_actions->saveAs, [this] { m_files->saveAs(); });
+    on(m_actions->earlierVersions, [this] { m_files->openEarlierVersion(); });
+    on(m_actions->recoverWork, [this] { m_files->recoverWork(); });
+    on(m_actions->quit, [this] { close(); });
+    on(m_actions->undo, [this] {
+        if (!m_inputs->dropNewestRefusal()) {
+            m_document.undo();
+        }
+    });
+    on(m_actions->redo, [this] { m_document.redo(); });
+    on(m_actions->keepRun, [this] { m_keeper->keep(); });
+    on(m_actions->english, [this] { setLanguage(QStringLiteral("en")); });
+    on(m_actions->russian, [this] { setLanguage(QStringLiteral("ru")); });
+    for (std::size_t i = 0; i < allThemes.size(); ++i) {
+        on(m_actions->themes[i], [this, i] { setTheme(allThemes[i]); });
+    }
+    for (std::size_t i = 0; i < fontSizes.size(); ++i) {
+        on(m_actions->sizes[i], [this, i] { setFontSize(fontSizes[i]); });
+    }
+    on(m_actions->detach, [this] { toggleDetached(); });
+    on(m_actions->nextPanel, [this] { m_layout->movePanel(1); });
+    on(m_actions->previousPanel, [this] { m_layout->movePanel(-1); });
+    on(m_actions->resetLayout, [this] { m_layout->reset(); });
+    connectReports();
+}
+
+void MainWindow::connectReports() {
+    const auto outcomeOfNow = [this] {
+        OutcomePtr outcome = m_outcome;
+        if (m_runs.running()) { // that one is of the inputs before
+            runAside([&, project = m_document.project()] { outcome = evaluate(project, {}); });
+        }
+        return outcome;
+    };
+    auto* commands = new ReportCommands(
+        [this, outcomeOfNow]() -> ReportCommands::Subject {
+            return {outcomeOfNow(), m_document.filePath(), m_batch->batch(), &m_cursor};
+        },
+        m_settings, this);
+    const auto studies = [this] { return studiesShown(views(), m_document.project()); };
+    auto* exports = new ExportCommands(outcomeOfNow, studies, m_settings, this);
+    const auto on = [this](QAction* action, const std::function<void()>& command) {
+        connect(action, &QAction::triggered, this, [this, command] {
+            m_inputs->endTyping(); // first
+            command();
+        });
+    };
+    on(m_actions->exportResults, [exports] { exports->exportResults(); });
+    for (const ReportActions& report : m_actions->reports) {
+        const report::Kind kind = report.kind;
+        const auto writes = [commands, kind](report::Format format) {
+            return [commands, kind, format] { commands->exportReport(kind, format); };
+        };
+        on(report.preview, [commands, kind] { commands->preview(kind); });
+        on(report.print, [commands, kind] { commands->print(kind); });
+        on(report.pdf, writes(report::Format::pdf));
+        on(report.html, writes(report::Format::html));
+        on(report.markdown, writes(report::Format::markdown));
+    }
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    m_settings.setLanguage(code);
+    m_language.apply(code);
+    setLocale(QLocale());
+    retranslate();
+}
+
+void MainWindow::setTheme(Theme theme) {
+    m_settings.setTheme(themeCode(theme));
+    applyTheme(theme);
+    m_actions->showTheme(theme);
+}
+
+/// The panels keep their room, the views take what is left.
+void MainWindow::setFontSize(int percent) {
+    m_settings.setFontSize(percent);
+    applyFontSize(percent);
+    m_actions->showFontSize(percent);
+    m_layout->fitPanels();
+}
+
+bool MainWindow::showView(const QString& name) {
+    int number = 0;
+    for (View* view : views()) {
+        if (name == view->objectName() || name == QString::number(++number)) {
+            m_tabs->showView(view);
+            return true;
+        }
+    }
+    return false;
+}
+
+void MainWindow::toggleDetached() {
+    View* view = m_tabs->currentView();
+    m_tabs->isDetached(view) ? m_tabs->attach(view) : m_tabs->detach(view);
 }
 
 void MainWindow::connectDocument() {
@@ -198,10 +289,11 @@ void MainWindow::connectDocument() {
     connect(&m_runs, &RunController::finished, this, &MainWindow::showOutcome);
     connect(m_files, &FileCommands::saved, this, [this] {
         const int refused = static_cast<int>(m_inputs->refusals().size());
-        tell(refused == 0
-                 ? tr("Saved.")
-                 : tr("Saved; %n fields hold a refused text, their last good values were saved.",
-                      nullptr, refused));
+        m_status->showForAWhile(
+            refused == 0
+                ? tr("Saved.")
+                : tr("Saved; %n fields hold a refused text, their last good values were saved.",
+                     nullptr, refused));
     });
     m_files->askRefusedTexts([this] {
         QStringList lines;
@@ -224,7 +316,7 @@ void MainWindow::connectDocument() {
     });
     connect(m_inputs, &InputsPanel::refusalsChanged, this, [this] { m_refusalsTimer.start(); });
     const auto showInput = [this](const std::string& path) {
-        m_inputsDock->show();
+        m_layout->showInputs();
         m_inputs->focusPath(path);
     };
     connect(m_messages, &MessagesPanel::pathActivated, this, showInput);
@@ -244,7 +336,7 @@ void MainWindow::connectDocument() {
 /// The field it is set in, the passes it was worst in, or the profile it was measured on.
 void MainWindow::showRequirement(const ConstraintResult& requirement) {
     if (const std::string path = verdict::inputPath(requirement); !path.empty()) {
-        m_inputsDock->show();
+        m_layout->showInputs();
         m_inputs->focusPath(path);
     } else if (requirement.at) {
         m_tabs->showView(m_feeds);
@@ -270,40 +362,7 @@ void MainWindow::showOutcome(const OutcomePtr& outcome) {
 }
 
 void MainWindow::showStatus() {
-    if (!m_outcome) {
-        m_status->clear();
-        m_time->clear();
-        return;
-    }
-    if (!m_outcome->ran()) {
-        const auto faults =
-            std::count_if(m_outcome->issues.begin(), m_outcome->issues.end(),
-                          [](const Issue& issue) { return issue.severity == Severity::error; });
-        m_status->setText(tr("Not computed: %n faults in the inputs. The curves show the last "
-                             "good run.",
-                             nullptr, static_cast<int>(faults)));
-        m_time->clear();
-        return;
-    }
-    switch (m_outcome->result.status) {
-    case RunStatus::completed: m_status->setText(tr("The cycle is complete.")); break;
-    case RunStatus::cannotReachSize:
-        m_status->setText(tr("The cycle cannot reach size: it stopped making progress."));
-        break;
-    case RunStatus::tooLong:
-        m_status->setText(tr("The cycle is too long to be computed to its end."));
-        break;
-    case RunStatus::notSolved:
-        m_status->setText(
-            isCoupled(m_outcome->result.project)
-                ? tr("The forces of the coupled sections were not found.")
-                : tr("The compliance of a section is negative: the even load beyond a steady rest "
-                     "presses it against the wheel. Couple the sections."));
-        break;
-    case RunStatus::stopped:
-    case RunStatus::refused: break;
-    }
-    m_time->setText(tr("Computed in %1 ms").arg(QLocale().toString(m_runs.lastRun_ms(), 'f', 1)));
+    m_status->showOutcome(m_outcome.get(), m_runs.lastRun_ms());
 }
 
 void MainWindow::showTitle() {
@@ -334,15 +393,9 @@ void MainWindow::retranslate() {
     m_actions->showFontSize(appliedFontSize());
     m_actions->nameViews(views());
     m_playback->retranslate();
-    m_inputsDock->setWindowTitle(tr("Inputs"));
-    m_verdictDock->setWindowTitle(tr("Verdict"));
-    m_messagesDock->setWindowTitle(tr("Messages"));
-    m_sheetDock->setWindowTitle(tr("Formulas of the step"));
     m_sheet->retranslate();
-    nameQtButtons(*this);
-    m_inputs->setAccessibleName(tr("Inputs"));
-    m_status->setAccessibleName(tr("Status"));
-    m_time->setAccessibleName(tr("Computing time"));
+    m_layout->retranslate();
+    m_status->retranslate();
     m_inputs->retranslate();
     m_messages->retranslate();
     for (View* view : views()) {
@@ -373,7 +426,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    saveWindow();
+    m_layout->save();
     event->accept();
 }
 

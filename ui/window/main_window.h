@@ -13,9 +13,6 @@
 
 #include <vector>
 
-class QDockWidget;
-class QLabel;
-
 namespace sparkout {
 
 class Actions;
@@ -27,14 +24,15 @@ class HelpDesk;
 class InputsPanel;
 class KeptRuns;
 class MessagesPanel;
-class PanelWidths;
 class PlaybackBar;
 class ProfilesView;
 class RunKeeper;
+class StatusLine;
 class StepSheet;
 class VerdictPanel;
 class View;
 class ViewTabs;
+class WindowLayout;
 
 /// The workbench: inputs, views, verdict and messages around one document.
 class MainWindow : public QMainWindow {
@@ -68,25 +66,17 @@ protected:
 private:
     void buildViews();
     void putGauge(double position_mm); ///< from the headstock end of the ground length
-    void buildDocks();
-    QDockWidget* addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area);
     void connectActions();
     void connectReports();
     void connectDocument();
-    void restoreWindow();
-    void resetLayout();
-    void fitPanels(); ///< beside the views, to the width that they need
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
     void setFontSize(int percent);
     void recolour();
-    void movePanel(int by);
     void toggleDetached();
-    void saveWindow();
     void showOutcome(const OutcomePtr& outcome);
     void showRequirement(const ConstraintResult& requirement);
     void showTitle();
-    void tell(const QString& text); ///< for some seconds, in the status bar
     void showStatus();
     void retranslate();
 
@@ -106,13 +96,8 @@ private:
     MessagesPanel* m_messages;
     PlaybackBar* m_playback;
     StepSheet* m_sheet;
-    QDockWidget* m_inputsDock = nullptr;
-    QDockWidget* m_verdictDock = nullptr;
-    QDockWidget* m_messagesDock = nullptr;
-    QDockWidget* m_sheetDock = nullptr;
-    PanelWidths* m_widths = nullptr;
-    QLabel* m_status;
-    QLabel* m_time;
+    StatusLine* m_status = nullptr;
+    WindowLayout* m_layout = nullptr;
     Actions* m_actions;
     FileCommands* m_files;
     RunKeeper* m_keeper = nullptr;

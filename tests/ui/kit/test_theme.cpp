@@ -230,13 +230,12 @@ private slots:
     void curvesAndLightsStandOut() {
         QFETCH(int, theme);
         const QPalette p = paletteOf(Theme(theme));
-        using style::Hue;
         for (const QColor& ground : {p.color(QPalette::Base), p.color(QPalette::AlternateBase),
                                      p.color(QPalette::Window)}) {
             // Sky and yellow only fill bands, which have names.
-            for (const Hue hue :
-                 {Hue::blue, Hue::vermilion, Hue::orange, Hue::green, Hue::purple}) {
-                verifyContrast("curves and lights", style::colour(hue, p), ground, graphContrast);
+            for (const Tone curve :
+                 {Tone::blue, Tone::vermilion, Tone::orange, Tone::green, Tone::purple}) {
+                verifyContrast("curves and lights", tone(curve, p), ground, graphContrast);
             }
         }
         QCustomPlot plot;
@@ -327,9 +326,9 @@ private slots:
             applyTheme(theme);
             const QPalette p = QApplication::palette();
             QCOMPARE(mostCommonSolid(lightPixmap(Light::holds, 16, 1, false).toImage()),
-                     style::colour(style::Hue::green, p));
+                     style::colour(style::Drawn::holds, p));
             QCOMPARE(mostCommonSolid(lightPixmap(Light::fails, 16, 1, false).toImage()),
-                     style::colour(style::Hue::vermilion, p));
+                     style::colour(style::Drawn::fails, p));
         }
     }
 

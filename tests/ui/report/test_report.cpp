@@ -7,7 +7,7 @@
 #include "ui/report/format/pages.h"
 #include "ui/report/format/pdf_details.h"
 #include "ui/report/format/report_text.h"
-#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/session/document.h"
 #include "ui/text/language.h"
 #include "ui/text/names.h"
@@ -39,7 +39,8 @@ OutcomePtr outcomeOf(const QString& path) {
 }
 
 QByteArray made(const OutcomePtr& outcome, Format format, const QDate& date = day) {
-    return bytesOf(report::cycleCard(outcome, QStringLiteral("/tmp/part.sparkout"), date), format);
+    return bytesOf(report::CycleCard::write(outcome, QStringLiteral("/tmp/part.sparkout"), date),
+                   format);
 }
 
 /// Numbers that the card must hold, from the engine's result.
@@ -93,7 +94,7 @@ private slots:
             QVERIFY2(text.contains(number), qPrintable(number + u'\n' + text));
         }
         const QString info = told(QStringLiteral("pdfinfo"), {}, pdf);
-        const auto title = report::cycleCard(outcome, {}, day).title;
+        const auto title = report::CycleCard::write(outcome, {}, day).title;
         QVERIFY2(info.contains(title), qPrintable(info));
         QVERIFY2(info.contains(QStringLiteral("(A4)")), qPrintable(info));
         const QStringList fonts =
@@ -190,7 +191,7 @@ private slots:
         project.title = "Вал (1) \\ shaft";
         project.author = "Ф. И. Отчество";
         const OutcomePtr outcome = fixtures::run(project);
-        const report::Report card = report::cycleCard(outcome, {}, day);
+        const report::Report card = report::CycleCard::write(outcome, {}, day);
         const QByteArray pdf = bytesOf(card, Format::pdf);
         QStringList headings, entries;
         for (const report::Block& block : card.blocks) {
@@ -285,7 +286,7 @@ private slots:
             const OutcomePtr outcome = outcomeOf(path);
             QVERIFY(outcome && outcome->ran());
             const Project& project = outcome->result.project;
-            const report::Table table = report::CycleCard::stages(*outcome);
+            const report::Table table = report::OperationSetup::stages(*outcome);
             const auto column = table.head.indexOf(QStringLiteral("Stock per side, mm"));
             QVERIFY(column > 0);
             double sum = 0;

@@ -6,7 +6,7 @@
 #include "tests/ui/support/passport_bench.h"
 #include "ui/report/documents/report_kinds.h"
 #include "ui/report/format/pages.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/input_fact.h"
 #include "ui/text/number_text.h"
 
 #include <QPaintEngine>

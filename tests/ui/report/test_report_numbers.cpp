@@ -3,9 +3,12 @@
 // its own place.
 #include "tests/registry.h"
 #include "tests/ui/support/passport_bench.h"
-#include "ui/report/documents/passport_parts.h"
-#include "ui/report/parts/cycle_card_parts.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/documents/capability_chart.h"
+#include "ui/report/documents/cycle_card.h"
+#include "ui/report/documents/passport_prediction.h"
+#include "ui/report/documents/passport_verdict.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -16,7 +19,8 @@ namespace test_report_numbers {
 using namespace sparkout;
 using namespace passport_bench;
 using report::CycleCard;
-using report::Passport;
+using report::PassportPrediction;
+using report::PassportVerdict;
 
 namespace {
 
@@ -120,7 +124,7 @@ private slots:
                                requirement(ConstraintKind::diameterMax, 0, 3.5),
                                requirement(ConstraintKind::radialRunout, 0, 2.75)};
         for (const report::Table& table :
-             {CycleCard::requirements(outcome), Passport::requirements(outcome)}) {
+             {CycleCard::requirements(outcome), PassportPrediction::requirements(outcome)}) {
             QCOMPARE(table.head.value(2), QStringLiteral("Value"));
             QCOMPARE(table.rows.at(0).value(2), QStringLiteral("+1.25"));
             QCOMPARE(table.rows.at(1).value(2), QStringLiteral("+3.50"));
@@ -130,28 +134,28 @@ private slots:
 
     void theLeastPpkIsThatOfTheLeastCapable() {
         BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
-        QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[1]);
+        QCOMPARE(PassportVerdict::leastCapable(summary), &summary.characteristics[1]);
         summary.characteristics[1].ppk.reset(); // not limited
-        QCOMPARE(Passport::leastCapable(summary), &summary.characteristics[2]);
+        QCOMPARE(PassportVerdict::leastCapable(summary), &summary.characteristics[2]);
         for (CharacteristicSummary& of : summary.characteristics) {
             of.ppk.reset();
         }
-        QVERIFY(!Passport::leastCapable(summary));
+        QVERIFY(!PassportVerdict::leastCapable(summary));
     }
 
     /// What rejects most parts decides; without rejects the least Ppk does.
     void theCharacteristicOfMostRejectsDecides() {
         BatchSummary summary = summaryWith({1.5, 1.4, 0.9});
-        QCOMPARE(Passport::deciding(summary), &summary.characteristics[2]);
+        QCOMPARE(PassportVerdict::deciding(summary), &summary.characteristics[2]);
         summary.characteristics[0].outside.count = 1;
         summary.characteristics[1].outside.count = 3;
         summary.characteristics[2].outside.count = 2;
-        QCOMPARE(Passport::deciding(summary), &summary.characteristics[1]);
+        QCOMPARE(PassportVerdict::deciding(summary), &summary.characteristics[1]);
     }
 
     void theCapabilityChartBeginsWithTheLeastPpk() {
         const BatchSummary summary = summaryWith({1.5, 0.9, 1.2});
-        const std::optional<report::Figure> chart = Passport::capabilityChart(summary);
+        const std::optional<report::Figure> chart = report::CapabilityChart::figure(summary);
         QVERIFY(chart.has_value());
         QStringList expected;
         for (const std::size_t i : {1, 2, 0}) {
@@ -167,7 +171,7 @@ private slots:
         project.part.tolerance.radial_runout_um = 6;
         const Outcome outcome = *fixtures::run(project);
         const std::vector<Characteristic> all = characteristicsOf(project);
-        const report::Table table = Passport::nominal(outcome);
+        const report::Table table = PassportPrediction::nominal(outcome);
         QCOMPARE(table.head.value(2), QStringLiteral("Limits"));
         QCOMPARE(table.rows.size(), all.size());
         int above = 0, between = 0;
@@ -196,7 +200,7 @@ private slots:
         });
         subject.worst = worst;
         const auto tableOf = [&subject] {
-            const std::vector<report::Block> blocks = Passport::worst(subject);
+            const std::vector<report::Block> blocks = PassportPrediction::worst(subject);
             return std::get<report::Table>(blocks.back());
         };
         const std::vector<QStringList> rows = tableOf().rows;

@@ -1,38 +1,130 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/cycle_card.h"
 
-#include "ui/report/parts/cycle_card_parts.h"
+#include "core/quality/finished_surface.h"
+#include "core/units.h"
+#include "ui/charts/verdict_model.h"
+#include "ui/charts/verdict_why.h"
+#include "ui/report/documents/outcome_remarks.h"
+#include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/feeds_figure.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
-#include "ui/report/parts/report_values.h"
 #include "ui/text/example_texts.h"
+#include "ui/text/limit_names.h"
+#include "ui/text/names.h"
+#include "ui/text/texts.h"
+#include "ui/views/verdict/verdict_text.h"
+
+#include <algorithm>
 
 namespace sparkout::report {
 
-Report cycleCard(const OutcomePtr& outcome, const QString& file, const QDate& date) {
+std::vector<Block> CycleCard::verdict(const Outcome& outcome) {
+    const bool good = verdict::overallLight(outcome) != Light::fails;
+    std::vector<Block> blocks;
+    blocks.push_back(Facts{{{tr("Prediction for the part"), good ? tr("good") : tr("not good")},
+                            {tr("Machining time"), verdict::time(outcome.result)}}});
+    QStringList lines{verdict::overall(outcome)};
+    if (outcome.result.status != RunStatus::completed) {
+        lines.prepend(verdict::status(outcome.result));
+    }
+    for (const ConstraintResult& c : outcome.constraints) {
+        if (!c.holds && c.isWhole) {
+            lines << verdict::why(outcome, c);
+        }
+    }
+    if (const QString off = LimitNames::notChecked(outcome.result.project); !off.isEmpty()) {
+        lines << off + QLatin1Char('.');
+    }
+    for (const QString& line : lines) {
+        blocks.push_back(Paragraph{line});
+    }
+    return blocks;
+}
+
+Table CycleCard::accuracy(const Outcome& outcome) {
+    const auto micrometres = [](double value_mm) {
+        return Names::micrometres(value_mm * units::umPerMm);
+    };
+    const auto deviation = [](double value_mm) {
+        return Names::signedMicrometres(value_mm * units::umPerMm);
+    };
+    Table table;
+    table.head = {tr("Zone or section"),
+                  tr("From the headstock end, mm"),
+                  tr("Smallest deviation, µm"),
+                  tr("Largest deviation, µm"),
+                  tr("Radial runout, µm"),
+                  tr("Roundness, µm"),
+                  tr("Ra, µm")};
+    const bool roughness = std::ranges::any_of(outcome.constraints, [](const ConstraintResult& c) {
+        return c.kind == ConstraintKind::roughness;
+    });
+    if (!roughness) {
+        table.head.removeLast();
+    }
+    const bool whole = FinishedSurface(outcome.result.project).isWhole();
+    const auto& sections = outcome.result.sections;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const SectionResult& section = sections[i];
+        const SectionAccuracy& form = outcome.accuracy.sections.at(i);
+        QStringList row{Names::zoneFull(section.zone, static_cast<int>(i)),
+                        Names::significant(section.position_mm),
+                        whole ? deviation(section.diameterDeviationMin_mm) : cell({}),
+                        whole ? deviation(section.diameterDeviationMax_mm) : cell({}),
+                        whole ? micrometres(section.radialRunout_mm) : cell({}),
+                        whole ? micrometres(form.minimumZone.deviation()) : cell({})};
+        if (roughness) {
+            const auto ra =
+                std::ranges::find_if(outcome.constraints, [&](const ConstraintResult& c) {
+                    return c.kind == ConstraintKind::roughness && c.section == static_cast<int>(i);
+                });
+            row << (ra == outcome.constraints.end() ? cell({}) : Names::value(*ra));
+        }
+        table.rows.push_back(row);
+    }
+    table.texts = {true};
+    return table;
+}
+
+Table CycleCard::requirements(const Outcome& outcome) {
+    Table table;
+    table.head = {tr("Zone or section"), tr("Requirement"), tr("Value"),  tr("Limit"),
+                  tr("Margin"),          tr("Unit"),        tr("Verdict")};
+    table.texts = {true, true, false, false, false, true, true};
+    for (const ConstraintResult& c : outcome.constraints) {
+        table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
+                              Names::limit(c), Names::margin(c), requirementUnit(c.kind),
+                              lightName(c)});
+    }
+    return table;
+}
+
+Report CycleCard::write(const OutcomePtr& outcome, const QString& file, const QDate& date) {
     const Project& project = outcome->result.project;
-    Report report =
-        begunReport(CycleCard::tr("Cycle card of a grinding operation"), project, file, date);
+    Report report = begunReport(tr("Cycle card of a grinding operation"), project, file, date);
     auto& blocks = report.blocks;
     const auto heading = [&blocks](const QString& text) { blocks.push_back(Heading{text}); };
-    blocks.push_back(CycleCard::header(project, date));
+    blocks.push_back(OperationSetup::header(project, date));
     blocks.push_back(partSketch(outcome));
-    heading(CycleCard::tr("Tooling and settings"));
-    blocks.push_back(CycleCard::settings(*outcome));
-    heading(CycleCard::tr("Regimes by stage"));
-    blocks.push_back(CycleCard::stages(*outcome));
-    heading(CycleCard::tr("Verdict"));
-    for (Block& block : CycleCard::verdict(*outcome)) {
+    heading(tr("Tooling and settings"));
+    blocks.push_back(OperationSetup::settings(*outcome));
+    heading(tr("Regimes by stage"));
+    blocks.push_back(OperationSetup::stages(*outcome));
+    heading(tr("Verdict"));
+    for (Block& block : verdict(*outcome)) {
         blocks.push_back(std::move(block));
     }
-    heading(CycleCard::tr("Predicted accuracy"));
-    blocks.push_back(CycleCard::accuracy(*outcome));
+    heading(tr("Predicted accuracy"));
+    blocks.push_back(accuracy(*outcome));
     if (!outcome->constraints.empty()) {
-        heading(CycleCard::tr("Requirements and margins"));
-        blocks.push_back(CycleCard::requirements(*outcome));
+        heading(tr("Requirements and margins"));
+        blocks.push_back(requirements(*outcome));
     }
     if (auto figure = feedsFigure(outcome)) {
-        heading(CycleCard::tr("Course of the cycle"));
+        heading(tr("Course of the cycle"));
         blocks.push_back(std::move(*figure));
     }
     const auto texts = [&](const QString& name, const QStringList& lines) {
@@ -43,14 +135,14 @@ Report cycleCard(const OutcomePtr& outcome, const QString& file, const QDate& da
             }
         }
     };
-    texts(CycleCard::tr("What rests on estimates"), CycleCard::estimates(*outcome));
-    texts(CycleCard::tr("Remarks"), CycleCard::remarks(*outcome));
+    texts(tr("What rests on estimates"), OutcomeRemarks::estimates(*outcome));
+    texts(tr("Remarks"), OutcomeRemarks::remarks(*outcome));
     const QString notes = manyLines(exampleNotes(project.notes)).trimmed();
-    texts(CycleCard::tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});
-    blocks.push_back(Paragraph{
-        CycleCard::tr("The numbers are predictions of a model and are to be confirmed at the "
-                      "machine. The card follows the layout of an operation card and claims no "
-                      "conformity with the form of any standard.")});
+    texts(tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});
+    blocks.push_back(
+        Paragraph{tr("The numbers are predictions of a model and are to be confirmed at the "
+                     "machine. The card follows the layout of an operation card and claims no "
+                     "conformity with the form of any standard.")});
     return report;
 }
 

@@ -4,10 +4,23 @@
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 
+#include <QCoreApplication>
+
 namespace sparkout::report {
 
 /// The cycle card: what the operator sets and what the part comes out as, in the layout of an
-/// operation card. Of an outcome that ran. `file` is the path of the project, or empty.
-[[nodiscard]] Report cycleCard(const OutcomePtr& outcome, const QString& file, const QDate& date);
+/// operation card.
+class CycleCard {
+    Q_DECLARE_TR_FUNCTIONS(CycleCard)
+public:
+    /// Of an outcome that ran. `file` is the path of the project, or empty.
+    [[nodiscard]] static Report write(const OutcomePtr& outcome, const QString& file,
+                                      const QDate& date);
+
+    // Its sections.
+    static std::vector<Block> verdict(const Outcome& outcome);
+    static Table accuracy(const Outcome& outcome); ///< by zone or section
+    static Table requirements(const Outcome& outcome);
+};
 
 } // namespace sparkout::report

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/documents/passport.h"
 
-#include "ui/report/documents/passport_parts.h"
-#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/documents/capability_chart.h"
+#include "ui/report/documents/outcome_remarks.h"
+#include "ui/report/documents/passport_figures.h"
+#include "ui/report/documents/passport_inputs.h"
+#include "ui/report/documents/passport_prediction.h"
+#include "ui/report/documents/passport_verdict.h"
+#include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
-#include "ui/report/parts/report_values.h"
 #include "ui/text/example_texts.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <iterator>
@@ -15,37 +23,39 @@ namespace sparkout::report {
 
 namespace {
 
+/// Writes the passport section by section.
 class PassportWriter {
+    Q_DECLARE_TR_FUNCTIONS(Passport)
 public:
     explicit PassportWriter(const Subject& subject)
         : m_subject(subject), m_outcome(*subject.outcome), m_project(m_outcome.result.project) {}
 
     Report write() {
-        m_report = begunReport(Passport::tr("Accuracy passport of a grinding cycle"), m_project,
+        m_report = begunReport(tr("Accuracy passport of a grinding cycle"), m_project,
                                m_subject.file, m_subject.date);
-        add(CycleCard::header(m_project, m_subject.date));
-        section(Passport::tr("Verdict"), Passport::verdict(m_subject));
-        heading(Passport::tr("Drawing and part"));
+        add(OperationSetup::header(m_project, m_subject.date));
+        section(tr("Verdict"), PassportVerdict::verdict(m_subject));
+        heading(tr("Drawing and part"));
         add(partSketch(m_subject.outcome));
-        add(Passport::drawing(m_project));
-        heading(Passport::tr("Tooling and settings"));
-        add(CycleCard::settings(m_outcome));
-        heading(Passport::tr("Regimes by stage"));
-        add(CycleCard::stages(m_outcome));
-        section(Passport::tr("Batch: factors and scenarios"), Passport::scenarios(m_subject));
+        add(PassportInputs::drawing(m_project));
+        heading(tr("Tooling and settings"));
+        add(OperationSetup::settings(m_outcome));
+        heading(tr("Regimes by stage"));
+        add(OperationSetup::stages(m_outcome));
+        section(tr("Batch: factors and scenarios"), PassportInputs::scenarios(m_subject));
         addPrediction();
         addProfiles();
         if (m_subject.batch) {
-            section(Passport::tr("Worst part of the batch"), Passport::worst(m_subject));
+            section(tr("Worst part of the batch"), PassportPrediction::worst(m_subject));
         }
         if (!m_outcome.constraints.empty()) {
-            heading(Passport::tr("Requirements of the nominal part"));
-            add(Passport::requirements(m_outcome));
+            heading(tr("Requirements of the nominal part"));
+            add(PassportPrediction::requirements(m_outcome));
         }
         addTexts();
-        section(Passport::tr("Recomputing"), Passport::recomputing(m_subject));
-        heading(Passport::tr("Appendix: all inputs"));
-        add(Passport::inputs(m_project));
+        section(tr("Recomputing"), PassportInputs::recomputing(m_subject));
+        heading(tr("Appendix: all inputs"));
+        add(PassportInputs::inputs(m_project));
         return std::move(m_report);
     }
 
@@ -73,64 +83,63 @@ private:
     }
 
     void addPrediction() {
-        heading(Passport::tr("Predicted accuracy against the drawing"));
+        heading(tr("Predicted accuracy against the drawing"));
         if (!m_subject.batch) {
-            add(Passport::nominal(m_outcome));
+            add(PassportPrediction::nominal(m_outcome));
             return;
         }
         const BatchSummary& summary = m_subject.batch->summary;
-        add(Passport::values(m_subject));
+        add(PassportPrediction::values(m_subject));
         if (!summary.isSample) {
-            add(Paragraph{Passport::tr("Corners are no sample: they tell extremes and counts, no "
-                                       "mean and no capability.")});
+            add(Paragraph{tr("Corners are no sample: they tell extremes and counts, no "
+                             "mean and no capability.")});
         }
         if (summary.characteristics.empty()) {
             return; // no part reached size
         }
-        heading(Passport::tr("Capability and share out of tolerance"));
-        add(Passport::capability(summary));
-        if (auto chart = Passport::capabilityChart(summary)) {
+        heading(tr("Capability and share out of tolerance"));
+        add(PassportPrediction::capability(summary));
+        if (auto chart = CapabilityChart::figure(summary)) {
             add(std::move(*chart));
         }
         if (summary.isSample) {
-            heading(Passport::tr("Percentiles"));
-            Table table = Passport::percentiles(summary);
+            heading(tr("Percentiles"));
+            Table table = PassportPrediction::percentiles(summary);
             const bool hasDash = std::ranges::any_of(table.rows, [](const QStringList& row) {
                 return row.contains(QStringLiteral("–"));
             });
             add(std::move(table));
             if (hasDash) {
-                add(Paragraph{
-                    Passport::tr("–: of so few values it would be the smallest or the largest.")});
+                add(Paragraph{tr("–: of so few values it would be the smallest or the largest.")});
             }
         }
-        heading(Passport::tr("Distribution against the tolerance field"));
+        heading(tr("Distribution against the tolerance field"));
         addHistograms(summary);
     }
 
     /// Of the mean diameter, and of what decides when that is not a diameter.
     void addHistograms(const BatchSummary& summary) {
         const std::string usual = summary.characteristics.front().characteristic.name;
-        add(Passport::histograms(summary, usual));
-        const CharacteristicSummary* deciding = Passport::deciding(summary);
+        add(PassportFigures::histograms(summary, usual));
+        const CharacteristicSummary* deciding = PassportVerdict::deciding(summary);
         if (deciding && !std::string_view(deciding->characteristic.name).starts_with(usual)) {
-            add(Passport::histograms(summary, deciding->characteristic.name));
+            add(PassportFigures::histograms(summary, deciding->characteristic.name));
         }
     }
 
     void addProfiles() {
         if (!m_outcome.result.sections.empty()) {
-            heading(Passport::tr("Nominal part at the end of the cycle"));
-            add(Passport::alongThePart(m_outcome));
-            add(Passport::crossSections(m_outcome));
+            heading(tr("Nominal part at the end of the cycle"));
+            add(PassportFigures::alongThePart(m_outcome));
+            add(PassportFigures::crossSections(m_outcome));
         }
     }
 
     void addTexts() {
-        lines(Passport::tr("What rests on estimates"), CycleCard::estimates(m_outcome));
-        lines(Passport::tr("Remarks"), CycleCard::remarks(m_outcome));
+        lines(tr("What rests on estimates"), OutcomeRemarks::estimates(m_outcome));
+        lines(tr("Remarks"), OutcomeRemarks::remarks(m_outcome));
         const QString notes = manyLines(exampleNotes(m_project.notes)).trimmed();
-        lines(Passport::tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});
+        lines(tr("Notes"), notes.isEmpty() ? QStringList() : QStringList{notes});
     }
 
     const Subject& m_subject;

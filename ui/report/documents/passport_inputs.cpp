@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was put into the cycle and its batch.
-#include "ui/report/documents/passport_parts.h"
+#include "ui/report/documents/passport_inputs.h"
 
 #include "core/batch/scenario_source.h"
 #include "core/project/leaves.h"
 #include "core/project/member.h"
 #include "core/study/batch_edits.h"
 #include "core/version.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/input_fact.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
@@ -52,7 +52,7 @@ std::vector<std::pair<double, double>> drawnRanges(const ScenarioSource& source)
 Table correlations(const std::vector<GivenFactor>& factors,
                    const std::vector<std::vector<double>>& matrix) {
     Table table;
-    table.head = {Passport::tr("Correlation")};
+    table.head = {PassportInputs::tr("Correlation")};
     table.texts = {true};
     for (std::size_t i = 0; i < factors.size(); ++i) {
         table.head << BatchText::factor(factors[i].kind);
@@ -77,7 +77,7 @@ bool isOtherForm(const Leaf& leaf, bool isNumber) {
 
 } // namespace
 
-Facts Passport::drawing(const Project& project) {
+Facts PassportInputs::drawing(const Project& project) {
     Facts facts{{inputFact(project, "/part/upper_deviation_um"),
                  inputFact(project, "/part/lower_deviation_um")}};
     for (const char* path : {"/part/target_diameter_mm", "/part/tolerance/radial_runout_um",
@@ -92,7 +92,7 @@ Facts Passport::drawing(const Project& project) {
     return facts;
 }
 
-QString Passport::law(const GivenFactor& factor) {
+QString PassportInputs::law(const GivenFactor& factor) {
     const Factor& law = factor.law;
     switch (formOf(law)) {
     case FactorForm::constant: return tr("constant %1").arg(plainNumber(law.uniform->front()));
@@ -127,7 +127,7 @@ QString Passport::law(const GivenFactor& factor) {
     return cell({});
 }
 
-std::vector<Block> Passport::scenarios(const Subject& subject) {
+std::vector<Block> PassportInputs::scenarios(const Subject& subject) {
     if (!subject.batch) {
         return {Paragraph{tr("This project describes no batch, so the passport tells the nominal "
                              "part alone: no scatter, no capability, no share out of tolerance.")},
@@ -173,7 +173,7 @@ std::vector<Block> Passport::scenarios(const Subject& subject) {
     return blocks;
 }
 
-Table Passport::inputs(const Project& project) {
+Table PassportInputs::inputs(const Project& project) {
     constexpr std::array<std::string_view, 6> left{
         "/title",        "/author", "/notes",
         "/optimisation", "/sweep",  "/runs"}; // no part of what is computed
@@ -201,7 +201,7 @@ Table Passport::inputs(const Project& project) {
     return table;
 }
 
-std::vector<Block> Passport::recomputing(const Subject& subject) {
+std::vector<Block> PassportInputs::recomputing(const Subject& subject) {
     const Project& project = subject.outcome->result.project;
     const QString file = manyLines(QFileInfo(subject.file).fileName()).simplified();
     const QString command = QStringLiteral("sparkout --report passport \"%1\" -o passport.pdf")

@@ -16,7 +16,7 @@ namespace sparkout::report {
 namespace {
 
 Report makeCard(const Subject& subject) {
-    return cycleCard(subject.outcome, subject.file, subject.date);
+    return CycleCard::write(subject.outcome, subject.file, subject.date);
 }
 
 Report makeHandout(const Subject& subject) {

@@ -1,127 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/handout/course_handout.h"
 
-#include "ui/report/handout/course_handout_parts.h"
-#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/handout/citations.h"
+#include "ui/report/handout/exercise_sheet.h"
+#include "ui/report/handout/exercises.h"
+#include "ui/report/handout/handout_figures.h"
+#include "ui/report/handout/handout_task.h"
+#include "ui/report/handout/worked_step.h"
+#include "ui/report/parts/begun_report.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/report/parts/part_sketch.h"
-#include "ui/report/parts/report_values.h"
-#include "ui/views/verdict/verdict_text.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 namespace sparkout::report {
 
 namespace {
 
-constexpr std::array viewRows{
-    HandoutViewRow{HandoutView::feeds, "feeds",
-                   QT_TRANSLATE_NOOP("HandoutView", "Feeds around the step, with E1…E5")},
-    HandoutViewRow{HandoutView::cycle, "cycle",
-                   QT_TRANSLATE_NOOP("HandoutView", "Feeds over the whole cycle")},
-    HandoutViewRow{HandoutView::profiles, "profiles",
-                   QT_TRANSLATE_NOOP("HandoutView", "Zone profiles at the end")},
-    HandoutViewRow{HandoutView::limits, "limits",
-                   QT_TRANSLATE_NOOP("HandoutView", "Actual feed under its limits")},
-};
-
-/// The blocks of the hand-out, section by section.
-class HandoutBlocks {
+/// Writes the hand-out section by section.
+class HandoutWriter {
+    Q_DECLARE_TR_FUNCTIONS(CourseHandout)
 public:
-    explicit HandoutBlocks(std::vector<Block>& blocks) : m_blocks(blocks) {}
-    void heading(const QString& text) { m_blocks.emplace_back(Heading{text}); }
-    void add(Block block) { m_blocks.push_back(std::move(block)); }
-    void add(std::vector<Block> blocks) { std::ranges::move(blocks, std::back_inserter(m_blocks)); }
+    HandoutWriter(const OutcomePtr& outcome, const HandoutOptions& options,
+                  const std::function<void()>& breathe)
+        : m_outcome(outcome), m_options(options), m_breathe(breathe) {}
+
+    Report write(const QString& file, const QDate& date) {
+        const Project& project = m_outcome->result.project;
+        m_report = begunReport(tr("Course hand-out"), project, file, date);
+        std::optional<HandoutStep> step = findStep(m_outcome->trajectory, m_options.step);
+        if (!step) {
+            step = findStep(m_outcome->trajectory); // roughing was over before it began
+        }
+        const std::vector<Exercise> exercises = makeExercises(*m_outcome, step, m_breathe);
+        add(HandoutTask::header(project, file, date));
+        heading(tr("The task"));
+        add(Paragraph{HandoutTask::task(*m_outcome)});
+        add(partSketch(m_outcome));
+        heading(tr("Stages of the cycle"));
+        add(OperationSetup::stages(*m_outcome));
+        heading(tr("Inputs of the formulas"));
+        Citations citations;
+        const StepBlocks worked =
+            step ? WorkedStep::formulas(*m_outcome, *step, citations) : StepBlocks();
+        add(HandoutTask::inputs(*m_outcome, step, worked.symbols, citations));
+        addStep(step, worked.blocks);
+        addFigures(step);
+        if (!exercises.empty()) {
+            heading(tr("Questions"));
+            add(ExerciseSheet::questions(exercises));
+        }
+        heading(tr("Sources"));
+        add(citations.table());
+        if (m_options.answers && !exercises.empty()) {
+            add(PageBreak{});
+            heading(tr("Answers"));
+            add(ExerciseSheet::answers(exercises, project.operation));
+        }
+        return std::move(m_report);
+    }
 
 private:
-    std::vector<Block>& m_blocks;
-};
-
-void addStep(HandoutBlocks& blocks, const Outcome& outcome, const std::optional<HandoutStep>& step,
-             const std::vector<Block>& formulas) {
-    blocks.heading(CourseHandout::tr("The step worked out"));
-    if (!step) {
-        blocks.add(Paragraph{CourseHandout::tr(
-            "The cycle is too long to be recorded, so no step of it can be worked out.")});
-        return;
+    void heading(const QString& text) { m_report.blocks.emplace_back(Heading{text}); }
+    void add(Block block) { m_report.blocks.push_back(std::move(block)); }
+    void add(std::vector<Block> blocks) {
+        std::ranges::move(blocks, std::back_inserter(m_report.blocks));
     }
-    blocks.add(CourseHandout::stepFacts(outcome, *step));
-    blocks.add(Paragraph{CourseHandout::tr(
-        "Every formula stands in symbols, then with its numbers, then with its result. Numbers are "
-        "put in with as many digits as the printed result needs.")});
-    blocks.add(formulas);
-}
+
+    void addStep(const std::optional<HandoutStep>& step, const std::vector<Block>& formulas) {
+        heading(tr("The step worked out"));
+        if (!step) {
+            add(Paragraph{
+                tr("The cycle is too long to be recorded, so no step of it can be worked out.")});
+            return;
+        }
+        add(WorkedStep::facts(*m_outcome, *step));
+        add(Paragraph{
+            tr("Every formula stands in symbols, then with its numbers, then with its result. "
+               "Numbers are put in with as many digits as the printed result needs.")});
+        add(formulas);
+    }
+
+    void addFigures(const std::optional<HandoutStep>& step) {
+        auto figures = HandoutFigures::figures(m_outcome, step, m_options.views, m_breathe);
+        if (!figures.empty()) {
+            heading(tr("Figures"));
+            add(std::move(figures));
+        }
+    }
+
+    const OutcomePtr& m_outcome;
+    const HandoutOptions& m_options;
+    const std::function<void()>& m_breathe;
+    Report m_report;
+};
 
 } // namespace
 
-std::span<const HandoutViewRow> handoutViews() {
-    return viewRows;
-}
-
-std::optional<std::set<HandoutView>> readHandoutViews(const QString& text) {
-    std::set<HandoutView> views;
-    for (const QString& word : text.split(u',', Qt::SkipEmptyParts)) {
-        const auto row = std::ranges::find_if(viewRows, [&](const HandoutViewRow& r) {
-            return word.trimmed() == QLatin1StringView(r.key);
-        });
-        if (row == viewRows.end()) {
-            return {};
-        }
-        views.insert(row->view);
-    }
-    return views;
-}
-
-QString handoutViewText(const std::set<HandoutView>& views) {
-    QStringList keys;
-    for (const HandoutViewRow& row : viewRows) {
-        if (views.contains(row.view)) {
-            keys << QString::fromLatin1(row.key);
-        }
-    }
-    return keys.join(u',');
-}
-
 Report courseHandout(const OutcomePtr& outcome, const QString& file, const QDate& date,
                      const HandoutOptions& options, const std::function<void()>& breathe) {
-    const Project& project = outcome->result.project;
-    Report report = begunReport(CourseHandout::tr("Course hand-out"), project, file, date);
-    std::optional<HandoutStep> step = findStep(outcome->trajectory, options.step);
-    if (!step) {
-        step = findStep(outcome->trajectory); // roughing was over before it began
-    }
-    const std::vector<Exercise> exercises = makeExercises(*outcome, step, breathe);
-    HandoutBlocks blocks(report.blocks);
-    blocks.add(CourseHandout::header(project, file, date));
-    blocks.heading(CourseHandout::tr("The task"));
-    blocks.add(Paragraph{CourseHandout::task(*outcome)});
-    blocks.add(partSketch(outcome));
-    blocks.heading(CourseHandout::tr("Stages of the cycle"));
-    blocks.add(CycleCard::stages(*outcome));
-    blocks.heading(CourseHandout::tr("Inputs of the formulas"));
-    Citations citations;
-    const StepBlocks worked =
-        step ? CourseHandout::stepFormulas(*outcome, *step, citations) : StepBlocks();
-    blocks.add(CourseHandout::inputs(*outcome, step, worked.symbols, citations));
-    addStep(blocks, *outcome, step, worked.blocks);
-    if (auto figures = CourseHandout::figures(outcome, step, options.views, breathe);
-        !figures.empty()) {
-        blocks.heading(CourseHandout::tr("Figures"));
-        blocks.add(std::move(figures));
-    }
-    if (!exercises.empty()) {
-        blocks.heading(CourseHandout::tr("Questions"));
-        blocks.add(CourseHandout::questions(exercises));
-    }
-    blocks.heading(CourseHandout::tr("Sources"));
-    blocks.add(CourseHandout::sources(citations));
-    if (options.answers && !exercises.empty()) {
-        blocks.add(PageBreak{});
-        blocks.heading(CourseHandout::tr("Answers"));
-        blocks.add(CourseHandout::answers(exercises, project.operation));
-    }
-    return report;
+    return HandoutWriter(outcome, options, breathe).write(file, date);
 }
 
 } // namespace sparkout::report

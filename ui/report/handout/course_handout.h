@@ -4,30 +4,12 @@
 #include "core/study/outcome.h"
 #include "ui/report/format/report.h"
 #include "ui/report/handout/handout_step.h"
+#include "ui/report/handout/handout_view.h"
 
 #include <functional>
-#include <optional>
 #include <set>
-#include <span>
 
 namespace sparkout::report {
-
-/// Figures that the hand-out can have.
-enum class HandoutView {
-    feeds,    ///< feeds around the step, with E1…E5
-    cycle,    ///< feeds over the whole cycle
-    profiles, ///< cross-sections at the end
-    limits,   ///< actual feed under its limits
-};
-struct HandoutViewRow {
-    HandoutView view;
-    const char* key;  ///< on the command line and in the settings
-    const char* name; ///< to be translated in the context HandoutView
-};
-[[nodiscard]] std::span<const HandoutViewRow> handoutViews();
-/// "feeds,limits"; nothing when one is not known. An empty text is none of them.
-[[nodiscard]] std::optional<std::set<HandoutView>> readHandoutViews(const QString& text);
-[[nodiscard]] QString handoutViewText(const std::set<HandoutView>& views);
 
 /// What a teacher chooses.
 struct HandoutOptions {

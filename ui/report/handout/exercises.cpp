@@ -2,7 +2,7 @@
 #include "ui/report/handout/exercises.h"
 
 #include "core/units.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 

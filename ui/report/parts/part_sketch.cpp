@@ -2,7 +2,8 @@
 #include "ui/report/parts/part_sketch.h"
 
 #include "core/process/system_compliance.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 

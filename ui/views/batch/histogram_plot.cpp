@@ -2,6 +2,7 @@
 #include "ui/views/batch/histogram_plot.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -254,8 +255,8 @@ void HistogramPlot::onMouse(QMouseEvent* event) {
 
 void HistogramPlot::restyle() {
     style::applyPalette(*this, palette());
-    const auto colour = [this](style::Hue hue) {
-        return style::dimmed(style::colour(hue, palette()), isDimmed());
+    const auto colour = [this](style::Drawn what) {
+        return style::dimmed(style::colour(what, palette()), isDimmed());
     };
     for (const Cell& cell : m_cells) {
         cell.header->setFont(font());
@@ -264,14 +265,14 @@ void HistogramPlot::restyle() {
             axis->setTickLabelFont(font());
             axis->setLabelFont(font());
         }
-        cell.bars->setBrush(colour(style::Hue::sky));
+        cell.bars->setBrush(colour(style::Drawn::frequency));
         for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
             if (limit) {
-                limit->setPen(QPen(colour(style::Hue::vermilion), 2));
+                limit->setPen(QPen(colour(style::Drawn::limit), 2));
             }
         }
         if (cell.mean) {
-            cell.mean->setPen(QPen(colour(style::Hue::blue), 1.5, Qt::DashLine));
+            cell.mean->setPen(QPen(colour(style::Drawn::mean), 1.5, Qt::DashLine));
         }
     }
 }

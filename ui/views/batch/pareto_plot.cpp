@@ -2,6 +2,7 @@
 #include "ui/views/batch/pareto_plot.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
 #include <QLocale>
@@ -185,12 +186,12 @@ void ParetoPlot::restyle() {
         axis->setTickLabelFont(font());
         axis->setLabelFont(font());
     }
-    const auto colour = [this](style::Hue hue) {
-        return style::dimmed(style::colour(hue, palette()), isDimmed());
+    const auto colour = [this](style::Drawn what) {
+        return style::dimmed(style::colour(what, palette()), isDimmed());
     };
     m_bars->setPen(Qt::NoPen);
-    m_bars->setBrush(colour(style::Hue::sky));
-    const QColor line = colour(style::Hue::vermilion);
+    m_bars->setBrush(colour(style::Drawn::frequency));
+    const QColor line = colour(style::Drawn::cumulativeShare);
     m_sum->setPen(QPen(line, 1.5));
     m_sum->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, line, line, sharePointSize));
 }

@@ -2,6 +2,7 @@
 #include "ui/views/batch/scatter_plot.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
@@ -19,7 +20,7 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
+using style::Drawn;
 
 constexpr double partSize = 5, worstSize = 11; ///< [px]
 constexpr double nearEnough = 8;               ///< [px] a point is meant within
@@ -278,18 +279,18 @@ void ScatterPlot::restyle() {
         axis->setTickLabelFont(font());
         axis->setLabelFont(font());
     }
-    const auto colour = [this](Hue hue) {
-        return style::dimmed(style::colour(hue, palette()), isDimmed());
+    const auto colour = [this](Drawn what) {
+        return style::dimmed(style::colour(what, palette()), isDimmed());
     };
     const auto dots = [](QCPGraph& graph, const QColor& of) {
         graph.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, partSize));
     };
-    dots(*m_good, colour(Hue::blue));
-    dots(*m_outside, colour(Hue::vermilion));
-    m_worst->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle,
-                                             QPen(colour(Hue::orange), 2), Qt::NoBrush, worstSize));
+    dots(*m_good, colour(Drawn::goodPart));
+    dots(*m_outside, colour(Drawn::partOutside));
+    m_worst->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssCircle, QPen(colour(Drawn::worstPart), 2), Qt::NoBrush, worstSize));
     for (QCPItemStraightLine* line : m_limits) {
-        line->setPen(QPen(colour(Hue::vermilion), 1.5, Qt::DashLine));
+        line->setPen(QPen(colour(Drawn::limit), 1.5, Qt::DashLine));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "ui/views/batch/sensitivity_plot.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -17,11 +18,6 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
-
-constexpr std::array placeHues{Hue::blue,   Hue::orange, Hue::green,
-                               Hue::purple, Hue::sky,    Hue::vermilion};
-static_assert(placeHues.size() >= mostPlaces);
 constexpr double groupShare = 0.8; ///< of a factor's row that its bars take
 constexpr int outerAlpha = 90;
 
@@ -284,7 +280,7 @@ void SensitivityPlot::restyle() {
         axis->setLabelFont(font());
     }
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
-        QColor colour = style::dimmed(style::colour(placeHues[i], palette()), isDimmed());
+        QColor colour = style::dimmed(tone(style::oneOfSeries(i), palette()), isDimmed());
         m_bars[i].innerBars->setPen(Qt::NoPen);
         m_bars[i].innerBars->setBrush(colour);
         if (m_bars[i].outerBars) {

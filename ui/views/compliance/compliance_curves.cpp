@@ -10,7 +10,7 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
+using style::Drawn;
 
 constexpr double valueRoom = 1.1; ///< above the highest value
 constexpr int opacity = 110;
@@ -126,8 +126,14 @@ QCPRange ComplianceCurves::values() const {
 // --- look ---------------------------------------------------------------------------------------
 
 QColor ComplianceCurves::colourOf(CompliancePart part) const {
-    static constexpr Hue hues[] = {Hue::blue, Hue::green, Hue::orange, Hue::purple, Hue::vermilion};
-    return plot().toned(hues[static_cast<int>(part)]);
+    switch (part) {
+    case CompliancePart::wheelHead: return plot().toned(Drawn::wheelHead);
+    case CompliancePart::headstock: return plot().toned(Drawn::headstock);
+    case CompliancePart::tailstock: return plot().toned(Drawn::tailstock);
+    case CompliancePart::bending: return plot().toned(Drawn::bending);
+    case CompliancePart::rests: break;
+    }
+    return plot().toned(Drawn::rests);
 }
 
 void ComplianceCurves::restyle() {

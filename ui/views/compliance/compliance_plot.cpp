@@ -16,7 +16,7 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
+using style::Drawn;
 
 constexpr double sceneRoom = 1.02; ///< room around the drawing to scale
 constexpr double shaftShare = 0.8; ///< of the height of the curves
@@ -119,7 +119,7 @@ void CompliancePlot::fillBands() {
             const auto index = bands.size();
             band.from = point.position_mm - point.length_mm / 2;
             band.to = point.position_mm + point.length_mm / 2;
-            band.colour = style::colour(index == 1 ? Hue::yellow : Hue::sky, palette());
+            band.colour = style::colour(index == 1 ? Drawn::middleZone : Drawn::endZone, palette());
             band.colour.setAlpha(index == 1 ? 38 : 28);
             band.name = Names::zone(static_cast<Zone>(index));
             band.meaning = Names::zoneFull(static_cast<Zone>(index));
@@ -128,7 +128,7 @@ void CompliancePlot::fillBands() {
     } else {
         Band band;
         band.to = project.part.length_mm;
-        band.colour = style::colour(Hue::sky, palette());
+        band.colour = style::colour(Drawn::endZone, palette());
         band.colour.setAlpha(28);
         band.name = tr("ground length");
         bands.push_back(band);

@@ -9,16 +9,14 @@
 
 namespace sparkout {
 
+using style::Drawn;
+
 namespace {
 
 /// The two models often lie closer than the hundredths others are told in.
 QString fine(double value_um) {
     return Names::fixed(value_um, 3);
 }
-
-constexpr style::Hue independentHue = style::Hue::blue;
-constexpr style::Hue coupledHue = style::Hue::orange;
-constexpr style::Hue differenceHue = style::Hue::purple;
 
 } // namespace
 
@@ -90,25 +88,26 @@ LegendEntries CouplingCurves::legendEntries() const {
     if (!m_comparison) {
         return {};
     }
-    const auto line = [this](int key, style::Hue hue, Qt::PenStyle pen, const QString& text) {
-        return entry(key, plot().toned(hue), pen, text);
+    const auto line = [this](int key, Drawn what, Qt::PenStyle pen, const QString& text) {
+        return entry(key, plot().toned(what), pen, text);
     };
-    return {line(independentKey, independentHue, Qt::SolidLine, tr("sections independent")),
-            line(coupledKey, coupledHue, Qt::SolidLine, tr("sections coupled")),
-            line(differenceKey, differenceHue, Qt::DotLine, tr("coupled less independent")),
-            limitsEntry()};
+    return {
+        line(independentKey, Drawn::independentSections, Qt::SolidLine, tr("sections independent")),
+        line(coupledKey, Drawn::coupledSections, Qt::SolidLine, tr("sections coupled")),
+        line(differenceKey, Drawn::couplingDifference, Qt::DotLine, tr("coupled less independent")),
+        limitsEntry()};
 }
 
 void CouplingCurves::restyle() {
-    const auto look = [this](QCPGraph* graph, style::Hue hue, Qt::PenStyle pen,
+    const auto look = [this](QCPGraph* graph, Drawn what, Qt::PenStyle pen,
                              QCPScatterStyle::ScatterShape shape) {
-        const QColor colour = plot().toned(hue);
+        const QColor colour = plot().toned(what);
         graph->setPen(QPen(colour, 2, pen));
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 1.5), colour, 6));
     };
-    look(m_independent, independentHue, Qt::SolidLine, QCPScatterStyle::ssDisc);
-    look(m_coupled, coupledHue, Qt::SolidLine, QCPScatterStyle::ssSquare);
-    look(m_difference, differenceHue, Qt::DotLine, QCPScatterStyle::ssDiamond);
+    look(m_independent, Drawn::independentSections, Qt::SolidLine, QCPScatterStyle::ssDisc);
+    look(m_coupled, Drawn::coupledSections, Qt::SolidLine, QCPScatterStyle::ssSquare);
+    look(m_difference, Drawn::couplingDifference, Qt::DotLine, QCPScatterStyle::ssDiamond);
     restyleLimits();
 }
 

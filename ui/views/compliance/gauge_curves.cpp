@@ -132,9 +132,7 @@ QString GaugeCurves::nameOf(std::size_t section) const {
 }
 
 QColor GaugeCurves::colourOf(std::size_t section) const {
-    static constexpr style::Hue hues[] = {style::Hue::blue,   style::Hue::orange, style::Hue::green,
-                                          style::Hue::purple, style::Hue::yellow, style::Hue::sky};
-    return plot().toned(hues[section % std::size(hues)]);
+    return plot().toned(style::oneOfSeries(section));
 }
 
 LegendEntries GaugeCurves::legendEntries() const {
@@ -144,9 +142,10 @@ LegendEntries GaugeCurves::legendEntries() const {
     const QColor text = plot().ink();
     LegendEntries entries{
         entry(farthestKey, text, Qt::SolidLine, tr("farthest from the middle")),
-        entry(bestKey, plot().toned(style::Hue::green), Qt::NoPen, tr("best place")),
-        entry(presentKey, plot().toned(style::Hue::vermilion), Qt::NoPen, tr("present place")),
-        entry(spreadKey, plot().toned(style::Hue::sky), Qt::NoPen, tr("all diameters"))};
+        entry(bestKey, plot().toned(style::Drawn::bestGaugePlace), Qt::NoPen, tr("best place")),
+        entry(presentKey, plot().toned(style::Drawn::presentGaugePlace), Qt::NoPen,
+              tr("present place")),
+        entry(spreadKey, plot().toned(style::Drawn::allDiameters), Qt::NoPen, tr("all diameters"))};
     const std::vector<std::size_t> sections = drawnSections();
     for (std::size_t i = 0; i < sections.size(); ++i) {
         entries.push_back(entry(sectionKey + static_cast<int>(i), colourOf(i), Qt::SolidLine,
@@ -157,20 +156,20 @@ LegendEntries GaugeCurves::legendEntries() const {
 }
 
 void GaugeCurves::restyle() {
-    QColor spread = plot().toned(style::Hue::sky);
+    QColor spread = plot().toned(style::Drawn::allDiameters);
     m_lowest->setPen(Qt::NoPen);
     m_highest->setPen(Qt::NoPen);
     spread.setAlpha(spread.alpha() / 4);
     m_highest->setBrush(spread);
     m_farthest->setPen(QPen(plot().ink(), 2.5));
-    const auto mark = [&](QCPGraph* graph, style::Hue hue, QCPScatterStyle::ScatterShape shape,
+    const auto mark = [&](QCPGraph* graph, style::Drawn what, QCPScatterStyle::ScatterShape shape,
                           double size) {
-        const QColor colour = plot().toned(hue);
+        const QColor colour = plot().toned(what);
         graph->setPen(QPen(colour, 1.5, Qt::DotLine));
         graph->setScatterStyle(QCPScatterStyle(shape, QPen(colour, 2), colour, size));
     };
-    mark(m_best, style::Hue::green, QCPScatterStyle::ssDiamond, 12);
-    mark(m_present, style::Hue::vermilion, QCPScatterStyle::ssDisc, 9);
+    mark(m_best, style::Drawn::bestGaugePlace, QCPScatterStyle::ssDiamond, 12);
+    mark(m_present, style::Drawn::presentGaugePlace, QCPScatterStyle::ssDisc, 9);
     for (std::size_t i = 0; i < m_sections.size(); ++i) {
         m_sections[i]->setPen(QPen(colourOf(i), 1.5));
     }

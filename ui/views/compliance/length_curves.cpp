@@ -121,13 +121,13 @@ void LengthCurves::clearLimits() {
 void LengthCurves::restyleLimits() {
     for (QCPGraph* limit : m_limits) {
         if (limit) {
-            limit->setPen(QPen(m_plot.toned(style::Hue::vermilion), 1.5, Qt::DashLine));
+            limit->setPen(QPen(m_plot.toned(style::Drawn::limit), 1.5, Qt::DashLine));
         }
     }
 }
 
 LegendEntry LengthCurves::limitsEntry() const {
-    return entry(limitsKey, m_plot.toned(style::Hue::vermilion), Qt::DashLine,
+    return entry(limitsKey, m_plot.toned(style::Drawn::limit), Qt::DashLine,
                  tr("limits of the field, ±%1 µm").arg(Names::significant(m_limit_um)));
 }
 

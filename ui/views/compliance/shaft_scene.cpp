@@ -2,7 +2,7 @@
 #include "ui/views/compliance/shaft_scene.h"
 
 #include "ui/charts/profiles_look.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/texts.h"
 
 #include <algorithm>
@@ -194,7 +194,7 @@ void ShaftScene::draw(QCPPainter* painter) {
     }
     solid();
     drawRests(painter);
-    QColor wheel = style::colour(style::Hue::orange, palette);
+    QColor wheel = style::colour(style::Drawn::wheel, palette);
     wheel.setAlpha(wheelShade);
     painter->setPen(edge);
     painter->setBrush(wheel);

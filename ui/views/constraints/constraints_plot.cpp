@@ -16,7 +16,7 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
+using style::Drawn;
 using units::umPerMm;
 
 constexpr double lowest_um = 1e-6;    ///< drawn in place of 0, which has no logarithm
@@ -28,11 +28,8 @@ constexpr int forbiddenAlpha = 34;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
 
 /// Of the limits, in their order; those beyond look like the last.
-constexpr std::tuple<Hue, Qt::PenStyle> limitPens[] = {{Hue::vermilion, Qt::DashLine},
-                                                       {Hue::orange, Qt::DashDotLine},
-                                                       {Hue::green, Qt::DashLine},
-                                                       {Hue::sky, Qt::DashDotDotLine},
-                                                       {Hue::purple, Qt::DotLine}};
+constexpr Qt::PenStyle limitDashes[] = {Qt::DashLine, Qt::DashDotLine, Qt::DashLine,
+                                        Qt::DashDotDotLine, Qt::DotLine};
 
 void setPoints(QCPGraph& graph, const LimitPoints& points) {
     QVector<double> x, y;
@@ -259,9 +256,9 @@ void ConstraintsPlot::setLogarithmic(bool on) {
 // --- look ---------------------------------------------------------------------------------------
 
 QPen ConstraintsPlot::penOf(int key) const {
-    const auto pen = [this](Hue hue, Qt::PenStyle dashes) { return QPen(toned(hue), 1.6, dashes); };
+    constexpr double width = 1.6;
     if (key == actualKey) {
-        return pen(Hue::blue, Qt::SolidLine);
+        return {toned(Drawn::limitedFeed), width, Qt::SolidLine};
     }
     if (key == steplessKey) {
         return {ink(), 3, Qt::SolidLine};
@@ -269,8 +266,8 @@ QPen ConstraintsPlot::penOf(int key) const {
     const std::vector<ConstraintKind> kinds = depthLimitKinds();
     const auto place = static_cast<std::size_t>(
         std::ranges::find(kinds, static_cast<ConstraintKind>(key)) - kinds.begin());
-    const auto [hue, dashes] = limitPens[std::min(place, std::size(limitPens) - 1)];
-    return pen(hue, dashes);
+    return {toned(style::limitOfDepth(place)), width,
+            limitDashes[std::min(place, std::size(limitDashes) - 1)]};
 }
 
 LegendEntries ConstraintsPlot::legendEntries() const {
@@ -307,7 +304,7 @@ void ConstraintsPlot::restyle() {
     for (const auto& [kind, graph] : m_limits) {
         graph->setPen(penOf(static_cast<int>(kind)));
     }
-    QColor forbidden = style::colour(Hue::vermilion, palette());
+    QColor forbidden = style::colour(Drawn::forbidden, palette());
     forbidden.setAlpha(isDimmed() ? forbiddenAlpha / 3 : forbiddenAlpha);
     m_stepless->setPen(penOf(steplessKey));
     m_stepless->setBrush(forbidden);
@@ -316,7 +313,7 @@ void ConstraintsPlot::restyle() {
     m_actual->setPen(actual);
     m_actual->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssDisc, actual.color(), actual.color(), cutSize));
-    const QColor alarm = toned(Hue::vermilion);
+    const QColor alarm = toned(Drawn::fails);
     m_exceeded->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssSquare, alarm, alarm, exceededSize));
     const QColor text = ink();

@@ -2,7 +2,7 @@
 #include "ui/views/feeds/feeds_overview.h"
 
 #include "ui/plot/band_layer.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/views/feeds/feeds_plot.h"
 
 #include <QEvent>
@@ -95,7 +95,7 @@ void FeedsOverview::drawCurves() {
         }
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(style::colour(style::Hue::vermilion, palette()), 1.2));
+    painter.setPen(QPen(style::colour(style::Drawn::actualFeed, palette()), 1.2));
     const double scale = highest > 0 ? height() * (1 - headroom) / highest : 0;
     for (const std::vector<XY>& line : lines) {
         QPolygonF polygon;

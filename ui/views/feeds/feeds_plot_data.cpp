@@ -4,6 +4,7 @@
 
 #include "ui/plot/band_layer.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -133,7 +134,8 @@ std::vector<Band> FeedsPlot::stageBands() const {
     std::vector<Band> bands;
     for (const StageSpan& span : series().stages) {
         const bool odd = span.stage % 2 == 1;
-        QColor colour = style::colour(odd ? style::Hue::sky : style::Hue::yellow, palette());
+        QColor colour =
+            style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette());
         colour.setAlpha(odd ? 28 : 38);
         const QString name = tr("stage %1").arg(span.stage);
         bands.push_back({m_scale.at(span.start_s), m_scale.at(span.end_s), colour, name,

@@ -5,24 +5,13 @@
 #include "ui/plot/band_layer.h"
 #include "ui/plot/feed_text.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
 namespace sparkout {
 
-using style::Hue;
-
 QColor FeedsPlot::colourOf(Quantity quantity) const {
-    switch (quantity) {
-    case Quantity::programmed:
-    case Quantity::programmedSum: return style::colour(Hue::blue, palette());
-    case Quantity::actual:
-    case Quantity::actualSum: return style::colour(Hue::vermilion, palette());
-    case Quantity::came: return style::colour(Hue::green, palette());
-    case Quantity::left: return style::colour(Hue::purple, palette());
-    case Quantity::axialFeed: return style::colour(Hue::orange, palette());
-    case Quantity::force: break;
-    }
-    return palette().color(QPalette::Text);
+    return style::colour(style::drawnAs(quantity), palette());
 }
 
 int FeedsPlot::keyOf(Quantity quantity) {
@@ -34,13 +23,9 @@ int FeedsPlot::keyOf(Quantity quantity) {
 }
 
 QColor FeedsPlot::stepColour(Zone zone, Step step, const QPalette& palette) {
-    // Those of one zone stay apart for colour-blind readers, too, pale as they are.
-    const bool dark = style::isDark(palette); // where blue is sky
-    const Hue hues[] = {Hue::orange, Hue::green,  Hue::sky,
-                        Hue::purple, Hue::yellow, dark ? Hue::vermilion : Hue::blue,
-                        Hue::sky};
-    QColor colour = style::colour(hues[static_cast<int>(strokeStep(zone, step))], palette);
-    colour.setAlpha(dark ? 75 : 85);
+    const auto index = static_cast<std::size_t>(strokeStep(zone, step));
+    QColor colour = tone(style::stepOfStroke(index, palette), palette);
+    colour.setAlpha(style::isDark(palette) ? 75 : 85);
     return colour;
 }
 

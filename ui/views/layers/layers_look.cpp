@@ -2,7 +2,7 @@
 #include "ui/views/layers/layers_look.h"
 
 #include "core/units.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 
 #include <algorithm>
@@ -11,16 +11,13 @@
 namespace sparkout {
 
 namespace {
-using style::Hue;
-constexpr std::array stageHues{Hue::blue, Hue::orange, Hue::green,    Hue::purple,
-                               Hue::sky,  Hue::yellow, Hue::vermilion};
 constexpr float everyOther = 0.62F; ///< opacity
 constexpr int uncutAlpha = 46, bandAlpha = 28;
 } // namespace
 
 QColor LayersLook::stage(int stage, const QPalette& palette) {
     const auto index = static_cast<std::size_t>(stage > 0 ? stage - 1 : 0);
-    return style::colour(stageHues[index % stageHues.size()], palette);
+    return tone(style::oneOfSeries(index), palette);
 }
 
 QColor LayersLook::layer(const LayerSeries& series, std::size_t span, const QPalette& palette) {
@@ -38,7 +35,8 @@ std::vector<Band> LayersLook::zoneBands(const LayerSeries& series, const QPalett
         band.from = column.stretch.from_mm;
         band.to = column.stretch.to_mm;
         const bool middle = column.zone == Zone::nz;
-        band.colour = style::colour(middle ? Hue::yellow : Hue::sky, palette);
+        band.colour =
+            style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette);
         band.colour.setAlpha(bandAlpha);
         band.name = Names::zone(column.zone, column.section);
         band.meaning = Names::zoneFull(column.zone, column.section);

@@ -13,7 +13,7 @@ namespace sparkout {
 
 namespace {
 
-using style::Hue;
+using style::Drawn;
 using units::umPerMm;
 
 constexpr double roomAbove = 0.06, roomBelow = 0.08; ///< of the heights
@@ -181,13 +181,14 @@ void LayersPlot::restyle() {
     const auto line = [](QCPGraph& graph, const QColor& colour, double width, Qt::PenStyle pen) {
         graph.setPen(QPen(colour, width, pen));
     };
-    line(*m_lower, toned(Hue::green), 1, Qt::SolidLine);
-    line(*m_upper, toned(Hue::green), 1, Qt::SolidLine);
-    line(*m_target, toned(Hue::green), 1.5, Qt::DashLine);
+    line(*m_lower, toned(Drawn::toleranceField), 1, Qt::SolidLine);
+    line(*m_upper, toned(Drawn::toleranceField), 1, Qt::SolidLine);
+    line(*m_target, toned(Drawn::toleranceField), 1.5, Qt::DashLine);
     line(*m_blank, ink(), 1.5, Qt::DashLine);
     line(*m_final, ink(), 2, Qt::SolidLine);
     m_upper->setBrush(style::dimmed(
-        LayersLook::thinned(style::colour(Hue::green, palette()), fieldAlpha), isDimmed()));
+        LayersLook::thinned(style::colour(Drawn::toleranceField, palette()), fieldAlpha),
+        isDimmed()));
 }
 
 CsvTable LayersPlot::table() const {

@@ -11,7 +11,7 @@
 namespace sparkout {
 
 namespace {
-using style::Hue;
+using style::Drawn;
 using units::umPerMm;
 constexpr double wheelRoom = 0.3, metalRoom = 0.08; ///< of the heights; the wheel stands above
 constexpr double endRoom = 0.02;                    ///< of the length
@@ -95,8 +95,8 @@ QRectF SidePlot::wheelRect() const {
 // --- what is shown ------------------------------------------------------------------------------
 
 QColor SidePlot::colourOf(Key key) const {
-    const QColor colour = key == wheelKey   ? style::colour(Hue::orange, palette())
-                          : key == fieldKey ? style::colour(Hue::green, palette())
+    const QColor colour = key == wheelKey   ? style::colour(Drawn::wheel, palette())
+                          : key == fieldKey ? style::colour(Drawn::toleranceField, palette())
                                             : palette().color(QPalette::Text);
     return style::dimmed(colour, isDimmed());
 }

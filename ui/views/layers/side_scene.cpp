@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layers_look.h"
 #include "ui/views/layers/side_plot.h"
@@ -135,7 +136,7 @@ void SideScene::drawYield(QCPPainter& painter) const {
 void SideScene::drawGauge(QCPPainter& painter) const {
     const double x = xOf(m_plot.scene().gauge_mm);
     const QColor colour =
-        style::dimmed(style::colour(style::Hue::blue, m_plot.palette()), m_plot.isDimmed());
+        style::dimmed(style::colour(style::Drawn::gauge, m_plot.palette()), m_plot.isDimmed());
     const QCPAxisRect& cell = *m_plot.cell();
     painter.setPen(QPen(colour, 1, Qt::DashDotLine));
     painter.drawLine(QLineF(x, cell.top(), x, cell.bottom()));

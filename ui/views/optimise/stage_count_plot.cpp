@@ -3,6 +3,7 @@
 
 #include "core/units.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/views/optimise/optimise_text.h"
 
 #include <QLocale>
@@ -16,8 +17,8 @@ namespace sparkout {
 
 namespace {
 
-constexpr std::array countHues{style::Hue::vermilion, style::Hue::orange, style::Hue::blue,
-                               style::Hue::green};
+constexpr std::array countsDrawn{style::Drawn::quickestCycle, style::Drawn::lowerBound,
+                                 style::Drawn::yourCycle, style::Drawn::steplessLimit};
 constexpr std::array countPens{Qt::SolidLine, Qt::NoPen, Qt::DashLine, Qt::DotLine};
 constexpr double beside = 0.5; ///< of the first and last number of stages, drawn [stages]
 
@@ -139,7 +140,8 @@ LegendEntries StageCountPlot::legendEntries() const {
     LegendEntries entries;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i]->data()->isEmpty()) {
-            const QColor colour = style::dimmed(style::colour(countHues[i], palette()), isDimmed());
+            const QColor colour =
+                style::dimmed(style::colour(countsDrawn[i], palette()), isDimmed());
             entries.push_back({colour, countPens[i], name(static_cast<Key>(i)), static_cast<int>(i),
                                m_choice.shows(static_cast<int>(i))});
         }
@@ -193,7 +195,7 @@ void StageCountPlot::restyle() {
     }
     constexpr double thick = 2, point = 8;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QColor colour = style::dimmed(style::colour(countHues[i], palette()), isDimmed());
+        const QColor colour = style::dimmed(style::colour(countsDrawn[i], palette()), isDimmed());
         m_curves[i]->setPen(QPen(colour, thick, countPens[i]));
     }
     const auto scatter = [&](Key key, QCPScatterStyle::ScatterShape shape) {

@@ -4,6 +4,7 @@
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_text.h"
@@ -12,8 +13,6 @@
 #include <cmath>
 
 namespace sparkout {
-
-using style::Hue;
 
 namespace {
 
@@ -100,7 +99,8 @@ void LongitudinalPlot::fillBands() {
             continue;
         }
         const bool middle = p.zone == Zone::nz;
-        QColor colour = style::colour(middle ? Hue::yellow : Hue::sky, palette());
+        QColor colour =
+            style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette());
         colour.setAlpha(middle ? 38 : 28);
         const QString full = Names::zoneFull(p.zone, p.section);
         QString name = Names::zone(p.zone, p.section);

@@ -8,15 +8,13 @@
 
 namespace sparkout {
 
-using style::Hue;
+using style::Drawn;
 
 namespace {
 
 constexpr double curveWidth = 2, dotSize = 5, footSize = 9, chosenSize = 12; ///< [px]
 constexpr double foot = 0.03; ///< of the height, where points without numbers stand
 constexpr double sweepRoom = 0.05;
-constexpr std::array curveHues{Hue::blue,   Hue::orange, Hue::green,
-                               Hue::purple, Hue::sky,    Hue::yellow};
 
 } // namespace
 
@@ -241,16 +239,16 @@ void SweepCurves::fit() {
 
 void SweepCurves::colour() {
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QColor of = toned(curveHues[i % curveHues.size()]);
+        const QColor of = toned(style::oneOfSeries(i));
         m_curves[i]->setPen(QPen(of, curveWidth));
         m_curves[i]->setScatterStyle(
             QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, dotSize));
     }
     for (QCPGraph* limit : m_limits) {
-        limit->setPen(QPen(toned(Hue::vermilion), 1.5, Qt::DashLine));
+        limit->setPen(QPen(toned(Drawn::limit), 1.5, Qt::DashLine));
     }
     for (QCPItemRect* band : m_bands) {
-        QColor of = toned(Hue::green);
+        QColor of = toned(Drawn::everyRequirementHolds);
         of.setAlphaF(of.alphaF() * 0.18F);
         band->setPen(Qt::NoPen);
         band->setBrush(of);
@@ -258,8 +256,8 @@ void SweepCurves::colour() {
     const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     m_present->setPen(QPen(text, 1.5, Qt::DotLine));
     m_refused->setScatterStyle(QCPScatterStyle(
-        QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, footSize));
-    const QColor stuck = toned(Hue::orange);
+        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, footSize));
+    const QColor stuck = toned(Drawn::sizeNotReached);
     m_notReached->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, footSize));
     for (QCPGraph* marks : {m_chosenMarks, m_chosenFoot}) {

@@ -12,7 +12,7 @@
 
 namespace sparkout {
 
-using style::Hue;
+using style::Drawn;
 
 namespace {
 
@@ -233,8 +233,8 @@ void SweepMap::colour() {
     m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
     const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
     m_refused->setScatterStyle(QCPScatterStyle(
-        QCPScatterStyle::ssCross, QPen(toned(Hue::vermilion), 2), Qt::NoBrush, mapSignSize));
-    const QColor stuck = toned(Hue::orange);
+        QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, mapSignSize));
+    const QColor stuck = toned(Drawn::sizeNotReached);
     m_notReached->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssTriangle, QPen(stuck), stuck, mapSignSize));
     m_present->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(onMap::dark, 1.5),

@@ -14,7 +14,7 @@
 
 namespace sparkout {
 
-using style::Hue;
+using style::Drawn;
 
 SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
     plotLayout()->clear();
@@ -118,8 +118,12 @@ bool SweepPlot::any(SweepStatus status) const {
     return std::ranges::find(sweep().points, status, &SweepPoint::status) != sweep().points.end();
 }
 
-QColor SweepPlot::toned(Hue hue) const {
-    return style::dimmed(style::colour(hue, palette()), isDimmed());
+QColor SweepPlot::toned(Drawn what) const {
+    return style::dimmed(style::colour(what, palette()), isDimmed());
+}
+
+QColor SweepPlot::toned(Tone tone) const {
+    return style::dimmed(sparkout::tone(tone, palette()), isDimmed());
 }
 
 QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
@@ -132,13 +136,14 @@ QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
 }
 
 void SweepPlot::addStatusEntries(LegendEntries& entries) const {
-    const auto add = [&](SweepStatus status, Hue hue, const QString& text, int key) {
+    const auto add = [&](SweepStatus status, Drawn what, const QString& text, int key) {
         if (any(status)) {
-            entries.push_back({toned(hue), Qt::NoPen, text, key, m_choice.shows(key)});
+            entries.push_back({toned(what), Qt::NoPen, text, key, m_choice.shows(key)});
         }
     };
-    add(SweepStatus::refused, Hue::vermilion, tr("refused (×)"), refusedKey);
-    add(SweepStatus::notReached, Hue::orange, tr("does not reach size (▲)"), notReachedKey);
+    add(SweepStatus::refused, Drawn::refused, tr("refused (×)"), refusedKey);
+    add(SweepStatus::notReached, Drawn::sizeNotReached, tr("does not reach size (▲)"),
+        notReachedKey);
 }
 
 // --- the mouse ----------------------------------------------------------------------------------

@@ -67,7 +67,8 @@ protected:
     [[nodiscard]] bool any(SweepStatus status) const;
     [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
     [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
-    [[nodiscard]] QColor toned(style::Hue hue) const;
+    [[nodiscard]] QColor toned(style::Drawn what) const;
+    [[nodiscard]] QColor toned(Tone tone) const;
     [[nodiscard]] QCPGraph* addMarks(QCPAxis* value); ///< a graph of signs without a line
     /// Entries of points without numbers, as far as there are any.
     void addStatusEntries(LegendEntries& entries) const;

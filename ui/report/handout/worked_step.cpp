@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step that the hand-out works out: where it is, its formulas, its limits and its figures.
-#include "ui/report/handout/course_handout_parts.h"
+#include "ui/report/handout/worked_step.h"
 
 #include "core/limits/burn.h"
 #include "core/limits/cutting.h"
 #include "core/process/coupled_sections.h"
 #include "core/process/profile.h"
-#include "core/project/leaves.h"
 #include "core/quality/depth_limits.h"
 #include "core/quality/power.h"
 #include "core/quality/roughness.h"
 #include "core/quality/self_sharpening.h"
 #include "core/quality/visit_sheet.h"
 #include "core/units.h"
-#include "ui/report/handout/formula_meanings.h"
-#include "ui/report/parts/course_figures.h"
-#include "ui/report/parts/feeds_figure.h"
-#include "ui/report/parts/report_values.h"
-#include "ui/text/field_text.h"
-#include "ui/text/formula_text.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/limit_names.h"
 #include "ui/text/names.h"
 
 #include <QLocale>
 
 #include <algorithm>
-#include <set>
 
 namespace sparkout::report {
 
@@ -34,7 +26,6 @@ namespace {
 constexpr double milliwattsPerKilowatt = 1e6;
 constexpr double fullTurn_deg = 360;
 constexpr int percentOf = 100;
-constexpr int revolutionsAround = 3; ///< a plunge's step is shown with so many at each side
 
 /// What the formulas of a step are worked out for.
 struct StepNumbers {
@@ -49,76 +40,6 @@ StepNumbers numbersOf(const Outcome& outcome, const HandoutStep& step) {
     const double side = part.surface == Surface::external ? 1 : -1;
     return {outcome.trajectory.passes[step.pass], visit,
             side * (visit.radius_mm - targetRadius(part))};
-}
-
-/// The formulas of one step, each sheet with its sources and the symbols not yet explained.
-class StepFormulas {
-    Q_DECLARE_TR_FUNCTIONS(CourseHandout)
-public:
-    StepFormulas(const Project& project, const Place& at, Citations& citations)
-        : m_at(at), m_citations(citations) {
-        m_explained.insert(QStringLiteral("γ")); // among the inputs, too
-        for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
-            if (*leaf.field->symbol && singleNumberIn(*leaf.field, leaf.owner)) {
-                m_explained.insert(QString::fromUtf8(leaf.field->symbol));
-            }
-        }
-    }
-    void add(const FormulaSheet& sheet);
-    void say(const QString& text) { m_blocks.emplace_back(Paragraph{text}); }
-    void add(Block block) { m_blocks.push_back(std::move(block)); }
-    [[nodiscard]] StepBlocks take() { return {std::move(m_blocks), std::move(m_symbols)}; }
-
-private:
-    void explain(const FormulaSheet& sheet);
-
-    Place m_at;
-    Citations& m_citations;
-    FormulaWriter m_writer;
-    std::set<QString> m_explained; ///< inputs, and symbols with their meanings
-    std::set<QString> m_symbols;   ///< that were written
-    std::vector<Block> m_blocks;
-};
-
-void StepFormulas::add(const FormulaSheet& sheet) {
-    m_blocks.emplace_back(Heading{QCoreApplication::translate("Formula", sheet.name)});
-    QStringList sources;
-    for (const FormulaSource& source : sourcesOf(sheet, m_at)) {
-        const QString key = m_citations.cite(QString::fromLatin1(source.key));
-        sources << (*source.equations ? tr("%1, eq. %2", "key of a source, its equation")
-                                            .arg(key, QString::fromLatin1(source.equations))
-                                      : key);
-    }
-    say(tr("Source: %1").arg(sources.join(QStringLiteral("; "))));
-    for (Block& block : m_writer.write(sheet)) {
-        m_blocks.push_back(std::move(block));
-    }
-    explain(sheet);
-}
-
-void StepFormulas::explain(const FormulaSheet& sheet) {
-    Table table;
-    table.head = {tr("Symbol"), tr("Meaning")};
-    table.texts = {true, true};
-    table.symbols = true;
-    const auto explainTerm = [&](const FormulaTerm& term) {
-        const QString symbol = QString::fromUtf8(term.symbol);
-        if (!isConstant(term)) {
-            m_symbols.insert(symbol);
-        }
-        const QString meaning = isConstant(term) ? QString() : symbolMeaning(sheet, term.symbol);
-        if (!meaning.isEmpty() && !m_explained.contains(symbol)
-            && m_explained.insert(symbol + u'=' + meaning).second) {
-            table.rows.push_back({symbol, meaning});
-        }
-    };
-    for (const FormulaStep& step : sheet.steps) {
-        explainTerm(step.result);
-        std::ranges::for_each(step.terms, explainTerm);
-    }
-    if (!table.rows.empty()) {
-        m_blocks.emplace_back(std::move(table));
-    }
 }
 
 /// The limits of the depth of cut at the step, each with its formulas.
@@ -146,28 +67,9 @@ std::vector<FormulaSheet> limitSheets(const Project& project, double b, double s
     return sheets;
 }
 
-/// The double stroke of the step, or the revolutions around it.
-std::optional<Figure> feedsAround(const OutcomePtr& outcome, const HandoutStep& step) {
-    const Pass& pass = outcome->trajectory.passes[step.pass];
-    const FeedSeries& feeds = outcome->feeds;
-    const bool strokes = feeds.operation->countsStrokes;
-    const int around = strokes ? 0 : revolutionsAround;
-    const int first = std::max(1, pass.place.cycleCount - around);
-    const int last = std::min(feeds.strokeCount(), pass.place.cycleCount + around);
-    const double start_s = feeds.strokeStart_s.at(static_cast<std::size_t>(first - 1));
-    const double moment_s =
-        pass.start_s + pass.duration_s * (step.radius + 1) / std::max(1, outcome->trajectory.radii);
-    const QString caption =
-        strokes ? CourseHandout::tr("Feeds in double stroke %1; the line marks the step")
-                      .arg(pass.place.cycleCount)
-                : CourseHandout::tr("Feeds around revolution %1; the line marks the step")
-                      .arg(pass.place.cycleCount);
-    return feedsFigure(outcome, start_s, feeds.strokeEnd_s(last), moment_s, caption);
-}
-
 } // namespace
 
-Facts CourseHandout::stepFacts(const Outcome& outcome, const HandoutStep& step) {
+Facts WorkedStep::facts(const Outcome& outcome, const HandoutStep& step) {
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const Place& at = pass.place;
     const bool strokes = outcome.result.project.operation->countsStrokes;
@@ -196,8 +98,8 @@ Facts CourseHandout::stepFacts(const Outcome& outcome, const HandoutStep& step) 
     return facts;
 }
 
-StepBlocks CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep& step,
-                                       Citations& citations) {
+StepBlocks WorkedStep::formulas(const Outcome& outcome, const HandoutStep& step,
+                                Citations& citations) {
     const Project& project = outcome.result.project;
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     const double b = pass.effectiveWidth_mm, a = visit.actual_mm;
@@ -232,7 +134,7 @@ StepBlocks CourseHandout::stepFormulas(const Outcome& outcome, const HandoutStep
     return formulas.take();
 }
 
-Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
+Table WorkedStep::limits(const Outcome& outcome, const HandoutStep& step) {
     const Project& project = outcome.result.project;
     const auto [pass, visit, stock] = numbersOf(outcome, step);
     Table table;
@@ -254,32 +156,6 @@ Table CourseHandout::limits(const Outcome& outcome, const HandoutStep& step) {
              limit.depth_mm > 0 ? Names::significant(share) : tr("not met at any depth")});
     }
     return table;
-}
-
-std::vector<Block> CourseHandout::figures(const OutcomePtr& outcome,
-                                          const std::optional<HandoutStep>& step,
-                                          const std::set<HandoutView>& views,
-                                          const std::function<void()>& breathe) {
-    std::vector<Block> blocks;
-    const auto add = [&](std::optional<Figure> figure) {
-        breathe();
-        if (figure) {
-            blocks.emplace_back(std::move(*figure));
-        }
-    };
-    if (views.contains(HandoutView::feeds) && step) {
-        add(feedsAround(outcome, *step));
-    }
-    if (views.contains(HandoutView::cycle)) {
-        add(feedsFigure(outcome));
-    }
-    if (views.contains(HandoutView::profiles)) {
-        add(profilesFigure(outcome));
-    }
-    if (views.contains(HandoutView::limits) && step) {
-        add(limitsFigure(outcome, outcome->trajectory.passes[step->pass].place));
-    }
-    return blocks;
 }
 
 } // namespace sparkout::report

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head, settings and stages of the card.
-#include "ui/report/parts/cycle_card_parts.h"
+#include "ui/report/parts/operation_setup.h"
 
 #include "core/process/system_compliance.h"
 #include "core/units.h"
 #include "ui/charts/verdict_shop_text.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
@@ -16,7 +16,7 @@
 
 namespace sparkout::report {
 
-QString CycleCard::operation(const Project& project) {
+QString OperationSetup::operation(const Project& project) {
     return project.operation.match([](Traverse) { return tr("Cylindrical traverse grinding"); },
                                    [&project](Plunge) {
                                        return project.part.surface == Surface::internal
@@ -25,7 +25,7 @@ QString CycleCard::operation(const Project& project) {
                                    });
 }
 
-Facts CycleCard::header(const Project& project, const QDate& date) {
+Facts OperationSetup::header(const Project& project, const QDate& date) {
     const Part& part = project.part;
     return {{{tr("Operation"), operation(project)},
              {tr("Part"), cell(oneLine(part.name))},
@@ -39,7 +39,7 @@ Facts CycleCard::header(const Project& project, const QDate& date) {
              {tr("Date"), dateText(date)}}};
 }
 
-Facts CycleCard::settings(const Outcome& outcome) {
+Facts OperationSetup::settings(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const Wheel& wheel = project.wheel;
     Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
@@ -79,7 +79,7 @@ Facts CycleCard::settings(const Outcome& outcome) {
     return facts;
 }
 
-Table CycleCard::stages(const Outcome& outcome) {
+Table OperationSetup::stages(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const StageFeed& radial = project.operation->radial();
     const StageFeed* const axial = project.operation->axial();

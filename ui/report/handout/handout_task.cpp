@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The task, the inputs, the questions with their key, and the sources of the hand-out.
-#include "ui/report/handout/course_handout_parts.h"
+#include "ui/report/handout/handout_task.h"
 
 #include "core/process/system_compliance.h"
 #include "core/project/leaves.h"
 #include "core/simulation/progress.h"
-#include "ui/report/parts/cycle_card_parts.h"
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/report/parts/input_fact.h"
+#include "ui/report/parts/operation_setup.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/field_text.h"
 #include "ui/text/formula_text.h"
 #include "ui/text/names.h"
-#include "ui/text/source_names.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
 
 #include <QFileInfo>
-#include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace sparkout::report {
 
 namespace {
-
-constexpr int percent = 100;
 
 /// What the step's feed, width and stock come from without standing in a formula.
 constexpr const char* behindFormulas[] = {"/part/upper_deviation_um", "/part/lower_deviation_um",
@@ -48,31 +43,10 @@ bool entersFormulas(const Leaf& leaf, const Project& project, const std::set<QSt
            || (stage > 0 && path.startsWith(QStringLiteral("/cycle/stages/%1/").arg(stage - 1)));
 }
 
-/// By how many percent, as far as the printed numbers tell.
-QString change(const Answer& answer) {
-    const QString before = askedNumber(answer.asked, answer.before);
-    if (before == askedNumber(answer.asked, answer.after)) {
-        return QStringLiteral("0");
-    }
-    if (before == askedNumber(answer.asked, 0)) {
-        return QStringLiteral("–");
-    }
-    const double percents = percent * (answer.after - answer.before) / std::abs(answer.before);
-    return (percents > 0 ? QStringLiteral("+") : QString())
-           + Names::significant(percents).replace(u'-', QChar(0x2212));
-}
-
 } // namespace
 
-QString Citations::cite(const QString& key) {
-    if (!m_keys.contains(key)) {
-        m_keys << key;
-    }
-    return QStringLiteral("[%1]").arg(key);
-}
-
-Facts CourseHandout::header(const Project& project, const QString& file, const QDate& date) {
-    Facts facts = CycleCard::header(project, date);
+Facts HandoutTask::header(const Project& project, const QString& file, const QDate& date) {
+    Facts facts = OperationSetup::header(project, date);
     facts.facts.insert(
         facts.facts.begin(),
         {{tr("Course"), cell(manyLines(exampleTitle(project.title)).simplified())},
@@ -80,7 +54,7 @@ Facts CourseHandout::header(const Project& project, const QString& file, const Q
     return facts;
 }
 
-QString CourseHandout::task(const Outcome& outcome) {
+QString HandoutTask::task(const Outcome& outcome) {
     const Project& project = outcome.result.project;
     const Part& part = project.part;
     const QString ground =
@@ -97,8 +71,8 @@ QString CourseHandout::task(const Outcome& outcome) {
                  .arg(verdict::time(outcome.result));
 }
 
-Table CourseHandout::inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
-                            const std::set<QString>& symbols, Citations& citations) {
+Table HandoutTask::inputs(const Outcome& outcome, const std::optional<HandoutStep>& step,
+                          const std::set<QString>& symbols, Citations& citations) {
     const Project& project = outcome.result.project;
     std::optional<Place> at;
     if (step) {
@@ -131,47 +105,6 @@ Table CourseHandout::inputs(const Outcome& outcome, const std::optional<HandoutS
         add("γ", formulaNumber({"γ", gamma, "mm/N"}).replace(u'-', QChar(0x2212)), "mm/N",
             tr("Compliance of the system, %1").arg(Names::zone(at->zone, at->section)),
             given ? QStringLiteral("MODEL-3") : QStringLiteral("MODEL-6"));
-    }
-    return table;
-}
-
-std::vector<Block> CourseHandout::questions(const std::vector<Exercise>& exercises) {
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < exercises.size(); ++i) {
-        blocks.emplace_back(
-            Paragraph{QStringLiteral("%1. %2").arg(QString::number(i + 1), exercises[i].question)});
-    }
-    return blocks;
-}
-
-std::vector<Block> CourseHandout::answers(const std::vector<Exercise>& exercises,
-                                          Operation operation) {
-    std::vector<Block> blocks;
-    blocks.emplace_back(Paragraph{
-        tr("Computed by the engine: it has run the whole cycle with that one input changed.")});
-    for (std::size_t i = 0; i < exercises.size(); ++i) {
-        const Exercise& exercise = exercises[i];
-        blocks.emplace_back(
-            Paragraph{QStringLiteral("%1. %2").arg(QString::number(i + 1), exercise.reason)});
-        Table table;
-        table.head = {tr("Asked for"), tr("Before"), tr("Changed"), tr("Difference, %")};
-        table.texts = {true};
-        for (const Answer& answer : exercise.answers) {
-            table.rows.push_back({askedName(answer.asked, operation),
-                                  askedNumber(answer.asked, answer.before),
-                                  askedNumber(answer.asked, answer.after), change(answer)});
-        }
-        blocks.emplace_back(table);
-    }
-    return blocks;
-}
-
-Table CourseHandout::sources(const Citations& citations) {
-    Table table;
-    table.head = {tr("Key"), tr("Source")};
-    table.texts = {true, true};
-    for (const QString& key : citations.keys()) {
-        table.rows.push_back({key, cell(sourceText(key.toStdString()))});
     }
     return table;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FileCommands: what saves.
-#include "ui/dialogs/faults_dialog.h"
+#include "ui/window/project_saver.h"
+
+#include "ui/files/file_guard.h"
 #include "ui/session/document.h"
 #include "ui/session/program_log.h"
 #include "ui/session/settings.h"
-#include "ui/text/file_error_text.h"
 #include "ui/text/texts.h"
-#include "ui/window/file_commands.h"
+#include "ui/window/disk_wait.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -21,12 +21,16 @@ const QString suffix = QStringLiteral(".sparkout");
 
 } // namespace
 
-bool FileCommands::save() {
+ProjectSaver::ProjectSaver(Document& document, const Settings& settings, FileGuard& guard,
+                           DiskWait& wait, QWidget* window)
+    : m_document(document), m_settings(settings), m_guard(guard), m_wait(wait), m_window(window) {}
+
+bool ProjectSaver::save() {
     return m_document.filePath().isEmpty() || m_document.readOnly() ? saveAs()
                                                                     : saveTo(m_document.filePath());
 }
 
-bool FileCommands::saveAs() {
+bool ProjectSaver::saveAs() {
     QString path = QFileDialog::getSaveFileName(m_window, tr("Save the project"), suggestedPath(),
                                                 tr("Sparkout projects (*.sparkout)"));
     if (path.isEmpty()) {
@@ -42,7 +46,7 @@ bool FileCommands::saveAs() {
 }
 
 /// Everything that may speak against writing there, asked of the user.
-SaveAnswer FileCommands::clearTheWay(const QString& path) {
+SaveAnswer ProjectSaver::clearTheWay(const QString& path) {
     if (m_guard.claim(path) == FileGuard::Access::conflict) {
         const SaveAnswer answer = askSaveLocked(m_window, path, m_guard.holder());
         if (answer != SaveAnswer::proceed) {
@@ -67,20 +71,18 @@ SaveAnswer FileCommands::clearTheWay(const QString& path) {
     return SaveAnswer::proceed;
 }
 
-bool FileCommands::saveTo(const QString& path) {
+bool ProjectSaver::saveTo(const QString& path) {
     const SaveAnswer answer = clearTheWay(path);
     if (answer != SaveAnswer::proceed) {
         m_guard.dropClaim();
         if (answer == SaveAnswer::reload) {
-            reload();
+            emit reloadWanted();
         }
         return answer == SaveAnswer::elsewhere && saveAs();
     }
     std::optional<FileError> error;
     const auto attempt = [&] {
-        m_busy = true;
-        error = m_guard.save(path);
-        m_busy = false;
+        m_wait.during([&] { error = m_guard.save(path); });
         return !error;
     };
     while (!attempt()) {
@@ -90,30 +92,12 @@ bool FileCommands::saveTo(const QString& path) {
             return next == FailureAnswer::elsewhere && saveAs();
         }
     }
-    remember(path);
     ProgramLog::note(tr("Saved: %1").arg(printableText(path)));
-    emit saved();
+    emit saved(path);
     return true;
 }
 
-/// The history keeps what was in the window.
-void FileCommands::reload() {
-    const QString path = m_document.filePath();
-    LoadedProject loaded;
-    aside([&] { loaded = loadProject(path); });
-    if (loaded.project) {
-        m_document.reload(std::move(*loaded.project), loaded.hash);
-        m_guard.followDisk();
-        tellSameAsDisk();
-        tellOpened(loaded.issues);
-    } else if (loaded.error) {
-        showFailure(m_window, tr("The file was not opened"), readErrorText(*loaded.error));
-    } else {
-        FaultsDialog(path, loaded.issues, m_window).exec();
-    }
-}
-
-QString FileCommands::suggestedPath() const {
+QString ProjectSaver::suggestedPath() const {
     const QString path = m_document.filePath();
     if (!path.isEmpty() && !m_document.readOnly()) {
         return path;

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/report/parts/report_values.h"
+#include "ui/report/parts/input_fact.h"
 
 #include "core/project/iso286.h"
 #include "core/project/member.h"
 #include "core/units.h"
-#include "core/version.h"
-#include "ui/text/example_texts.h"
-#include "ui/text/number_text.h"
+#include "ui/report/parts/cell_text.h"
 #include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
-#include <QFileInfo>
-#include <QLocale>
+#include <QStringList>
 
 #include <cmath>
 
@@ -19,43 +16,6 @@ namespace sparkout::report {
 
 namespace {
 constexpr double nanometres = 1e3; ///< in a micrometre
-}
-
-QString manyLines(QString text) {
-    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n"));
-    QString kept;
-    for (const QChar c : text) {
-        const bool line = c == u'\n' || c == QChar::LineSeparator || c == QChar::ParagraphSeparator;
-        if (line) {
-            kept += u'\n';
-        } else if (c == u'\t' || c == u'\r') {
-            kept += u' ';
-        } else if (c >= u' ' && !c.isNonCharacter()) {
-            kept += c;
-        }
-    }
-    return kept;
-}
-
-QString oneLine(const std::string& text) {
-    return manyLines(QString::fromStdString(text)).simplified();
-}
-
-QString cell(const QString& text) {
-    return text.trimmed().isEmpty() ? QStringLiteral("–") : text;
-}
-
-QString plainNumber(double value) {
-    return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
-}
-
-QString withUnit(const QString& value, const char* unit) {
-    return value + u'\u00a0' + unitText(unit);
-}
-
-QString requirementUnit(ConstraintKind kind) {
-    const Requirement& row = requirementOf(kind);
-    return cell(unitText(row.unitInFull ? row.unitInFull : row.unit));
 }
 
 QString drawnSize(const Part& part) {
@@ -99,23 +59,6 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     return {name, !value        ? cell({})
                   : *field.unit ? withUnit(plainNumber(*value), field.unit)
                                 : plainNumber(*value)};
-}
-
-Report begunReport(const QString& title, const Project& project, const QString& file,
-                   const QDate& date) {
-    Report report;
-    report.title = title;
-    QStringList subject{manyLines(exampleTitle(project.title)).simplified(),
-                        oneLine(project.part.name)};
-    subject.removeAll(QString());
-    subject.removeDuplicates();
-    report.subject = subject.join(QStringLiteral(" · "));
-    report.author = oneLine(project.author);
-    report.file = manyLines(QFileInfo(file).fileName()).simplified();
-    report.program = QStringLiteral("Sparkout %1").arg(QString::fromUtf8(version));
-    report.language = QLocale().bcp47Name().section(u'-', 0, 0);
-    report.date = date;
-    return report;
 }
 
 } // namespace sparkout::report

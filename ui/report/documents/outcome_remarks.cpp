@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/documents/outcome_remarks.h"
+
+#include "ui/charts/verdict_shop_text.h"
+#include "ui/report/parts/cell_text.h"
+#include "ui/text/estimate_names.h"
+#include "ui/text/names.h"
+
+#include <algorithm>
+
+namespace sparkout::report {
+
+QStringList OutcomeRemarks::estimates(const Outcome& outcome) {
+    std::vector<std::pair<QString, QStringList>> groups; // requirements by what is behind them
+    for (const ConstraintResult& c : outcome.constraints) {
+        const QString inputs = EstimateNames::inputs(c.kind);
+        const auto same = [&inputs](const auto& group) { return group.first == inputs; };
+        auto group = std::ranges::find_if(groups, same);
+        if (inputs.isEmpty()) {
+            continue;
+        }
+        if (group == groups.end()) {
+            group = groups.insert(group, {inputs, {}});
+        }
+        const QString name = Names::constraint(c.kind);
+        const QString word = group->second.isEmpty() ? name : Names::inSentence(name);
+        if (!group->second.contains(name) && !group->second.contains(word)) {
+            group->second << word;
+        }
+    }
+    QStringList lines;
+    for (const auto& [inputs, names] : groups) {
+        lines << QStringLiteral("%1: %2.").arg(names.join(QStringLiteral(", ")), inputs);
+    }
+    if (!lines.isEmpty()) {
+        lines.prepend(tr("These predictions rest on inputs that are estimates, to be calibrated at "
+                         "the machine."));
+    }
+    return lines;
+}
+
+QStringList OutcomeRemarks::remarks(const Outcome& outcome) {
+    QStringList lines = shop::remarks(outcome.shop);
+    for (const Issue& issue : outcome.issues) {
+        lines << manyLines(Names::issue(issue));
+    }
+    return lines;
+}
+
+} // namespace sparkout::report

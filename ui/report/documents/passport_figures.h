@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_summary.h"
+#include "core/study/outcome.h"
+#include "ui/report/format/report.h"
+
+#include <QCoreApplication>
+
+#include <string>
+
+namespace sparkout::report {
+
+/// The figures of the accuracy passport, made in the window's thread.
+class PassportFigures {
+    Q_DECLARE_TR_FUNCTIONS(PassportFigures)
+public:
+    static Figure histograms(const BatchSummary& summary, const std::string& name);
+    static Figure alongThePart(const Outcome& outcome);
+    static Figure crossSections(const Outcome& outcome);
+};
+
+} // namespace sparkout::report

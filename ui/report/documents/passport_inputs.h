@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/given_factors.h"
+#include "ui/report/documents/report_kinds.h"
+
+#include <QCoreApplication>
+
+namespace sparkout::report {
+
+/// What was put into the cycle and its batch, in the accuracy passport.
+class PassportInputs {
+    Q_DECLARE_TR_FUNCTIONS(PassportInputs)
+public:
+    static Facts drawing(const Project& project);                ///< tolerances and other limits
+    static std::vector<Block> scenarios(const Subject& subject); ///< factors, laws, correlations
+    static QString law(const GivenFactor& factor);               ///< "uniform, 0.14…0.16"
+    static Table inputs(const Project& project);                 ///< all that the model reads
+    static std::vector<Block> recomputing(const Subject& subject);
+};
+
+} // namespace sparkout::report

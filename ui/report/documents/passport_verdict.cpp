@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/report/documents/passport_verdict.h"
+
+#include "ui/charts/verdict_model.h"
+#include "ui/text/names.h"
+#include "ui/views/batch/batch_text.h"
+#include "ui/views/verdict/verdict_text.h"
+
+namespace sparkout::report {
+
+const CharacteristicSummary* PassportVerdict::leastCapable(const BatchSummary& summary) {
+    const CharacteristicSummary* least = nullptr;
+    for (const CharacteristicSummary& of : summary.characteristics) {
+        if (of.ppk && (!least || of.ppk->value < least->ppk->value)) {
+            least = &of;
+        }
+    }
+    return least;
+}
+
+const CharacteristicSummary* PassportVerdict::deciding(const BatchSummary& summary) {
+    const CharacteristicSummary* most = nullptr;
+    for (const CharacteristicSummary& of : summary.characteristics) {
+        if (of.outside.count > (most ? most->outside.count : 0)) {
+            most = &of;
+        }
+    }
+    return most ? most : leastCapable(summary);
+}
+
+Fitness PassportVerdict::fitness(const Subject& subject) {
+    return verdict::overallLight(*subject.outcome) == Light::fails ? Fitness::unfit
+           : subject.batch ? weigh(subject.batch->summary, subject.batch->result).fitness
+                           : Fitness::conditional;
+}
+
+QString PassportVerdict::decision(const Subject& subject) {
+    return verdict::overallLight(*subject.outcome) == Light::fails ? tr("the nominal part fails")
+           : subject.batch ? BatchText::decision(*subject.batch)
+                           : tr("the nominal part holds; no batch is described, so its scatter is "
+                                "not weighed");
+}
+
+std::vector<Block> PassportVerdict::verdict(const Subject& subject) {
+    const Outcome& outcome = *subject.outcome;
+    Facts facts{{{tr("The cycle, by the prediction"), BatchText::fitness(fitness(subject))},
+                 {tr("What decided"), decision(subject)}}};
+    QStringList reasons;
+    if (outcome.result.status != RunStatus::completed) {
+        reasons << sparkout::verdict::status(outcome.result);
+    }
+    reasons << tr("Nominal part: %1.").arg(sparkout::verdict::overall(outcome));
+    if (subject.batch) {
+        const BatchSummary& summary = subject.batch->summary;
+        facts.facts.emplace_back(tr("Parts of the batch that are not good"),
+                                 BatchText::share(summary.bad));
+        if (const CharacteristicSummary* least = leastCapable(summary)) {
+            facts.facts.emplace_back(tr("Least Ppk"), QStringLiteral("%1: %2").arg(
+                                                          BatchText::capability(least->ppk),
+                                                          BatchText::full(least->characteristic)));
+        }
+        reasons << BatchText::run(*subject.batch) + u' ' + BatchText::counts(summary);
+        for (const CharacteristicSummary& of : summary.characteristics) {
+            if (of.outside.count > 0) {
+                reasons << tr("%1: out of tolerance %2.")
+                               .arg(BatchText::full(of.characteristic),
+                                    BatchText::share(of.outside));
+            }
+        }
+        if (summary.bad.count > 0) {
+            reasons << tr("Worst part, number %1: %2.")
+                           .arg(summary.worstPart)
+                           .arg(sparkout::verdict::overall(*subject.worst));
+        }
+    } else {
+        facts.facts.emplace_back(tr("Parts of the batch that are not good"),
+                                 tr("no batch is described"));
+    }
+    facts.facts.emplace_back(tr("Machining time"), sparkout::verdict::time(outcome.result));
+    const QString caution =
+        tr("This is the prediction of a model, to be confirmed at the machine; it is no assessment "
+           "of conformity and replaces no measurement.");
+    std::vector<Block> blocks{facts};
+    for (const QString& reason : reasons) {
+        blocks.push_back(Paragraph{reason});
+    }
+    blocks.push_back(Paragraph{
+        subject.batch
+            ? tr("The cycle conforms when the nominal part and every part that was run reach size "
+                 "and hold every requirement, and the lower 95 % bounds of all Ppk reach %1; it "
+                 "conforms conditionally when no more parts fail than the share allowed, or when "
+                 "the capability or the expected share outside falls short or is not known. %2")
+                  .arg(Names::significant(subject.batch->result.project.batch->least_ppk), caution)
+            : tr("Without a batch the cycle conforms conditionally when the nominal part reaches "
+                 "size and holds every requirement. %1")
+                  .arg(caution)});
+    return blocks;
+}
+
+} // namespace sparkout::report

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/batch/batch_verdict.h"
+#include "ui/report/documents/report_kinds.h"
+
+#include <QCoreApplication>
+
+namespace sparkout::report {
+
+/// Whether the cycle conforms, and what decided it, in the accuracy passport.
+class PassportVerdict {
+    Q_DECLARE_TR_FUNCTIONS(PassportVerdict)
+public:
+    static Fitness fitness(const Subject& subject);
+    static QString decision(const Subject& subject); ///< what decided it
+    static std::vector<Block> verdict(const Subject& subject);
+
+    /// The characteristic that decides: of the greatest share out of tolerance, else the least
+    /// Ppk; null when none is limited.
+    static const CharacteristicSummary* deciding(const BatchSummary& summary);
+    static const CharacteristicSummary* leastCapable(const BatchSummary& summary);
+};
+
+} // namespace sparkout::report

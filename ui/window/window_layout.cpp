@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_layout.h"
+
+#include "ui/kit/font_size.h"
+#include "ui/kit/keyboard.h"
+#include "ui/kit/sealed_state.h"
+#include "ui/kit/theme_icon.h"
+#include "ui/plot/view.h"
+#include "ui/session/settings.h"
+#include "ui/window/panel_widths.h"
+#include "ui/window/playback_bar.h"
+#include "ui/window/view_tabs.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScreen>
+
+namespace sparkout {
+
+namespace {
+
+constexpr QSize usualWindow(1366, 768);
+constexpr QSize frameAllowance(8, 40);
+constexpr int verdictWidth = 327;
+constexpr int messagesHeight = 96;
+
+/// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
+void nameQtButtons(const QWidget& window) {
+    const auto name = [&window](const char* object, const QString& text) {
+        for (auto* button : window.findChildren<QAbstractButton*>(QString::fromLatin1(object))) {
+            button->setAccessibleName(text);
+            button->setAccessibleDescription(text);
+            button->setToolTip(text);
+        }
+    };
+    name("qt_dockwidget_floatbutton", WindowLayout::tr("Detach or attach the panel"));
+    name("qt_dockwidget_closebutton", WindowLayout::tr("Close the panel"));
+    name("qt_toolbar_ext_button", WindowLayout::tr("More commands"));
+    name("qt_menubar_ext_button", WindowLayout::tr("More menus"));
+    name("ScrollLeftButton", WindowLayout::tr("Scroll to the left"));
+    name("ScrollRightButton", WindowLayout::tr("Scroll to the right"));
+}
+
+} // namespace
+
+WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs,
+                           PlaybackBar& playback, Settings& settings)
+    : QObject(&window)
+    , m_window(window)
+    , m_tabs(tabs)
+    , m_playback(playback)
+    , m_settings(settings)
+    , m_inputsDock(addDock(panels.inputs, QStringLiteral("inputs"), Qt::LeftDockWidgetArea))
+    , m_verdictDock(addDock(panels.verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea))
+    , m_messagesDock(addDock(panels.messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea))
+    , m_sheetDock(addDock(panels.sheet, QStringLiteral("step"), Qt::RightDockWidgetArea))
+    , m_widths(new PanelWidths(window, {m_inputsDock, m_verdictDock})) {
+    m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    QAction* const sheet = m_sheetDock->toggleViewAction();
+    sheet->setIcon(themeIcon(u"formula"));
+    m_playback.addTool(sheet);
+    connect(sheet, &QAction::triggered, this, [this](bool shown) {
+        if (shown) { // below the verdict, if it has not been moved
+            m_window.resizeDocks({m_verdictDock, m_sheetDock}, {2, 3}, Qt::Vertical);
+        }
+    });
+}
+
+WindowLayout::~WindowLayout() {
+    delete m_inputsDock;
+    delete m_sheetDock;
+}
+
+QDockWidget* WindowLayout::addDock(QWidget* content, const QString& name, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(&m_window);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    m_window.addDockWidget(area, dock);
+    return dock;
+}
+
+QList<QAction*> WindowLayout::toggles() const {
+    return {m_inputsDock->toggleViewAction(), m_verdictDock->toggleViewAction(),
+            m_messagesDock->toggleViewAction(), m_sheetDock->toggleViewAction()};
+}
+
+void WindowLayout::showInputs() {
+    m_inputsDock->show();
+}
+
+void WindowLayout::reset() {
+    m_tabs.attachAll();
+    for (QDockWidget* dock : {m_inputsDock, m_verdictDock, m_messagesDock, m_sheetDock}) {
+        dock->setFloating(false);
+        dock->setVisible(dock != m_sheetDock);
+    }
+    m_window.addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
+    m_window.addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
+    m_window.splitDockWidget(m_verdictDock, m_sheetDock, Qt::Vertical);
+    fitPanels();
+    m_window.resizeDocks({m_messagesDock}, {messagesHeight}, Qt::Vertical);
+}
+
+void WindowLayout::fitPanels() {
+    m_widths->want(m_inputsDock, 0); // as narrow as it can be, in any type and language
+    m_widths->want(m_verdictDock, atFontSize(verdictWidth));
+}
+
+void WindowLayout::restore() {
+    // Frame and title bar need room too: on a small screen the status bar must stay visible.
+    m_window.resize(usualWindow.boundedTo(m_window.screen()->availableSize() - frameAllowance));
+    reset();
+    if (const auto parts = unsealed(m_settings.windowGeometry(), 1)) {
+        m_window.restoreGeometry(parts->front());
+    }
+    auto parts = unsealed(m_settings.windowState(), 3);
+    if (!parts) { // of an earlier version: the widths that were wanted are not known
+        parts = unsealed(m_settings.windowState(), 2);
+    }
+    if (parts) {
+        m_window.restoreState(parts->front());
+        m_tabs.restoreState(parts->at(1));
+        if (parts->size() < 3 || !m_widths->restoreState(parts->back())) {
+            m_widths->takeOverWhenShown();
+        }
+    }
+}
+
+void WindowLayout::save() const {
+    m_settings.setWindow(sealed({m_window.saveGeometry()}),
+                         sealed({m_window.saveState(), m_tabs.saveState(), m_widths->saveState()}));
+}
+
+void WindowLayout::movePanel(int by) {
+    QList<QWidget*> panels{m_inputsDock->widget(), &m_tabs};
+    for (const View* view : m_tabs.views()) {
+        if (QWidget* window = m_tabs.windowOf(view)) {
+            panels += window;
+        }
+    }
+    panels << &m_playback;
+    for (const QDockWidget* dock : {m_verdictDock, m_sheetDock, m_messagesDock}) {
+        panels << dock->widget();
+    }
+    sparkout::movePanel(panels, by);
+}
+
+void WindowLayout::retranslate() {
+    m_inputsDock->setWindowTitle(tr("Inputs"));
+    m_verdictDock->setWindowTitle(tr("Verdict"));
+    m_messagesDock->setWindowTitle(tr("Messages"));
+    m_sheetDock->setWindowTitle(tr("Formulas of the step"));
+    m_inputsDock->widget()->setAccessibleName(tr("Inputs"));
+    nameQtButtons(m_window);
+}
+
+} // namespace sparkout
