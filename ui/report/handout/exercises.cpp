@@ -34,7 +34,7 @@ struct Why {
 
 /// What is said of a change.
 struct ChangeWords {
-    QString told;
+    QString statement;
     std::vector<Why> why;
     bool moreLag = false; ///< the system lags further behind its feed
 };
@@ -69,7 +69,7 @@ ChangeWords duller(const Project& project, const ExerciseRun& run) {
 ChangeWords softer(const Project& project, const ExerciseRun&) {
     const bool isComputed =
         std::holds_alternative<std::monostate>(project.machine.compliance_mm_per_n);
-    const QString told =
+    const QString statement =
         isComputed
             ? ExerciseText::tr("The units of the machine yield %1 times as much under the same "
                                "force.")
@@ -77,7 +77,7 @@ ChangeWords softer(const Project& project, const ExerciseRun&) {
             ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
             : ExerciseText::tr("The technological system is %1 times as compliant in every "
                                "section.");
-    return {told.arg(plainNumber(softerBy)),
+    return {statement.arg(plainNumber(softerBy)),
             {{Asked::spread_um, true,
               ExerciseText::tr("a place differs in diameter from the one with the gauge by "
                                "twice the difference of their deflections γ·Py at the end")},
@@ -209,7 +209,7 @@ QString reasonOf(const ChangeWords& words, const ExerciseRun& run, const Simulat
 QString questionOf(const ChangeWords& words, const ExerciseRun& run, const Outcome& outcome,
                    const std::optional<RecordedStep>& step) {
     const QString question =
-        words.told + u' ' + asks(run.answers, outcome.result.project.operation);
+        words.statement + u' ' + asks(run.answers, outcome.result.project.operation);
     const bool ofStep = std::ranges::any_of(run.answers, [](const Answer& answer) {
         return answer.asked == Asked::stepFeed_um || answer.asked == Asked::stepForce_n;
     });
