@@ -100,7 +100,7 @@ QString reportUsage() {
     QString kinds;
     for (const report::KindRow& row : report::kinds()) {
         kinds += QStringLiteral("                     %1: %2\n")
-                     .arg(QString::fromLatin1(row.key), QString::fromUtf8(row.told));
+                     .arg(QString::fromLatin1(row.key), QString::fromUtf8(row.description));
     }
     return kinds;
 }

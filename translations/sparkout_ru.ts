@@ -3627,7 +3627,7 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>&gt;%1 %</translation>
         </message>
         <message>
-            <source>Not checked, for want of an input: %1</source>
+            <source>Not checked, input missing: %1</source>
             <translation>Не проверяется, нет исходных данных: %1</translation>
         </message>
         <message>
@@ -10039,7 +10039,7 @@ target, µm</source>
             <translation>%1; используется последнее принятое значение</translation>
         </message>
         <message>
-            <source>Nothing to remark: all inputs are in order.</source>
+            <source>No messages: all inputs are in order.</source>
             <translation>Замечаний нет: исходные данные в порядке.</translation>
         </message>
         <message>
@@ -10571,7 +10571,7 @@ target, µm</source>
             <translation>Показать всё; так же действует двойной щелчок на графике. Колёсико: масштаб, над осью — только этой оси, с Shift — сдвиг. Перетаскивание: сдвиг. Клавиши: + − и стрелки.</translation>
         </message>
         <message>
-            <source>Back to what was in sight before</source>
+            <source>Back to the previous visible range</source>
             <translation>Назад, к тому, что было видно раньше</translation>
         </message>
         <message>

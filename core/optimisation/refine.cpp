@@ -145,7 +145,7 @@ private:
         return value;
     }
 
-    /// Point 1 of the header; each setting as a share of its range.
+    /// See 1 in the header; each setting as a share of its range.
     std::vector<double> offTheSteps(const std::vector<double>& given, double firstStep) {
         const auto& settings = m_space.settings();
         std::vector<double> shares;

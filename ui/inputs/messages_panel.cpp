@@ -43,7 +43,7 @@ void MessagesPanel::fill() {
         }
     }
     if (count() == 0) {
-        auto* item = new QListWidgetItem(tr("Nothing to remark: all inputs are in order."), this);
+        auto* item = new QListWidgetItem(tr("No messages: all inputs are in order."), this);
         item->setFlags(Qt::ItemIsEnabled);
     }
 }

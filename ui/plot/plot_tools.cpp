@@ -237,7 +237,7 @@ void PlotTools::retranslate() {
     fit->setToolTip(
         tr("Show all; a double click in the plot does it too. Wheel: zoom, over an axis that axis "
            "only, with Shift move. Drag: move. Keys: + − and arrows."));
-    back->setToolTip(tr("Back to what was in sight before"));
+    back->setToolTip(tr("Back to the previous visible range"));
     forward->setToolTip(tr("Forward again"));
     copyPicture->setText(tr("&Copy the picture"));
     copyData->setText(tr("Copy the &data"));

@@ -63,7 +63,7 @@ std::vector<OffLimit> LimitNames::off(const Project& project) {
 QString LimitNames::notChecked(const QStringList& names) {
     return names.isEmpty()
                ? QString()
-               : tr("Not checked, for want of an input: %1").arg(names.join(QLatin1String(", ")));
+               : tr("Not checked, input missing: %1").arg(names.join(QLatin1String(", ")));
 }
 
 QString LimitNames::notChecked(const Project& project) {

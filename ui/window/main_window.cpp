@@ -106,7 +106,7 @@ void MainWindow::buildViews() {
     auto* compare = new CompareView(*m_kept, this, &m_settings);
     m_keeper = new RunKeeper(*m_kept, m_runs, m_files->notices(), this);
     connect(compare, &CompareView::keepWanted, m_actions->keepRun, &QAction::trigger);
-    connect(m_keeper, &RunKeeper::told, this,
+    connect(m_keeper, &RunKeeper::reported, this,
             [this](const QString& text) { m_status->showForAWhile(text); });
     const auto reportEnd = [this](const View* view) { // its notice says how: done, stopped, refused
         return [this, view] { m_status->showForAWhile(tr("%1: ended.").arg(view->title())); };
@@ -272,7 +272,7 @@ void MainWindow::connectDocument() {
     });
     connect(&m_document, &Document::stepped, m_inputs, &InputsPanel::revealPath);
     connect(&m_document, &Document::edited, this, [this](const Project& before) {
-        tellOperation(m_files->notices(), before, m_document.project());
+        showOperationNotice(m_files->notices(), before, m_document.project());
     });
     const auto drop = [this] { dropOperationNotice(m_files->notices()); };
     connect(&m_document, &Document::replaced, this, drop);

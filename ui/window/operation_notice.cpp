@@ -25,7 +25,7 @@ QString sentence(const Project& before, const Project& after) {
 
 } // namespace
 
-void tellOperation(NoticeBar& notices, const Project& before, const Project& after) {
+void showOperationNotice(NoticeBar& notices, const Project& before, const Project& after) {
     if (before.operation == after.operation) {
         return;
     }

@@ -6,8 +6,8 @@ namespace sparkout {
 class NoticeBar;
 struct Project;
 
-/// Tells what an edit that chose another operation changed outside the stages.
-void tellOperation(NoticeBar& notices, const Project& before, const Project& after);
+/// Says what an edit that chose another operation changed outside the stages.
+void showOperationNotice(NoticeBar& notices, const Project& before, const Project& after);
 void dropOperationNotice(NoticeBar& notices);
 
 } // namespace sparkout

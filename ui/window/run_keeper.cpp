@@ -28,10 +28,10 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     , m_aside(nullptr, runs.runner()) {
     m_patience.setSingleShot(true);
     m_patience.setInterval(patience_ms);
-    connect(&m_patience, &QTimer::timeout, this, &RunKeeper::tellAside);
+    connect(&m_patience, &QTimer::timeout, this, &RunKeeper::showAside);
     connect(&kept, &KeptRuns::replaced, this, [this] {
         m_waiting = false;
-        m_told = false;
+        m_reported = false;
         m_aside.stop(); // of another document
         endAside();
         m_notices.remove(keepKey);
@@ -39,10 +39,11 @@ RunKeeper::RunKeeper(KeptRuns& kept, const RunController& runs, NoticeBar& notic
     });
     connect(&runs, &RunController::started, this, [this] {
         if (std::exchange(m_waiting, false)) {
-            emit told(tr("The run was not kept: the inputs were changed before it was computed."));
+            emit reported(
+                tr("The run was not kept: the inputs were changed before it was computed."));
         }
     });
-    connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::tellChanged);
+    connect(&kept, &KeptRuns::runRecalled, this, &RunKeeper::reportChanged);
     connect(&m_aside, &RunController::finished, this, [this](const OutcomePtr& outcome) {
         const QString name = m_asideName;
         endAside();
@@ -72,7 +73,7 @@ void RunKeeper::keepAside(Project project, const QString& name) {
     m_patience.start();
 }
 
-void RunKeeper::tellAside() {
+void RunKeeper::showAside() {
     m_notices.add(
         {asideKey,
          Mark::none,
@@ -81,7 +82,7 @@ void RunKeeper::tellAside() {
            [this] {
                m_aside.stop();
                endAside();
-               emit told(tr("Stopped; nothing was kept."));
+               emit reported(tr("Stopped; nothing was kept."));
            }}}});
 }
 
@@ -102,8 +103,8 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
         if (!name.isEmpty()) {
             emit compareWanted();
         }
-        emit told(tr("Kept as “%1”; the view Compare lays it over the present run.")
-                      .arg(QString::fromStdString(m_kept.all().back().name)));
+        emit reported(tr("Kept as “%1”; the view Compare lays it over the present run.")
+                          .arg(QString::fromStdString(m_kept.all().back().name)));
         return;
     }
     const bool full = kept == KeptRuns::Kept::full;
@@ -119,17 +120,17 @@ void RunKeeper::keepOutcome(const Outcome& outcome, const QString& name) {
 }
 
 /// Once for a project, when all of them are computed again.
-void RunKeeper::tellChanged() {
+void RunKeeper::reportChanged() {
     QStringList names;
     for (int run = 0; run < m_kept.count(); ++run) {
         if (m_kept.isChanged(run)) {
             names << QString::fromStdString(m_kept.all()[static_cast<std::size_t>(run)].name);
         }
     }
-    if (m_kept.busy() || m_told || names.isEmpty()) {
+    if (m_kept.busy() || m_reported || names.isEmpty()) {
         return;
     }
-    m_told = true;
+    m_reported = true;
     const int count = static_cast<int>(names.size());
     m_notices.add(
         {changedKey,

@@ -11,7 +11,7 @@ namespace sparkout {
 class KeptRuns;
 class NoticeBar;
 
-/// The window's command to keep the present run, and what it tells of kept runs.
+/// The window's command to keep the present run, and what it reports of kept runs.
 class RunKeeper : public QObject {
     Q_OBJECT
 
@@ -25,25 +25,25 @@ public:
     void keepAside(Project project, const QString& name);
 
 signals:
-    void told(const QString& text); ///< for the status bar
-    void compareWanted();           ///< the user asks for the view of compared runs
+    void reported(const QString& text); ///< for the status bar
+    void compareWanted();               ///< the user asks for the view of compared runs
 
 private:
     void keepNow();
     void keepOutcome(const Outcome& outcome, const QString& name = {});
-    void tellChanged();
-    void tellAside();
+    void reportChanged();
+    void showAside();
     void endAside();
 
     KeptRuns& m_kept;
     const RunController& m_runs;
     NoticeBar& m_notices;
     OutcomePtr m_outcome;
-    bool m_waiting = false; ///< for the run of the inputs to be kept
-    bool m_told = false;    ///< that kept runs of this project come out differently
-    QString m_asideName;    ///< of the run aside that is wanted; empty: none
-    QTimer m_patience;      ///< a short run needs no notice
-    RunController m_aside;  ///< last: stopped before what it reports to is gone
+    bool m_waiting = false;  ///< for the run of the inputs to be kept
+    bool m_reported = false; ///< that kept runs of this project come out differently
+    QString m_asideName;     ///< of the run aside that is wanted; empty: none
+    QTimer m_patience;       ///< a short run needs no notice
+    RunController m_aside;   ///< last: stopped before what it reports to is gone
 };
 
 } // namespace sparkout

@@ -158,7 +158,7 @@ private slots:
                        1e-12 + 64 * fixtures::epsilon));
     }
 
-    // MODEL-6: sections at the middles of equal slices, the gauge at ⌊J/2⌋ unless told.
+    // MODEL-6: sections at the middles of equal slices, the gauge at ⌊J/2⌋ unless given.
     void sectionsStandInTheMiddlesOfEqualSlices() {
         Project p = revolutions(20);
         setGammas(p, {1e-5, 2e-5, 3e-5, 4e-5, 5e-5});

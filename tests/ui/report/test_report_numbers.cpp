@@ -163,7 +163,7 @@ private slots:
             expected << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
                                                      BatchText::capability(of.ppk));
         }
-        QCOMPARE(chart->told, expected.join(QStringLiteral("; ")));
+        QCOMPARE(chart->description, expected.join(QStringLiteral("; ")));
     }
 
     void aLimitIsShownOnTheSideItStandsOn() {

@@ -112,15 +112,15 @@ std::optional<Figure> CapabilityChart::figure(const BatchSummary& summary) {
     }
     std::ranges::stable_sort(rows, {}, [](const auto& of) { return of.ppk->value; });
     rows.resize(std::min(rows.size(), mostCharted));
-    QStringList told;
+    QStringList values;
     for (const CharacteristicSummary& of : rows) {
-        told << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
-                                             BatchText::capability(of.ppk));
+        values << QStringLiteral("%1: %2").arg(BatchText::full(of.characteristic),
+                                               BatchText::capability(of.ppk));
     }
     const CapabilityChart chart(std::move(rows));
     return Figure{tr("Ppk with its 95 % bounds, the least first; dashed: 1 and %1")
                       .arg(plainNumber(customaryPpk)),
-                  told.join(QStringLiteral("; ")), chart.size(),
+                  values.join(QStringLiteral("; ")), chart.size(),
                   [chart](QPainter& painter) { chart.paint(painter); }};
 }
 

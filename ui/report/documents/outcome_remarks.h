@@ -8,7 +8,7 @@
 
 namespace sparkout::report {
 
-/// What a reader is told beside the numbers of a run, a line each.
+/// What a document states beside the numbers of a run, a line each.
 class OutcomeRemarks {
     Q_DECLARE_TR_FUNCTIONS(OutcomeRemarks)
 public:

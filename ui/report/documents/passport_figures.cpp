@@ -41,14 +41,15 @@ std::vector<int> allOf(const ProfileSeries& series) {
 
 Figure PassportFigures::histograms(const BatchSummary& summary, const std::string& name) {
     std::vector<CharacteristicSummary> shown;
-    QStringList told;
+    QStringList values;
     for (const std::size_t i : drawnPlacesOf(summary, name)) {
         shown.push_back(summary.characteristics[i]);
         const CharacteristicSummary& of = shown.back();
         if (of.count > 0) {
-            told << tr("%1: %2", "zone, range of values")
-                        .arg(BatchText::where(of.characteristic),
-                             BatchText::range({of.least.value, of.most.value}, of.characteristic));
+            values << tr("%1: %2", "zone, range of values")
+                          .arg(
+                              BatchText::where(of.characteristic),
+                              BatchText::range({of.least.value, of.most.value}, of.characteristic));
         }
     }
     const QString axis = BatchText::axis(shown.front().characteristic);
@@ -61,7 +62,7 @@ Figure PassportFigures::histograms(const BatchSummary& summary, const std::strin
     for (int i = 0; i < plot.cellCount(); ++i) { // a white edge would leave nothing of a narrow bar
         plot.bars(i)->setPen(QPen(plot.bars(i)->brush().color(), narrowBar));
     }
-    return plotFigure(plot, plot.legendEntries(), caption, told.join(QStringLiteral("; ")));
+    return plotFigure(plot, plot.legendEntries(), caption, values.join(QStringLiteral("; ")));
 }
 
 Figure PassportFigures::alongThePart(const Outcome& outcome) {

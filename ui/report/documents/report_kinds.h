@@ -28,10 +28,10 @@ struct Subject {
 
 struct KindRow {
     Kind kind;
-    const char* key;  ///< on the command line
-    const char* told; ///< there: what it is
-    const char* menu; ///< its menu, to be translated in the context ReportKind
-    bool takesBatch;  ///< it is about the project's batch, when there is one
+    const char* key;         ///< on the command line
+    const char* description; ///< there, in English
+    const char* menu;        ///< its menu, to be translated in the context ReportKind
+    bool takesBatch;         ///< it is about the project's batch, when there is one
     Report (*make)(const Subject& subject);
 };
 

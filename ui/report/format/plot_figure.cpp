@@ -41,11 +41,12 @@ void setUpForPaper(QCustomPlot& plot, int height) {
 }
 
 Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend, const QString& caption,
-                  const QString& told) {
+                  const QString& description) {
     plot.replot();
     QPicture picture;
     const QSize size = draw(picture, plot, legend);
-    return {caption, told, size, [picture, dots = double(plot.logicalDpiX())](QPainter& painter) {
+    return {caption, description, size,
+            [picture, dots = double(plot.logicalDpiX())](QPainter& painter) {
                 // A picture is enlarged by the device's resolution.
                 painter.scale(dots / painter.device()->logicalDpiX(),
                               dots / painter.device()->logicalDpiY());

@@ -17,6 +17,6 @@ void setUpForPaper(QCustomPlot& plot, int height);
 
 /// The plot in vectors, its legend above it.
 [[nodiscard]] Figure plotFigure(QCustomPlot& plot, const LegendEntries& legend,
-                                const QString& caption, const QString& told);
+                                const QString& caption, const QString& description);
 
 } // namespace sparkout::report

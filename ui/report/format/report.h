@@ -45,8 +45,8 @@ struct Table {
 /// A drawing in vectors.
 struct Figure {
     QString caption;
-    QString told; ///< the same in words, for who cannot see it
-    QSizeF size;  ///< in units of the drawing; it is scaled to the width of the page
+    QString description; ///< the same in words, for those who cannot see it
+    QSizeF size;         ///< in units of the drawing; it is scaled to the width of the page
     std::function<void(QPainter&)> paint;
 };
 

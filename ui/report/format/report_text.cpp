@@ -36,7 +36,7 @@ const char* const styleSheet =
     "center}";
 
 QByteArray drawn(const Figure& figure) {
-    SvgDevice device(figure.size.toSize(), figureDotsPerInch, figure.told);
+    SvgDevice device(figure.size.toSize(), figureDotsPerInch, figure.description);
     QPainter painter;
     if (painter.begin(&device)) {
         figure.paint(painter);
@@ -154,7 +154,8 @@ public:
     void operator()(const Figure& figure) {
         const QString name = QStringLiteral("figure-%1").arg(++m_figures);
         m_text += QStringLiteral("![%1][%2]").arg(plain(figure.caption), name) + end();
-        m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.told)) + end();
+        m_text += QStringLiteral("*%1: %2*").arg(plain(figure.caption), plain(figure.description))
+                  + end();
         m_pictures += QStringLiteral("[%1]: data:image/svg+xml;base64,").arg(name)
                       + QString::fromLatin1(drawn(figure).toBase64()) + u'\n';
     }

@@ -13,7 +13,7 @@ namespace sparkout::report {
 /// One file that needs no other: figures are SVG inside it. Well-formed XML too.
 [[nodiscard]] QByteArray html(const Report& report);
 
-/// Tables and texts; a figure is told in words, and its drawing is SVG in the file itself.
+/// Tables and texts; a figure is described in words, and its drawing is SVG in the file itself.
 [[nodiscard]] QByteArray markdown(const Report& report);
 
 /// The formats of an exported report, by the ending of the file.

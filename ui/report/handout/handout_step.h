@@ -12,7 +12,7 @@ namespace sparkout::report {
 /// What the hand-out works out.
 using HandoutStep = RecordedStep;
 
-/// Which step is wanted; what is not told may be any.
+/// Which step is wanted; what is not given may be any.
 struct StepWish {
     std::optional<Zone> zone;
     std::optional<int> section, stage, count, step, revolution, radius;

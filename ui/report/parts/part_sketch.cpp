@@ -33,7 +33,7 @@ public:
     static QString length(double value_mm) {
         return tr("%1 mm").arg(QLocale().toString(value_mm, 'g', 6));
     }
-    static QString told(const Outcome& outcome);
+    static QString description(const Outcome& outcome);
     static QString headstock() { return tr("headstock"); }
     static QString tailstock() { return tr("tailstock"); }
     static QString gauge() { return tr("gauge"); }
@@ -71,7 +71,7 @@ double gaugePlace(const Outcome& outcome) {
                                      : outcome.result.sections.at(section).position_mm;
 }
 
-QString Sketch::told(const Outcome& outcome) {
+QString Sketch::description(const Outcome& outcome) {
     const Part& part = outcome.result.project.part;
     QStringList parts{tr("ground diameter %1").arg(length(part.diameter_mm)),
                       tr("ground length %1").arg(length(part.length_mm))};
@@ -265,7 +265,7 @@ void Drawing::paint() {
 } // namespace
 
 Figure partSketch(const OutcomePtr& outcome) {
-    return {Sketch::caption(), Sketch::told(*outcome), sketchSize,
+    return {Sketch::caption(), Sketch::description(*outcome), sketchSize,
             [outcome](QPainter& painter) { Drawing(painter, *outcome).paint(); }};
 }
 
