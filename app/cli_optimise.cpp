@@ -8,7 +8,7 @@
 #include "core/format/project_file.h"
 #include "core/optimisation/search_names.h"
 #include "core/printable.h"
-#include "core/study/search_refusal.h"
+#include "words/search_words.h"
 
 #include <algorithm>
 #include <charconv>

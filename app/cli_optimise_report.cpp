@@ -83,17 +83,18 @@ std::string bindingText(const GridSearchReport& report) {
                : "nothing known: a cycle that differs in one setting may be quicker and hold";
 }
 
-std::string stageLine(const Stage& stage, std::size_t number) {
+std::string stageLine(const Operation& operation, const Stage& stage, std::size_t number) {
     std::string feeds;
     if (const auto steps = stage.sparkOutSteps()) {
         feeds = "spark-out, " + std::to_string(*steps)
-                + (stage.axial_feed_mm_min ? " double strokes" : " revolutions");
+                + (operation->countsStrokes ? " double strokes" : " revolutions");
     } else {
-        feeds = stage.radial_feed_mm ? fixed(*stage.radial_feed_mm, 4) + " mm per double stroke"
-                                     : fixed(*stage.radial_feed_mm_min, 3) + " mm/min";
+        const double radial = *(stage.*operation->radial().value);
+        feeds = operation->perMinute ? fixed(radial, 3) + " mm/min"
+                                     : fixed(radial, 4) + " mm per double stroke";
     }
-    if (stage.axial_feed_mm_min) {
-        feeds += ", " + fixed(*stage.axial_feed_mm_min, 0) + " mm/min axial";
+    if (const StageFeed* axial = operation->axial()) {
+        feeds += ", " + fixed(*(stage.*axial->value), 0) + " mm/min axial";
     }
     return "  stage " + std::to_string(number) + "            " + feeds + "; stock "
            + fixed(stage.stock_mm, 4) + " mm\n";
@@ -236,7 +237,7 @@ std::string optimiseText(const GridSearchReport& report) {
             + fixed(gapToLimit(best_s, report.limit_s) * 100, 1) + " %\n";
     const Cycle& cycle = cycleFound(report);
     for (std::size_t z = 0; z < cycle.stages.size(); ++z) {
-        text += stageLine(cycle.stages[z], z + 1);
+        text += stageLine(report.project.operation, cycle.stages[z], z + 1);
     }
     text += machineText(report) + costText(report, best_s);
     if (report.refined) {

@@ -4,10 +4,10 @@
 #include "core/optimisation/search_names.h"
 #include "core/quality/result_names.h"
 #include "core/sparkout.h"
-#include "core/study/search_refusal.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/project_object.h"
+#include "words/search_words.h"
 
 #include <pybind11/stl.h>
 

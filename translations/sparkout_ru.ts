@@ -319,6 +319,111 @@
         </message>
     </context>
     <context>
+        <name>CompareChart</name>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes or revolutions done</source>
+            <translation>Сделано двойных ходов или оборотов</translation>
+        </message>
+        <message>
+            <source>Revolutions done</source>
+            <translation>Сделано оборотов</translation>
+        </message>
+        <message>
+            <source>Double strokes done</source>
+            <translation>Сделано двойных ходов</translation>
+        </message>
+        <message>
+            <source>Feed, µm</source>
+            <translation>Подача, мкм</translation>
+        </message>
+        <message>
+            <source>Force, N</source>
+            <translation>Сила, Н</translation>
+        </message>
+        <message>
+            <source>Σ feed,
+µm</source>
+            <translation>Σ подача,
+мкм</translation>
+        </message>
+        <message>
+            <source>Radius,
+µm</source>
+            <translation>Радиус,
+мкм</translation>
+        </message>
+        <message>
+            <source>Programmed,
+µm</source>
+            <translation>Программ.,
+мкм</translation>
+        </message>
+        <message>
+            <source>Axial,
+mm/min</source>
+            <translation>Осевая,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Radius
+before, µm</source>
+            <translation>Радиус
+до, мкм</translation>
+        </message>
+        <message>
+            <source>Σ program-
+med, µm</source>
+            <translation>Σ прогр.,
+мкм</translation>
+        </message>
+        <message>
+            <source>%1: nothing is ground then</source>
+            <translation>%1: в это время не шлифуется</translation>
+        </message>
+        <message>
+            <source>double stroke %1</source>
+            <translation>двойной ход %1</translation>
+        </message>
+        <message>
+            <source>revolution %1</source>
+            <translation>оборот %1</translation>
+        </message>
+        <message>
+            <source>%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N</source>
+            <translation>%1, %2: подача %3, накоплено %4, радиус %5 мкм; сила %6 Н</translation>
+        </message>
+        <message>
+            <source>run</source>
+            <translation>расчёт</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke or revolution</source>
+            <translation>двойной ход или оборот</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <comment>time</comment>
+            <translation>%1: от</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <comment>time</comment>
+            <translation>%1: до</translation>
+        </message>
+    </context>
+    <context>
         <name>Condition</name>
         <message>
             <source>traverse</source>
@@ -7398,14 +7503,6 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Исходные данные отвергнуты; показана партия последних принятых.</translation>
         </message>
         <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные отвергнуты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата пока нет.</translation>
-        </message>
-        <message>
             <source>The batch cannot be run:</source>
             <translation>Партию нельзя рассчитать:</translation>
         </message>
@@ -7791,111 +7888,6 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
     </context>
     <context>
-        <name>sparkout::ComparePlot</name>
-        <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
-        </message>
-        <message>
-            <source>Double strokes or revolutions done</source>
-            <translation>Сделано двойных ходов или оборотов</translation>
-        </message>
-        <message>
-            <source>Revolutions done</source>
-            <translation>Сделано оборотов</translation>
-        </message>
-        <message>
-            <source>Double strokes done</source>
-            <translation>Сделано двойных ходов</translation>
-        </message>
-        <message>
-            <source>Feed, µm</source>
-            <translation>Подача, мкм</translation>
-        </message>
-        <message>
-            <source>Force, N</source>
-            <translation>Сила, Н</translation>
-        </message>
-        <message>
-            <source>Σ feed,
-µm</source>
-            <translation>Σ подача,
-мкм</translation>
-        </message>
-        <message>
-            <source>Radius,
-µm</source>
-            <translation>Радиус,
-мкм</translation>
-        </message>
-        <message>
-            <source>%1: nothing is ground then</source>
-            <translation>%1: в это время не шлифуется</translation>
-        </message>
-        <message>
-            <source>double stroke %1</source>
-            <translation>двойной ход %1</translation>
-        </message>
-        <message>
-            <source>revolution %1</source>
-            <translation>оборот %1</translation>
-        </message>
-        <message>
-            <source>%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N</source>
-            <translation>%1, %2: подача %3, накоплено %4, радиус %5 мкм; сила %6 Н</translation>
-        </message>
-        <message>
-            <source>run</source>
-            <translation>расчёт</translation>
-        </message>
-        <message>
-            <source>stage</source>
-            <translation>ступень</translation>
-        </message>
-        <message>
-            <source>double stroke or revolution</source>
-            <translation>двойной ход или оборот</translation>
-        </message>
-        <message>
-            <source>%1: from</source>
-            <comment>time</comment>
-            <translation>%1: от</translation>
-        </message>
-        <message>
-            <source>%1: to</source>
-            <comment>time</comment>
-            <translation>%1: до</translation>
-        </message>
-        <message>
-            <source>Programmed,
-µm</source>
-            <translation>Программ.,
-мкм</translation>
-        </message>
-        <message>
-            <source>Axial,
-mm/min</source>
-            <translation>Осевая,
-мм/мин</translation>
-        </message>
-        <message>
-            <source>Radius
-before, µm</source>
-            <translation>Радиус
-до, мкм</translation>
-        </message>
-        <message>
-            <source>Σ program-
-med, µm</source>
-            <translation>Σ прогр.,
-мкм</translation>
-        </message>
-    </context>
-    <context>
         <name>sparkout::CompareView</name>
         <message>
             <source>Compare</source>
@@ -7918,10 +7910,6 @@ med, µm</source>
             <translation>Значения под указателем</translation>
         </message>
         <message>
-            <source>Runs; a check mark lays one over the present run</source>
-            <translation>Расчёты; отмеченный накладывается на текущий</translation>
-        </message>
-        <message>
             <source>Inputs and results that differ</source>
             <translation>Различающиеся исходные данные и результаты</translation>
         </message>
@@ -7942,68 +7930,8 @@ med, µm</source>
             <translation>Запомнить текущий расчёт</translation>
         </message>
         <message>
-            <source>Keep the present run: its inputs and results, for comparison</source>
-            <translation>Запомнить текущий расчёт: исходные данные и результаты, для сравнения</translation>
-        </message>
-        <message>
-            <source>Restore the inputs</source>
-            <translation>Вернуть исходные данные</translation>
-        </message>
-        <message>
-            <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
-            <translation>Взять исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
-        </message>
-        <message>
-            <source>Rename</source>
-            <translation>Переименовать</translation>
-        </message>
-        <message>
-            <source>Rename the selected run</source>
-            <translation>Переименовать выбранный расчёт</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>Удалить</translation>
-        </message>
-        <message>
-            <source>Delete the selected run</source>
-            <translation>Удалить выбранный расчёт</translation>
-        </message>
-        <message>
             <source>Present run</source>
             <translation>Текущий расчёт</translation>
-        </message>
-        <message>
-            <source>not computed yet</source>
-            <translation>ещё не рассчитан</translation>
-        </message>
-        <message>
-            <source>results not readable</source>
-            <translation>итоги не читаются</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 мин</translation>
-        </message>
-        <message>
-            <source>computing…</source>
-            <translation>считается…</translation>
-        </message>
-        <message>
-            <source>refused now</source>
-            <translation>теперь отклонён</translation>
-        </message>
-        <message>
-            <source>differs now</source>
-            <translation>теперь иначе</translation>
-        </message>
-        <message>
-            <source>Present run, always drawn</source>
-            <translation>Текущий расчёт, показан всегда</translation>
-        </message>
-        <message>
-            <source>Kept %1 by version %2</source>
-            <translation>Запомнен %1 версией %2</translation>
         </message>
         <message>
             <source>%1: %2</source>
@@ -8032,14 +7960,6 @@ med, µm</source>
         <message>
             <source>The inputs are refused; the present run is that of the last accepted ones.</source>
             <translation>Исходные данные отклонены; текущий расчёт — по последним принятым.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные отвергнуты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата пока нет.</translation>
         </message>
         <message>
             <source>The cycle is too long to be recorded: its curves are not drawn. Fewer radii or sections help.</source>
@@ -8084,26 +8004,6 @@ med, µm</source>
         <message>
             <source>Revolutions</source>
             <translation>Обороты</translation>
-        </message>
-        <message>
-            <source>Right-hand axes</source>
-            <translation>Правые оси</translation>
-        </message>
-        <message>
-            <source>Right-hand axes: the second quantity of the upper and of the lower plot</source>
-            <translation>Правые оси: вторая величина верхнего и нижнего графика</translation>
-        </message>
-        <message>
-            <source>Above: %1</source>
-            <translation>Вверху: %1</translation>
-        </message>
-        <message>
-            <source>Below: %1</source>
-            <translation>Внизу: %1</translation>
-        </message>
-        <message>
-            <source>no results kept</source>
-            <translation>результаты не сохранены</translation>
         </message>
     </context>
     <context>
@@ -8788,118 +8688,6 @@ med, µm</source>
             <translation>ступень %1</translation>
         </message>
         <message>
-            <source>Time, min</source>
-            <translation>Время, мин</translation>
-        </message>
-        <message>
-            <source>Time, s</source>
-            <translation>Время, с</translation>
-        </message>
-        <message>
-            <source>Double strokes done</source>
-            <translation>Пройдено двойных ходов</translation>
-        </message>
-        <message>
-            <source>Revolutions done</source>
-            <translation>Пройдено оборотов</translation>
-        </message>
-        <message>
-            <source>Feed, µm
-per revolution</source>
-            <translation>Подача, мкм
-на оборот</translation>
-        </message>
-        <message>
-            <source>Feed, µm per
-double stroke</source>
-            <translation>Подача,
-мкм/дв.ход</translation>
-        </message>
-        <message>
-            <source>Feed, µm
-per pass</source>
-            <translation>Подача, мкм
-за проход</translation>
-        </message>
-        <message>
-            <source>Normal
-force, N</source>
-            <translation>Нормальная
-сила, Н</translation>
-        </message>
-        <message>
-            <source>Axial feed,
-mm/min</source>
-            <translation>Осевая подача,
-мм/мин</translation>
-        </message>
-        <message>
-            <source>Accumulated
-feed, µm</source>
-            <translation>Накопленная
-подача, мкм</translation>
-        </message>
-        <message>
-            <source>Radius above
-target, µm</source>
-            <translation>Радиус сверх
-цели, мкм</translation>
-        </message>
-        <message>
-            <source>%1 (gauge)</source>
-            <translation>%1 (ПАК)</translation>
-        </message>
-        <message>
-            <source>zone</source>
-            <translation>зона</translation>
-        </message>
-        <message>
-            <source>section</source>
-            <translation>сечение</translation>
-        </message>
-        <message>
-            <source>stage</source>
-            <translation>ступень</translation>
-        </message>
-        <message>
-            <source>double stroke</source>
-            <translation>двойной ход</translation>
-        </message>
-        <message>
-            <source>revolution</source>
-            <translation>оборот</translation>
-        </message>
-        <message>
-            <source>step</source>
-            <translation>этап</translation>
-        </message>
-        <message>
-            <source>pass of the step</source>
-            <translation>проход этапа</translation>
-        </message>
-        <message>
-            <source>radius no.</source>
-            <translation>радиус №</translation>
-        </message>
-        <message>
-            <source>%1: from</source>
-            <comment>time</comment>
-            <translation>%1: от</translation>
-        </message>
-        <message>
-            <source>%1: to</source>
-            <comment>time</comment>
-            <translation>%1: до</translation>
-        </message>
-        <message>
-            <source>%1: smallest</source>
-            <translation>%1: наименьшее</translation>
-        </message>
-        <message>
-            <source>%1: largest</source>
-            <translation>%1: наибольшее</translation>
-        </message>
-        <message>
             <source>spread over the radii</source>
             <translation>разброс по радиусам</translation>
         </message>
@@ -8907,32 +8695,6 @@ target, µm</source>
             <source>st. %1</source>
             <comment>stage, short</comment>
             <translation>ст. %1</translation>
-        </message>
-        <message>
-            <source>Feed, µm</source>
-            <translation>Подача, мкм</translation>
-        </message>
-        <message>
-            <source>Σ feed,
-µm</source>
-            <translation>Σ подач,
-мкм</translation>
-        </message>
-        <message>
-            <source>Axial,
-mm/min</source>
-            <translation>Осевая,
-мм/мин</translation>
-        </message>
-        <message>
-            <source>Force, N</source>
-            <translation>Сила, Н</translation>
-        </message>
-        <message>
-            <source>Radius,
-µm</source>
-            <translation>Радиус,
-мкм</translation>
         </message>
     </context>
     <context>
@@ -8989,18 +8751,6 @@ mm/min</source>
         <message>
             <source>Point at a curve to read its values.</source>
             <translation>Наведите указатель на кривую, чтобы прочитать значения.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused; the curves are those of the last accepted ones.</source>
-            <translation>Исходные данные не приняты; показаны кривые последних принятых.</translation>
-        </message>
-        <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата ещё нет.</translation>
         </message>
         <message>
             <source>%1 values that are no numbers are not drawn.</source>
@@ -10208,14 +9958,6 @@ target, µm</source>
             <translation>Данные не приняты; поиск — по последним принятым.</translation>
         </message>
         <message>
-            <source>The inputs are refused:</source>
-            <translation>Данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата пока нет.</translation>
-        </message>
-        <message>
             <source>This project does not say what may be changed. A search takes every listed feed and stock of the stages and finds the quickest cycle that holds every requirement. Choose them on the page Search of the inputs, or start with usual ones.</source>
             <translation>В проекте не задано, что можно менять. Поиск перебирает заданные подачи и припуски ступеней и находит самый быстрый цикл, который выдерживает все требования. Задайте их на странице «Поиск» исходных данных или начните с обычных.</translation>
         </message>
@@ -10750,14 +10492,6 @@ target, µm</source>
             <translation>Исходные данные не приняты; показаны профили для последних принятых.</translation>
         </message>
         <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные не приняты:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Результата ещё нет.</translation>
-        </message>
-        <message>
             <source>The cycle is too long to be recorded: only its end is shown.</source>
             <translation>Цикл слишком длинный для записи: показан только его конец.</translation>
         </message>
@@ -11199,6 +10933,85 @@ target, µm</source>
         </message>
     </context>
     <context>
+        <name>sparkout::RunsPanel</name>
+        <message>
+            <source>Present run</source>
+            <translation>Текущий расчёт</translation>
+        </message>
+        <message>
+            <source>not computed yet</source>
+            <translation>ещё не рассчитан</translation>
+        </message>
+        <message>
+            <source>results not readable</source>
+            <translation>итоги не читаются</translation>
+        </message>
+        <message>
+            <source>no results kept</source>
+            <translation>результаты не сохранены</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 мин</translation>
+        </message>
+        <message>
+            <source>computing…</source>
+            <translation>считается…</translation>
+        </message>
+        <message>
+            <source>refused now</source>
+            <translation>теперь отклонён</translation>
+        </message>
+        <message>
+            <source>differs now</source>
+            <translation>теперь иначе</translation>
+        </message>
+        <message>
+            <source>Present run, always drawn</source>
+            <translation>Текущий расчёт, показан всегда</translation>
+        </message>
+        <message>
+            <source>Kept %1 by version %2</source>
+            <translation>Запомнен %1 версией %2</translation>
+        </message>
+        <message>
+            <source>Runs; a check mark lays one over the present run</source>
+            <translation>Расчёты; отмеченный накладывается на текущий</translation>
+        </message>
+        <message>
+            <source>Keep the present run</source>
+            <translation>Запомнить текущий расчёт</translation>
+        </message>
+        <message>
+            <source>Keep the present run: its inputs and results, for comparison</source>
+            <translation>Запомнить текущий расчёт: исходные данные и результаты, для сравнения</translation>
+        </message>
+        <message>
+            <source>Restore the inputs</source>
+            <translation>Вернуть исходные данные</translation>
+        </message>
+        <message>
+            <source>Take the inputs of the selected run in place of the present ones; the kept runs stay</source>
+            <translation>Взять исходные данные выбранного расчёта вместо текущих; запомненные расчёты остаются</translation>
+        </message>
+        <message>
+            <source>Rename</source>
+            <translation>Переименовать</translation>
+        </message>
+        <message>
+            <source>Rename the selected run</source>
+            <translation>Переименовать выбранный расчёт</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>Удалить</translation>
+        </message>
+        <message>
+            <source>Delete the selected run</source>
+            <translation>Удалить выбранный расчёт</translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::ScatterPlot</name>
         <message>
             <source>parts</source>
@@ -11223,6 +11036,25 @@ target, µm</source>
         <message>
             <source>Part %1: %2; %3</source>
             <translation>Деталь %1: %2; %3</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::SecondAxisMenu</name>
+        <message>
+            <source>Right-hand axes</source>
+            <translation>Правые оси</translation>
+        </message>
+        <message>
+            <source>Right-hand axes: the second quantity of the upper and of the lower plot</source>
+            <translation>Правые оси: вторая величина верхнего и нижнего графика</translation>
+        </message>
+        <message>
+            <source>Above: %1</source>
+            <translation>Вверху: %1</translation>
+        </message>
+        <message>
+            <source>Below: %1</source>
+            <translation>Внизу: %1</translation>
         </message>
     </context>
     <context>
@@ -11803,14 +11635,6 @@ target, µm</source>
             <translation>Исходные данные отклонены; показано варьирование последних принятых.</translation>
         </message>
         <message>
-            <source>The inputs are refused:</source>
-            <translation>Исходные данные отклонены:</translation>
-        </message>
-        <message>
-            <source>No result yet.</source>
-            <translation>Расчёта ещё нет.</translation>
-        </message>
-        <message>
             <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
             <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая выдержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
@@ -12330,6 +12154,150 @@ target, µm</source>
         <message>
             <source>No result yet.</source>
             <translation>Результата ещё нет.</translation>
+        </message>
+    </context>
+    <context>
+        <name>FeedsChart</name>
+        <message>
+            <source>Time, min</source>
+            <translation>Время, мин</translation>
+        </message>
+        <message>
+            <source>Time, s</source>
+            <translation>Время, с</translation>
+        </message>
+        <message>
+            <source>Double strokes done</source>
+            <translation>Пройдено двойных ходов</translation>
+        </message>
+        <message>
+            <source>Revolutions done</source>
+            <translation>Пройдено оборотов</translation>
+        </message>
+        <message>
+            <source>zone</source>
+            <translation>зона</translation>
+        </message>
+        <message>
+            <source>section</source>
+            <translation>сечение</translation>
+        </message>
+        <message>
+            <source>stage</source>
+            <translation>ступень</translation>
+        </message>
+        <message>
+            <source>double stroke</source>
+            <translation>двойной ход</translation>
+        </message>
+        <message>
+            <source>revolution</source>
+            <translation>оборот</translation>
+        </message>
+        <message>
+            <source>step</source>
+            <translation>этап</translation>
+        </message>
+        <message>
+            <source>pass of the step</source>
+            <translation>проход этапа</translation>
+        </message>
+        <message>
+            <source>radius no.</source>
+            <translation>радиус №</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <comment>time</comment>
+            <translation>%1: от</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <comment>time</comment>
+            <translation>%1: до</translation>
+        </message>
+        <message>
+            <source>%1: smallest</source>
+            <translation>%1: наименьшее</translation>
+        </message>
+        <message>
+            <source>%1: largest</source>
+            <translation>%1: наибольшее</translation>
+        </message>
+    </context>
+    <context>
+        <name>FeedsGrid</name>
+        <message>
+            <source>Feed, µm
+per revolution</source>
+            <translation>Подача, мкм
+на оборот</translation>
+        </message>
+        <message>
+            <source>Feed, µm per
+double stroke</source>
+            <translation>Подача,
+мкм/дв.ход</translation>
+        </message>
+        <message>
+            <source>Feed, µm
+per pass</source>
+            <translation>Подача, мкм
+за проход</translation>
+        </message>
+        <message>
+            <source>Normal
+force, N</source>
+            <translation>Нормальная
+сила, Н</translation>
+        </message>
+        <message>
+            <source>Axial feed,
+mm/min</source>
+            <translation>Осевая подача,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Accumulated
+feed, µm</source>
+            <translation>Накопленная
+подача, мкм</translation>
+        </message>
+        <message>
+            <source>Radius above
+target, µm</source>
+            <translation>Радиус сверх
+цели, мкм</translation>
+        </message>
+        <message>
+            <source>%1 (gauge)</source>
+            <translation>%1 (ПАК)</translation>
+        </message>
+        <message>
+            <source>Feed, µm</source>
+            <translation>Подача, мкм</translation>
+        </message>
+        <message>
+            <source>Σ feed,
+µm</source>
+            <translation>Σ подач,
+мкм</translation>
+        </message>
+        <message>
+            <source>Axial,
+mm/min</source>
+            <translation>Осевая,
+мм/мин</translation>
+        </message>
+        <message>
+            <source>Force, N</source>
+            <translation>Сила, Н</translation>
+        </message>
+        <message>
+            <source>Radius,
+µm</source>
+            <translation>Радиус,
+мкм</translation>
         </message>
     </context>
 </TS>

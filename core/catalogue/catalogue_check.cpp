@@ -160,7 +160,8 @@ void checkLimits(const Project& project, const std::string& key,
 void checkThermal(const ThermalData& data, const std::string& path, Issues& issues) {
     const Field& density = *tableOf<ThermalData>().find("density_kg_m3");
     if (data.density_kg_m3 && !density.hard.contains(*data.density_kg_m3)) {
-        refuse(issues, IssueCode::outOfRange, path + "/density_kg_m3", Amount{*data.density_kg_m3, density.unit}, Bounds{density.hard, density.unit});
+        refuse(issues, IssueCode::outOfRange, path + "/density_kg_m3",
+               Amount{*data.density_kg_m3, density.unit}, Bounds{density.hard, density.unit});
     }
     checkRows(data.conductivity_w_mk_at_c, path + "/conductivity_w_mk_at_c", issues);
     checkRows(data.heat_capacity_j_kgk_at_c, path + "/heat_capacity_j_kgk_at_c", issues);

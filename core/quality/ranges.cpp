@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/quality/ranges.h"
 
+#include "core/quality/requirement.h"
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <string_view>
 
 namespace sparkout {
 
@@ -46,10 +50,14 @@ private:
     std::vector<MachineRange> m_found;
 };
 
+/// The requirement whose row names the feed as its setting of a stage.
 ConstraintKind kindOf(const StageFeed& feed) {
-    return feed.range == &MachineLimits::radial_feed_mm      ? ConstraintKind::rangeRadialFeed
-           : feed.range == &MachineLimits::axial_feed_mm_min ? ConstraintKind::rangeAxialFeed
-                                                             : ConstraintKind::rangePlungeFeed;
+    const auto row = std::ranges::find_if(requirementRows, [&](const Requirement& each) {
+        return each.source == LimitSource::range && each.settingOfStage
+               && std::string_view(each.settingOfStage) == feed.key;
+    });
+    assert(row != requirementRows.end());
+    return row->kind;
 }
 
 /// A retraction is set as fast as a feed is. A spark-out has an axial feed only.

@@ -33,8 +33,9 @@ enum class ConstraintKind {
     rangeWorkSpeed,
     gaugeCommands,
     overlap,
+    count_
 };
-inline constexpr int constraintKinds = static_cast<int>(ConstraintKind::overlap) + 1;
+inline constexpr int constraintKinds = static_cast<int>(ConstraintKind::count_);
 
 /// What a requirement is held against.
 enum class ConstraintScope {

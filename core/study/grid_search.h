@@ -46,7 +46,7 @@ struct GridSearchReport {
     std::optional<std::vector<ConstraintKind>> binding; ///< nothing: not known, or no cycle
     GivenCycle given;
 
-    /// Else nothing was searched; refusal() says why.
+    /// Else nothing was searched.
     [[nodiscard]] bool ran() const {
         return issues.empty() && fault == GridFault::none && !isOtherOperation;
     }

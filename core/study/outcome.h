@@ -26,7 +26,7 @@ struct Outcome {
     LayerSeries layers;    ///< and layer by layer, the means over the radii
     PartAccuracy accuracy; ///< form of every zone or section and of the part
     std::vector<ConstraintResult> constraints;
-    LimitSeries limits; ///< the cuts against the limits of the feed
+    LimitSeries limits;                     ///< the cuts against the limits of the feed
     std::vector<CompliantPlace> compliance; ///< γ along the part; none where it is given
     ShopNumbers shop;
 

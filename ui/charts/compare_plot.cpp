@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/compare_plot.h"
 
+#include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/plot_click.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/plot_cursors.h"
+#include "ui/plot/quantity_colour.h"
+#include "ui/plot/run_dash.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sparkout {
@@ -16,30 +20,23 @@ constexpr double curveRoom = 0.06; ///< of the values
 
 ComparePlot::ComparePlot(QWidget* parent) : ViewPlot(parent) {
     setPlottingHints(QCP::phFastPolylines);
-    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
     build();
-    retranslate();
-    restyle();
-    connect(this, &QCustomPlot::mouseMove, this, &ComparePlot::onMouse);
     onPlotClick(*this, [this](const QPointF& at) {
-        if (const QCPAxisRect* rect = axisRectAt(at); rect && !m_runs.empty()) {
+        if (const QCPAxisRect* rect = axisRectAt(at); rect && !runs().empty()) {
             emit timeClicked(
-                presentScale().time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
+                m_chart.scale(0).time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
         }
     });
-    setBuilt();
+    built();
 }
 
 void ComparePlot::build() {
-    plotLayout()->clear();
     plotLayout()->setRowSpacing(0);
     auto* margins = new QCPMarginGroup(this);
     for (std::size_t row = 0; row < m_rects.size(); ++row) {
-        auto* rect = new QCPAxisRect(this, true);
-        plotLayout()->addElement(static_cast<int>(row), 0, rect);
+        QCPAxisRect* const rect = addRect(static_cast<int>(row));
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
         for (QCPAxis* axis : rect->axes()) {
-            style::setUpAxis(*axis);
             axis->ticker()->setTickCount(4);
             axis->setVisible(true);
         }
@@ -66,18 +63,17 @@ void ComparePlot::fitTexts() {
     constexpr int least = 2, most = 8;
     const int room = QFontMetrics(font()).horizontalAdvance(QStringLiteral("0000.0"));
     for (QCPAxisRect* rect : m_rects) {
-        style::fitValueAxes(*rect, font());
+        bool changed = style::fitValueAxes(*rect, font());
         QCPAxis* const below = rect->axis(QCPAxis::atBottom);
         const int count = std::clamp(rect->width() / room, least, most);
         if (below->ticker()->tickCount() != count) {
             below->ticker()->setTickCount(count);
+            changed = true;
+        }
+        if (changed) {
             replot(rpQueuedReplot);
         }
     }
-}
-
-std::array<Quantity, 4> ComparePlot::quantities() const {
-    return {Quantity::actual, m_second[0], Quantity::actualSum, m_second[1]};
 }
 
 QCPAxis* ComparePlot::axisOf(Quantity quantity) const {
@@ -87,115 +83,77 @@ QCPAxis* ComparePlot::axisOf(Quantity quantity) const {
 }
 
 void ComparePlot::setSecond(std::size_t row, Quantity quantity) {
-    const bool all = ranges() == m_fitted;
-    m_second.at(row) = quantity;
+    const bool all = sight() == m_fitted;
+    m_chart.setSecond(row, quantity);
     fill();
     fitValues(quantity);
-    m_fitted = all ? ranges() : m_fitted;
-    labelAxes();
+    m_fitted = all ? sight() : m_fitted;
+    setTexts();
     emit contentChanged();
 }
 
-const FeedPoints& ComparePlot::pointsOf(const ComparedFeeds& run) const {
-    return run.feeds->columns.at(run.column).strokes;
-}
-
 void ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
-    const bool all = m_fitted.empty() || ranges() == m_fitted;
-    m_runs = std::move(runs);
+    const bool all = m_fitted.empty() || sight() == m_fitted;
+    m_chart.setRuns(std::move(runs));
     fill();
     if (all) {
         fit();
     }
-    labelAxes();
+    setTexts();
     setMoment(m_moment_s);
     emit contentChanged();
 }
 
 void ComparePlot::setAxis(CycleAxis axis) {
-    m_axis = axis;
+    m_chart.setAxis(axis);
     m_hairLine->setAt({});
     fill();
     fit();
-    labelAxes();
+    setTexts();
     setMoment(m_moment_s);
 }
 
 void ComparePlot::fill() {
     clearGraphs();
     m_curves.clear();
-    m_scales.clear();
-    for (const ComparedFeeds& run : m_runs) {
-        m_scales.emplace_back(*run.feeds, m_axis);
-    }
-    for (std::size_t run = m_runs.size(); run-- > 0;) { // the present one on top
+    for (std::size_t run = runs().size(); run-- > 0;) { // the present one on top
         for (const Quantity quantity : quantities()) {
             QCPAxis* const value = axisOf(quantity);
             QCPGraph* const graph = addGraph(value->axisRect()->axis(QCPAxis::atBottom), value);
-            graph->removeFromLegend();
-            graph->setSelectable(QCP::stNone);
             QVector<QCPGraphData> points;
-            for (const XY& p :
-                 polyline(pointsOf(m_runs[run]), quantity, Edge::mean, m_scales[run])) {
+            for (const XY& p : m_chart.line(run, quantity)) {
                 points.append({p.x, p.y});
             }
             graph->data()->set(points, true);
             m_curves.push_back({run, quantity, graph});
         }
     }
-    showCurves();
+    showChoice();
     restyle();
 }
 
-void ComparePlot::showCurves() {
+void ComparePlot::showChoice() {
     for (const Curve& curve : m_curves) {
-        curve.graph->setVisible(m_choice.shows(static_cast<int>(curve.quantity))
-                                && m_choice.shows(runKey + m_runs[curve.run].number));
+        curve.graph->setVisible(shows(static_cast<int>(curve.quantity))
+                                && shows(runKey + runs()[curve.run].number));
     }
 }
 
-void ComparePlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    showCurves();
-    emit contentChanged();
-}
-
-/// Of the quantities or of the runs.
-void ComparePlot::showOnly(int key) {
+/// The other quantities, or the other runs.
+LegendEntries ComparePlot::besides(int key) const {
     LegendEntries alike = legendEntries();
     std::erase_if(
         alike, [key](const LegendEntry& entry) { return (entry.key < runKey) != (key < runKey); });
-    m_choice.only(key, alike);
-    showCurves();
-    emit contentChanged();
+    return alike;
 }
 
 void ComparePlot::setMoment(std::optional<double> time_s) {
     m_moment_s = time_s;
-    m_momentLine->setAt(time_s && !m_runs.empty() ? std::optional(presentScale().at(*time_s))
+    m_momentLine->setAt(time_s && !runs().empty() ? std::optional(m_chart.scale(0).at(*time_s))
                                                   : std::nullopt);
 }
 
 // --- what is in sight ---------------------------------------------------------------------------
-
-PlotHistory::State ComparePlot::ranges() const {
-    PlotHistory::State state;
-    for (const QCPAxisRect* rect : m_rects) {
-        for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft, QCPAxis::atRight}) {
-            const QCPRange range = rect->axis(side)->range();
-            state.insert(state.end(), {range.lower, range.upper});
-        }
-    }
-    return state;
-}
-
-double ComparePlot::end() const {
-    double end = 0;
-    for (std::size_t run = 0; run < m_runs.size(); ++run) {
-        end = std::max(end, m_scales[run].at(m_runs[run].feeds->end_s));
-    }
-    return end;
-}
 
 void ComparePlot::fitValues(Quantity quantity) {
     double low = 0, high = 0;
@@ -212,12 +170,12 @@ void ComparePlot::fitValues(Quantity quantity) {
 }
 
 void ComparePlot::fit() {
-    style::setSafeRange(*m_rects[0]->axis(QCPAxis::atBottom), 0, end());
-    style::setSafeRange(*m_rects[1]->axis(QCPAxis::atBottom), 0, end());
+    style::setSafeRange(*m_rects[0]->axis(QCPAxis::atBottom), 0, m_chart.end());
+    style::setSafeRange(*m_rects[1]->axis(QCPAxis::atBottom), 0, m_chart.end());
     for (const Quantity quantity : quantities()) {
         fitValues(quantity);
     }
-    m_fitted = ranges();
+    m_fitted = sight();
 }
 
 QList<QCPAxis*> ComparePlot::movedAxes(QCPAxisRect& rect) const {
@@ -226,7 +184,7 @@ QList<QCPAxis*> ComparePlot::movedAxes(QCPAxisRect& rect) const {
 
 QCPGraph* ComparePlot::curve(int number, Quantity quantity) const {
     for (const Curve& curve : m_curves) {
-        if (m_runs[curve.run].number == number && curve.quantity == quantity) {
+        if (runs()[curve.run].number == number && curve.quantity == quantity) {
             return curve.graph;
         }
     }
@@ -237,7 +195,7 @@ QCPGraph* ComparePlot::curve(int number, Quantity quantity) const {
 
 void ComparePlot::onMouse(QMouseEvent* event) {
     const QCPAxisRect* const rect = axisRectAt(event->pos());
-    if (event->buttons() != Qt::NoButton || m_runs.empty()) {
+    if (event->buttons() != Qt::NoButton || runs().empty()) {
         return;
     }
     if (!rect || !rect->rect().contains(event->pos())) {
@@ -246,11 +204,11 @@ void ComparePlot::onMouse(QMouseEvent* event) {
     }
     const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
     m_hairLine->setAt(x);
-    QStringList lines{values(0, x)};
+    QStringList lines{m_chart.valuesAt(0, x)};
     const Curve* const nearest = nearestCurve(event->pos());
-    const std::size_t other = nearest && nearest->run > 0 ? nearest->run : m_runs.size() - 1;
+    const std::size_t other = nearest && nearest->run > 0 ? nearest->run : runs().size() - 1;
     if (other > 0) {
-        lines << values(other, x);
+        lines << m_chart.valuesAt(other, x);
     }
     emit pointed(lines.join(u'\n'));
 }
@@ -278,6 +236,74 @@ const ComparePlot::Curve* ComparePlot::nearestCurve(const QPointF& at) const {
 void ComparePlot::pointAway() {
     m_hairLine->setAt({});
     ViewPlot::pointAway();
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void ComparePlot::restyle() {
+    ViewPlot::restyle();
+    for (const Quantity quantity : quantities()) { // an axis has the colour of its curves
+        const QColor colour = style::colour(style::drawnAs(quantity), palette());
+        axisOf(quantity)->setLabelColor(colour);
+        axisOf(quantity)->setTickLabelColor(colour);
+    }
+    for (const Curve& curve : m_curves) {
+        curve.graph->setPen(
+            runPen(runs()[curve.run].number, toned(style::drawnAs(curve.quantity))));
+    }
+}
+
+void ComparePlot::setTexts() {
+    for (const Quantity quantity : quantities()) {
+        axisOf(quantity)->setLabel(CompareChart::briefName(quantity));
+    }
+    m_rects[1]->axis(QCPAxis::atBottom)->setLabel(m_chart.timeLabel());
+}
+
+LegendEntries ComparePlot::legendEntries() const {
+    LegendEntries entries;
+    for (const Quantity quantity : quantities()) {
+        const int key = static_cast<int>(quantity);
+        entries.push_back({toned(style::drawnAs(quantity)), Qt::SolidLine, quantityName(quantity),
+                           key, shows(key)});
+    }
+    for (const ComparedFeeds& run : runs()) {
+        const int key = runKey + run.number;
+        entries.push_back({palette().color(QPalette::Text), Qt::SolidLine, run.name, key,
+                           shows(key), runDash(run.number)});
+    }
+    return entries;
+}
+
+ReadCurves ComparePlot::readCurves() const {
+    ReadCurves curves;
+    const QStringList names = m_chart.shortNames();
+    for (std::size_t run = 0; run < runs().size(); ++run) {
+        for (const Curve& curve : m_curves) {
+            if (curve.run == run && curve.graph->visible()) {
+                curves.push_back({names[static_cast<qsizetype>(run)],
+                                  quantityWithUnit(curve.quantity), quantityDigits(curve.quantity),
+                                  [graph = curve.graph](double x) { return valueAt(*graph, x); }});
+            }
+        }
+    }
+    return curves;
+}
+
+CursorSubject ComparePlot::cursorSubject() {
+    CursorSubject subject = ViewPlot::cursorSubject();
+    const auto scale = [this] { return runs().empty() ? CycleScale() : m_chart.scale(0); };
+    subject.keep = [scale](double x) { return scale().time_s(x); };
+    subject.place = [scale](double time_s) { return scale().at(time_s); };
+    return subject;
+}
+
+CsvTable ComparePlot::table() const {
+    const QCPRange inSight = m_rects[0]->axis(QCPAxis::atBottom)->range();
+    return m_chart.table(
+        inSight.lower, inSight.upper,
+        [this](const ComparedFeeds& run) { return shows(runKey + run.number); },
+        [this](Quantity quantity) { return shows(static_cast<int>(quantity)); });
 }
 
 } // namespace sparkout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/profiles_series.h"
 
+#include "core/form/accuracy.h"
 #include "core/process/ground_stretch.h"
 #include "core/process/profile.h"
 #include "core/process/system_compliance.h"
@@ -89,8 +90,8 @@ void measure(Profile& profile, double nominal_mm, double geometricRunout_mm) {
         profile.diameterMin_mm = std::min(profile.diameterMin_mm, deviation);
         profile.diameterMax_mm = std::max(profile.diameterMax_mm, deviation);
     }
-    const auto [low, high] = std::ranges::minmax(profile.radii_mm);
-    profile.radialRunout_mm = high - low + geometricRunout_mm;
+    const SectionShape shape{profile.position_mm, profile.radii_mm};
+    profile.radialRunout_mm = runout({&shape, 1}, geometricRunout_mm);
 }
 
 /// Puts the radii as they were at a moment in place of those at the end.

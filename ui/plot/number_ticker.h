@@ -14,4 +14,13 @@ protected:
     }
 };
 
+/// Whole numbers alone, as of things that are counted.
+class WholeTicker : public QCPAxisTickerFixed {
+public:
+    WholeTicker() {
+        setTickStep(1);
+        setScaleStrategy(ssMultiples);
+    }
+};
+
 } // namespace sparkout

@@ -64,9 +64,10 @@ int ticksWithRoom(int height, const QFont& font) {
                       usual);
 }
 
-void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
+bool fitValueAxes(QCPAxisRect& rect, const QFont& font) {
     constexpr double least = 0.6; // of the usual size
     constexpr int air = 6;        // beyond the plot, before a neighbour's label
+    bool changed = false;
     const auto fit = [&](QCPAxis& axis, int room) {
         int need = 1;
         for (const QString& line : axis.label().split(u'\n')) {
@@ -76,6 +77,7 @@ void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
         const QFont own = times < 1 ? enlarged(font, std::max(times, least)) : font;
         if (axis.labelFont() != own) {
             axis.setLabelFont(own);
+            changed = true;
         }
     };
     const QRect all = rect.outerRect(); // a label stands in the middle of its axis
@@ -85,8 +87,11 @@ void fitValueAxes(QCPAxisRect& rect, const QFont& font) {
     }
     for (QCPAxis* axis : rect.axes(QCPAxis::atLeft | QCPAxis::atRight)) {
         fit(*axis, rect.height() + air);
-        axis->ticker()->setTickCount(ticksWithRoom(rect.height(), font));
+        const int count = ticksWithRoom(rect.height(), font);
+        changed = changed || axis->ticker()->tickCount() != count;
+        axis->ticker()->setTickCount(count);
     }
+    return changed;
 }
 
 void setSafeRange(QCPAxis& axis, double low, double high) {

@@ -21,8 +21,8 @@ void applyPalette(QCPAxis& axis, const QPalette& palette);
 void setUpAxis(QCPAxis& axis); ///< its layers, and plain numbers (NumberTicker)
 
 /// The names of the value axes in that type, or in smaller, to a limit, as a low plot asks for; and
-/// no more numbers than have room.
-void fitValueAxes(QCPAxisRect& rect, const QFont& font);
+/// no more numbers than have room. True where that is drawn with the next replot.
+bool fitValueAxes(QCPAxisRect& rect, const QFont& font);
 /// So many numbers of that type stand one above the other, at most the usual number.
 [[nodiscard]] int ticksWithRoom(int height, const QFont& font);
 

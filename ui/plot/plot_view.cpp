@@ -8,10 +8,12 @@
 #include "ui/plot/view_plot.h"
 #include "ui/text/names.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -108,6 +110,18 @@ void PlotView::showPage(std::size_t index) {
         m_buttons[i]->setVisible(i == index);
     }
     showLegend();
+    replotFront();
+}
+
+void PlotView::share(QSplitter& splitter, std::initializer_list<std::pair<QWidget*, int>> parts) {
+    QList<int> sizes;
+    for (const auto& [part, size] : parts) {
+        splitter.addWidget(part);
+        splitter.setStretchFactor(splitter.count() - 1, size);
+        sizes << size;
+    }
+    splitter.setChildrenCollapsible(false);
+    splitter.setSizes(sizes);
 }
 
 QVBoxLayout* PlotView::addColumn(std::initializer_list<QWidget*> parts, QWidget* main) {
@@ -137,6 +151,17 @@ void PlotView::nameObjects(std::initializer_list<std::pair<QWidget*, const char*
 void PlotView::tell(QWidget& widget, const QString& text) {
     widget.setAccessibleName(text);
     widget.setToolTip(text);
+}
+
+void PlotView::tell(QWidget& widget, const QString& name, const QString& tip) {
+    widget.setAccessibleName(name);
+    widget.setAccessibleDescription(tip);
+    widget.setToolTip(tip);
+}
+
+void PlotView::tellButton(QAbstractButton& button, const QString& text, const QString& tip) {
+    button.setText(text);
+    tell(button, text, tip);
 }
 
 PlotTools* PlotView::tools() const {
@@ -179,18 +204,31 @@ void PlotView::showOutcome() {
     emit updated();
 }
 
+// A page behind the front one is drawn when it comes to the front.
 void PlotView::showPlots() {
     for (ViewPlot* plot : m_plots) {
-        plot->replot();
+        if (isShown(*plot)) {
+            plot->replot();
+        }
         plot->tools()->navigation().amendView();
     }
 }
 
 void PlotView::replotAll() {
     for (ViewPlot* plot : m_plots) {
-        plot->replot(QCustomPlot::rpQueuedReplot);
+        if (isShown(*plot)) {
+            plot->replot(QCustomPlot::rpQueuedReplot);
+        }
         plot->tools()->navigation().amendView();
     }
+}
+
+void PlotView::replotFront() {
+    m_front->replot(QCustomPlot::rpQueuedReplot);
+}
+
+bool PlotView::isShown(const ViewPlot& plot) const {
+    return &plot == m_front || !m_pages || m_pages->indexOf(const_cast<ViewPlot*>(&plot)) < 0;
 }
 
 void PlotView::showState() {
@@ -205,7 +243,7 @@ void PlotView::showState() {
         part->setEnabled(shown);
     }
     for (ViewPlot* plot : m_plots) {
-        plot->setDimmed(faint());
+        plot->setDimmed(isFaint(*plot));
         plot->tools()->setEnabled(shown);
     }
 }
@@ -244,12 +282,20 @@ QString PlotView::noticeText() const {
 
 QStringList PlotView::heading() const {
     QStringList heading{title()};
-    if (m_good) {
-        heading << QString::fromStdString(m_good->result.project.title).simplified()
-                << subheading();
+    if (shownProject()) {
+        heading << projectTitle() << subheading();
     }
     heading.removeAll(QString());
     return heading;
+}
+
+const Project* PlotView::shownProject() const {
+    return m_good ? &m_good->result.project : nullptr;
+}
+
+QString PlotView::projectTitle() const {
+    const Project* const project = shownProject();
+    return project ? QString::fromStdString(project->title).simplified() : QString();
 }
 
 void PlotView::nameAround(const QString& legend, const QString& notice, const QString& values) {

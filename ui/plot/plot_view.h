@@ -7,9 +7,11 @@
 #include <initializer_list>
 #include <vector>
 
+class QAbstractButton;
 class QComboBox;
 class QLabel;
 class QLayout;
+class QSplitter;
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -20,6 +22,7 @@ class LegendStrip;
 class PlotCursors;
 class Settings;
 class ViewPlot;
+struct Project;
 
 /// A view of plots: it keeps the last outcome that could be drawn, faint while a newer one is
 /// refused, and owns what stands about its plots: notice, legend, cursors' strip, the values under
@@ -57,6 +60,8 @@ protected:
         closeUp(*row);
         return row;
     }
+    /// The first above the second, with their shares of the height.
+    static void share(QSplitter& splitter, std::initializer_list<std::pair<QWidget*, int>> parts);
     /// The view's column of parts, with the usual margins; the main part takes what room is left.
     QVBoxLayout* addColumn(std::initializer_list<QWidget*> parts, QWidget* main);
     void hideUntilDrawn(std::initializer_list<QWidget*> parts);
@@ -64,7 +69,11 @@ protected:
     static void nameObjects(std::initializer_list<std::pair<QWidget*, const char*>> names);
     /// What a control is for, for a screen reader and as its tool tip.
     static void tell(QWidget& widget, const QString& text);
+    /// The same of one whose name is short.
+    static void tell(QWidget& widget, const QString& name, const QString& tip);
+    static void tellButton(QAbstractButton& button, const QString& text, const QString& tip);
 
+    [[nodiscard]] Settings* settings() const { return m_settings; }
     [[nodiscard]] QLabel* notice() const { return m_notice; }
     [[nodiscard]] QLabel* values() const { return m_values; }
     [[nodiscard]] CursorStrip* strip() const { return m_strip; }
@@ -79,9 +88,11 @@ protected:
     virtual void takeOutcome(const OutcomePtr& before) = 0;
     [[nodiscard]] virtual bool drawn() const { return m_good != nullptr; } ///< there are curves
     [[nodiscard]] virtual bool faint() const; ///< they are not of the newest outcome
+    [[nodiscard]] virtual bool isFaint(const ViewPlot&) const { return faint(); }
     void showOutcome() override;
     void showPlots();         ///< all of them anew, in their ranges
     void replotAll();         ///< the same, soon
+    void replotFront();       ///< the front one, soon, as it is
     virtual void showState(); ///< notice, what is hidden or disabled, faintness
     virtual void showLegend();
     virtual void toggleCurve(int key); ///< of the legend
@@ -96,6 +107,8 @@ protected:
     [[nodiscard]] static QString refusedText();                 ///< the same where nothing is
     [[nodiscard]] virtual QString remark() const { return {}; } ///< on what is drawn
     [[nodiscard]] virtual QStringList heading() const;          ///< over exported pictures
+    [[nodiscard]] virtual const Project* shownProject() const;  ///< it is of; null: none yet
+    [[nodiscard]] QString projectTitle() const;                 ///< of that one
     [[nodiscard]] virtual QStringList subheading() const {
         return {};
     } ///< below the project's name
@@ -103,6 +116,7 @@ protected:
 
 private:
     QWidget* pageButtons(PlotTools& tools);
+    [[nodiscard]] bool isShown(const ViewPlot& plot) const; ///< not a page behind the front one
     static void closeUp(QLayout& row);
 
     Settings* m_settings;

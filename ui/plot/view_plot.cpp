@@ -41,6 +41,7 @@ void ViewPlot::setDimmed(bool dim) {
         if (m_built) {
             restyle();
             emit contentChanged();
+            replot(rpQueuedReplot);
         }
     }
 }
@@ -77,17 +78,34 @@ QColor ViewPlot::ink() const {
 
 // --- parts --------------------------------------------------------------------------------------
 
-QCPAxisRect* ViewPlot::addCell(int row) {
+QCPAxisRect* ViewPlot::addRect(int row, int column) {
     auto* const rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(row, 0, rect);
+    plotLayout()->addElement(row, column, rect);
     for (QCPAxis* axis : rect->axes()) {
         style::setUpAxis(*axis);
     }
+    return rect;
+}
+
+QCPAxisRect* ViewPlot::addCell(int row) {
+    QCPAxisRect* const rect = addRect(row);
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
         rect->axis(side)->setVisible(true);
         rect->axis(side)->setTicks(false);
     }
     return rect;
+}
+
+QCPItemStraightLine* ViewPlot::addRule(QCPAxisRect& rect, double at, bool upright) {
+    auto* const rule = new QCPItemStraightLine(this);
+    for (QCPItemPosition* point : {rule->point1, rule->point2}) {
+        point->setAxisRect(&rect);
+        point->setAxes(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
+    }
+    rule->point1->setCoords(upright ? at : 0, upright ? 0 : at);
+    rule->point2->setCoords(upright ? at : 1, upright ? 1 : at);
+    rule->setClipAxisRect(&rect);
+    return rule;
 }
 
 QCPGraph* ViewPlot::addLine(const QCPAxisRect& rect) {
@@ -149,7 +167,7 @@ void ViewPlot::toggleCurve(int key) {
 }
 
 void ViewPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
+    m_choice.only(key, besides(key));
     followChoice();
 }
 

@@ -51,6 +51,8 @@ public:
     /// For the cursors; the horizontal axis is told by its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
+    /// Upright or level through an axis rect, at a value of its bottom or left axis.
+    QCPItemStraightLine* addRule(QCPAxisRect& rect, double at, bool upright = true);
     QCPGraph* addLine(const QCPAxisRect& rect); ///< over its bottom and left axis
     static QCPCurve* addCurve(const QCPAxisRect& rect);
 
@@ -69,6 +71,8 @@ protected:
     /// When a new font, else a new palette, has come.
     virtual void takeLook(bool font);
     virtual void showChoice() {} ///< what the user hid, or shows again, in the legend
+    /// The entries of the legend that showOnly() chooses one of.
+    [[nodiscard]] virtual LegendEntries besides(int) const { return legendEntries(); }
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
     virtual void onMouse(QMouseEvent* event); ///< has moved; here tells the values
     virtual void pointAway();                 ///< the mouse has left
@@ -78,7 +82,9 @@ protected:
 
     [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend
     [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
-    /// An axis rect in a row of the layout, closed by axes without numbers above and to the right.
+    /// An axis rect in a cell of the layout.
+    QCPAxisRect* addRect(int row = 0, int column = 0);
+    /// The same in a row, closed by axes without numbers above and to the right.
     QCPAxisRect* addCell(int row = 0);
 
     void changeEvent(QEvent* event) override;

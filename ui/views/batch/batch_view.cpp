@@ -1,70 +1,190 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/batch_view.h"
 
+#include "core/study/batch_edits.h"
 #include "ui/dialogs/copy_table.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_pages.h"
+#include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
 #include "ui/views/batch/histogram_plot.h"
 #include "ui/views/batch/pareto_plot.h"
+#include "ui/views/batch/part_rows.h"
 #include "ui/views/batch/scatter_plot.h"
 #include "ui/views/batch/sensitivity_plot.h"
 
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
+constexpr int histogramShare = 200, figuresShare = 220; ///< of the height at first
+constexpr int stateLetters = 36;                        ///< wide, the text on the run at least
 constexpr int mostStretched = 4; ///< columns of figures that have room beside each other
+/// Radii ground in a batch that runs by itself: about two seconds of one processor.
+constexpr double quickVisits = 2e8;
+constexpr int indexPoints = 256; ///< a power of two, as the Sobol sequence wants it
 
 } // namespace
 
-QString BatchView::title() const {
-    return tr("Batch");
+BatchView::BatchView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("batch"), parent, settings)
+    , m_histograms(new HistogramPlot(this))
+    , m_sensitivity(new SensitivityPlot(this))
+    , m_scatter(new ScatterPlot(this))
+    , m_pareto(new ParetoPlot(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_figures(new BatchFigures(this))
+    , m_name(new QComboBox(this))
+    , m_weights(new QComboBox(this))
+    , m_across(new QComboBox(this))
+    , m_up(new QComboBox(this))
+    , m_bar(new RunBar(QStringLiteral("batch"), this, BatchText::progress))
+    , m_worst(new QPushButton(this))
+    , m_rows(new QPushButton(this))
+    , m_add(new QPushButton(this))
+    , m_runner(new BatchRunner(this))
+    , m_indexRunner(new BatchRunner(this)) {
+    for (ViewPlot* plot :
+         std::initializer_list<ViewPlot*>{m_histograms, m_sensitivity, m_scatter, m_pareto}) {
+        plot->setMinimumSize(240, 120);
+        addPage(*plot);
+    }
+    hideUntilDrawn({m_splitter});
+    setUpNotice(*m_bar->state());
+    m_bar->layOut({m_worst, m_rows}, {}, stateLetters);
+    share(*m_splitter, {{pages(), histogramShare}, {buildFigures(), figuresShare}});
+    QVBoxLayout* const column = addColumn(
+        {buildTools(), m_bar, notice(), m_add, legend(), m_splitter, values()}, m_splitter);
+    column->setAlignment(m_add, Qt::AlignLeft);
+    column->addStretch(0);
+    nameObjects({{m_histograms, "batchHistograms"},
+                 {m_sensitivity, "batchSensitivity"},
+                 {m_scatter, "batchScatter"},
+                 {m_pareto, "batchPareto"},
+                 {m_name, "batchCharacteristic"},
+                 {m_weights, "batchWeights"},
+                 {m_across, "batchAcross"},
+                 {m_up, "batchUp"},
+                 {m_worst, "batchWorst"},
+                 {m_rows, "batchRows"},
+                 {m_add, "batchAdd"},
+                 {m_table, "batchFigures"}});
+    buildRows();
+    connectParts();
+    built();
+    chooseContent();
 }
 
-PlotTools* BatchView::tools() const {
-    return m_pages->page().tools;
+QWidget* BatchView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    m_weights->addItems({QString(), QString()});
+    for (QComboBox* box : {content(), m_name, m_weights, m_across, m_up}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        row->addWidget(box);
+    }
+    row->addStretch(1);
+    addPageButtons(*row);
+    return bar;
 }
+
+CopyTable* BatchView::buildFigures() {
+    const auto table = [this] {
+        return m_batch ? batchFiguresTable(m_batch->summary) : CsvTable();
+    };
+    m_table = new CopyTable(
+        [this, table] { return m_batch ? tabSeparated(table(), QLocale()) : QString(); }, this);
+    m_table->setModel(m_figures);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setHighlightSections(false);
+    m_table->setSaving(
+        table, [this] { return heading().value(1); }, settings());
+    return m_table;
+}
+
+/// A menu of the two kinds of CSV.
+void BatchView::buildRows() {
+    auto* menu = new QMenu(m_rows);
+    for (const TableFormat format : {TableFormat::csvRussian, TableFormat::csvEnglish}) {
+        connect(menu->addAction(QString()), &QAction::triggered, this, [this, format] {
+            const BatchOutcomePtr batch = m_batch; // may be another one by the end
+            (void)savePartRows(window(), settings(), batch->result.project, format);
+        });
+    }
+    m_rows->setMenu(menu);
+}
+
+void BatchView::connectParts() {
+    connect(content(), &QComboBox::currentIndexChanged, this, &BatchView::chooseContent);
+    connect(m_name, &QComboBox::currentIndexChanged, this, &BatchView::chooseName);
+    connect(m_weights, &QComboBox::currentIndexChanged, this, &BatchView::chooseWeights);
+    for (QComboBox* box : {m_across, m_up}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &BatchView::chooseQuantities);
+    }
+    connect(m_bar->run(), &QPushButton::clicked, this, &BatchView::runBatch);
+    for (BatchRunner* runner : {m_runner, m_indexRunner}) {
+        m_bar->follow(*runner);
+        connect(m_bar->stop(), &QPushButton::clicked, runner, &BatchRunner::stop);
+    }
+    connect(m_runner, &BatchRunner::finished, this, &BatchView::takeBatch);
+    connect(m_indexRunner, &BatchRunner::indicesFound, this, &BatchView::takeIndices);
+    connect(m_worst, &QPushButton::clicked, this, &BatchView::takeWorst);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        // The view is of the inputs that were accepted last; those of now may have a batch.
+        emit editWanted(
+            [](Project project) {
+                return project.batch ? project : withUsualBatch(std::move(project));
+            },
+            {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a batch")});
+    });
+}
+
+// --- choices ------------------------------------------------------------------------------------
 
 void BatchView::chooseContent() {
-    m_pages->show();
-    m_table->setVisible(m_pages->page().plot == m_histograms);
-    m_name->setVisible(m_pages->page().plot != m_scatter && m_pages->page().plot != m_pareto);
-    m_weights->setVisible(m_pages->page().plot == m_sensitivity);
-    m_across->setVisible(m_pages->page().plot == m_scatter);
-    m_up->setVisible(m_pages->page().plot == m_scatter);
+    showPage(static_cast<std::size_t>(content()->currentIndex()));
+    m_table->setVisible(&front() == m_histograms);
+    m_name->setVisible(&front() == m_histograms || &front() == m_sensitivity);
+    m_weights->setVisible(&front() == m_sensitivity);
+    m_across->setVisible(&front() == m_scatter);
+    m_up->setVisible(&front() == m_scatter);
     if (wantsIndices()) {
         runIndices();
     }
     showState();
-    replotShown();
+    replotFront();
 }
 
 void BatchView::chooseWeights() {
     m_sensitivity->setKind(m_weights->currentIndex() == 0 ? SensitivityKind::ranks
                                                           : SensitivityKind::sobol);
     chooseContent();
-    m_pages->page().tools->navigation().forgetViews();
+    tools()->navigation().forgetViews();
 }
 
 void BatchView::chooseQuantities() {
     setQuantities();
-    m_pages->showLegend();
-    replotShown();
-    m_pages->page().tools->navigation().forgetViews();
+    replotFront();
+    tools()->navigation().forgetViews();
 }
 
 void BatchView::setQuantities() {
@@ -81,6 +201,114 @@ std::string BatchView::chosenName() const {
 void BatchView::chooseName() {
     m_wanted = chosenName();
     showBatch();
+}
+
+// --- running ------------------------------------------------------------------------------------
+
+void BatchView::takeOutcome(const OutcomePtr&) {
+    noteStale();
+    if (!stale()) {
+        m_refused.reset(); // what is shown is of these inputs
+    }
+    const Project& project = good()->result.project;
+    const bool runs = m_running && m_runner->running() && sameBatch(*m_running, project);
+    if (!project.batch) {
+        forget();
+    } else if (stale() && !runs) {
+        m_runner->drop();
+        m_refused.reset();
+        if (quick()) {
+            runBatch();
+        }
+    }
+}
+
+void BatchView::forget() {
+    m_runner->drop();
+    m_indexRunner->drop();
+    m_batch.reset();
+    m_refused.reset();
+    noteStale();
+    showBatch();
+}
+
+void BatchView::noteStale() {
+    m_stale = !m_batch || !good() || !sameBatch(m_batch->result.project, good()->result.project);
+}
+
+bool BatchView::quick() const {
+    return static_cast<double>(good()->result.visits)
+               * static_cast<double>(partsOf(good()->result.project))
+           <= quickVisits;
+}
+
+void BatchView::runBatch() {
+    if (!stale() && showsIndices() && !m_indices) {
+        runIndices();
+        return;
+    }
+    m_running = good()->result.project;
+    m_refused.reset();
+    m_bar->showProgress(0, partsOf(*m_running));
+    m_runner->start(*m_running);
+    showState();
+}
+
+void BatchView::takeBatch(const BatchOutcomePtr& outcome) {
+    if (!outcome->ran()) {
+        m_refused = outcome;
+    } else if (outcome->summary.parts > 0) {
+        m_batch = outcome;
+        noteStale();
+        m_indexRunner->drop();
+        m_indices.reset();
+        showBatch();
+        if (wantsIndices()) {
+            runIndices();
+        }
+    }
+    showState();
+    emit batchShown();
+}
+
+bool BatchView::busy() const {
+    return m_runner->running() || m_indexRunner->running();
+}
+
+bool BatchView::showsIndices() const {
+    return &front() == m_sensitivity && m_sensitivity->kind() == SensitivityKind::sobol;
+}
+
+bool BatchView::wantsIndices() const {
+    return showsIndices() && m_batch && m_indicesOf != m_batch && !m_batch->factors.empty()
+           && !m_batch->result.project.batch->correlation;
+}
+
+void BatchView::runIndices() {
+    m_indicesOf = m_batch;
+    m_bar->showProgress(0, partsOfIndices(m_batch->result.project, indexPoints));
+    m_indexRunner->startIndices(m_batch->result.project, indexPoints);
+    showState();
+}
+
+void BatchView::takeIndices(const SobolIndicesPtr& indices) {
+    m_indices = indices;
+    m_sensitivity->setIndices(m_indices);
+    showState();
+    replotFront();
+    emit batchShown();
+}
+
+void BatchView::takeWorst() {
+    if (m_batch && !stale()) {
+        const auto take = [batch = m_batch](Project project) -> std::optional<Project> {
+            if (!sameBatch(batch->result.project, project)) {
+                return std::nullopt; // edited meanwhile
+            }
+            return withPart(std::move(project), batch->result, batch->summary.worstPart);
+        };
+        emit runWanted(take, tr("Worst part, no. %1").arg(m_batch->summary.worstPart));
+    }
 }
 
 // --- showing ------------------------------------------------------------------------------------
@@ -135,51 +363,45 @@ void BatchView::showBatch() {
     m_sensitivity->setBatch(m_batch, chosenName());
     m_sensitivity->setIndices(m_indices);
     m_pareto->setBatch(m_batch);
-    m_pages->showLegend();
     showState();
-    replotShown();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->navigation().amendView();
-    }
+    replotAll();
 }
 
-void BatchView::replotShown() {
-    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
+bool BatchView::drawn() const {
+    return m_batch && contentNotice().isEmpty();
+}
+
+bool BatchView::faint() const {
+    return m_batch && (stale() || refused());
+}
+
+const Project* BatchView::shownProject() const {
+    return m_batch ? &m_batch->result.project : nullptr;
 }
 
 void BatchView::showState() {
-    const bool has = m_good && m_good->result.project.batch;
-    const bool runs = busy();
-    const bool faint = m_batch && (stale() || (latest() && !latest()->ran()));
-    m_histograms->setDimmed(faint);
-    m_sensitivity->setDimmed(faint);
-    m_scatter->setDimmed(faint);
-    m_pareto->setDimmed(faint);
-    m_notice->setText(notice());
-    m_notice->setVisible(!m_notice->text().isEmpty());
-    m_add->setVisible(m_good && !has);
-    m_runBar->setVisible(has);
-    m_run->setEnabled(has && !runs);
-    m_stop->setEnabled(runs);
-    m_progress->setVisible(runs);
-    m_state->setVisible(!runs);
-    m_state->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
-                             : QString());
-    m_worst->setEnabled(!faint && m_batch && m_batch->summary.worstPart >= 0 && !runs);
-    m_rows->setEnabled(!faint && m_batch && !runs);
-    const bool drawn = m_batch && contentNotice().isEmpty();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_splitter, m_legend, m_values}) {
-        part->setVisible(drawn);
-    }
+    PlotView::showState();
+    const bool has = good() && good()->result.project.batch;
+    m_add->setVisible(good() && !has);
+    m_bar->setVisible(has);
+    m_bar->showRunning(busy(), has);
+    m_bar->state()->setText(m_batch ? BatchText::run(*m_batch) + u' ' + BatchText::verdict(*m_batch)
+                                    : QString());
+    const bool mayTake = m_batch && !faint() && !busy();
+    m_worst->setEnabled(mayTake && m_batch->summary.worstPart >= 0);
+    m_rows->setEnabled(mayTake);
     for (QWidget* choice :
-         std::initializer_list<QWidget*>{m_pages->content(), m_name, m_weights, m_across, m_up}) {
+         std::initializer_list<QWidget*>{content(), m_name, m_weights, m_across, m_up}) {
         choice->setEnabled(m_batch != nullptr);
     }
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->setEnabled(drawn);
-    }
     readOut();
-    m_histograms->setAccessibleDescription(m_state->text());
+    m_histograms->setAccessibleDescription(m_bar->state()->text());
+}
+
+// --- texts --------------------------------------------------------------------------------------
+
+QString BatchView::title() const {
+    return tr("Batch");
 }
 
 QString BatchView::hint() const {
@@ -187,10 +409,10 @@ QString BatchView::hint() const {
 }
 
 QString BatchView::contentNotice() const {
-    if (m_pages->page().plot == m_pareto && m_pareto->empty()) {
+    if (&front() == m_pareto && m_pareto->empty()) {
         return tr("No part of this batch fails a requirement.");
     }
-    if (m_pages->page().plot != m_sensitivity || !m_sensitivity->empty()) {
+    if (&front() != m_sensitivity || !m_sensitivity->empty()) {
         return {};
     }
     if (m_batch->factors.empty()) {
@@ -212,16 +434,13 @@ QString BatchView::contentNotice() const {
                      : tr("The Sobol indices were stopped. “Run” runs them again.");
 }
 
-QString BatchView::notice() const {
-    if (latest() && !latest()->ran()) {
-        return (m_batch ? tr("The inputs are refused; the batch is that of the last accepted ones.")
-                        : tr("The inputs are refused:"))
-               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    }
-    if (!m_good) {
-        return tr("No result yet.");
-    }
-    if (!m_good->result.project.batch) {
+QString BatchView::keptText() const {
+    return m_batch ? tr("The inputs are refused; the batch is that of the last accepted ones.")
+                   : refusedText();
+}
+
+QString BatchView::remark() const {
+    if (!good()->result.project.batch) {
         return tr("This project describes no batch. A batch is a number of parts whose stock, "
                   "runout, dullness and other factors scatter: it says which share of them keeps "
                   "the drawing. Choose the factors on the page Batch of the inputs, or start with "
@@ -247,33 +466,24 @@ QString BatchView::notice() const {
                    "what was done.");
 }
 
-QStringList BatchView::heading() const {
-    QStringList heading{title()};
-    if (m_batch) {
-        heading << QString::fromStdString(m_batch->result.project.title).simplified()
-                << m_name->currentText() << m_state->text()
-                << Names::uncutStrips(m_batch->result.project);
-    }
-    heading.removeAll(QString());
-    return heading;
+QStringList BatchView::subheading() const {
+    return {m_name->currentText(), m_bar->state()->text(),
+            Names::uncutStrips(m_batch->result.project)};
 }
 
-void BatchView::retranslate() {
-    setAccessibleName(tr("Batch"));
+void BatchView::nameParts() {
+    nameAround(tr("Legend of the batch"), tr("State of the batch"), tr("Values under the mouse"));
     m_histograms->setAccessibleName(tr("Histograms, zone beside zone"));
-    m_legend->setAccessibleName(tr("Legend of the batch"));
-    m_notice->setAccessibleName(tr("State of the batch"));
-    m_state->setAccessibleName(tr("What was run"));
-    m_values->setAccessibleName(tr("Values under the mouse"));
-    m_progress->setAccessibleName(tr("Progress of the batch"));
-    m_table->setAccessibleName(tr("Figures of the batch"));
-    m_pages->content()->setItemText(0, tr("Histograms"));
-    m_pages->content()->setItemText(1, tr("Sensitivity"));
-    m_pages->content()->setItemText(2, tr("Scatter"));
-    m_pages->content()->setItemText(3, tr("Rejects by cause"));
-    m_pareto->setAccessibleName(tr("Rejects by cause, the most frequent first"));
     m_sensitivity->setAccessibleName(tr("Which factor matters most"));
     m_scatter->setAccessibleName(tr("Parts, one quantity over another"));
+    m_pareto->setAccessibleName(tr("Rejects by cause, the most frequent first"));
+    m_bar->state()->setAccessibleName(tr("What was run"));
+    m_bar->progress()->setAccessibleName(tr("Progress of the batch"));
+    m_table->setAccessibleName(tr("Figures of the batch"));
+    content()->setItemText(0, tr("Histograms"));
+    content()->setItemText(1, tr("Sensitivity"));
+    content()->setItemText(2, tr("Scatter"));
+    content()->setItemText(3, tr("Rejects by cause"));
     m_weights->setItemText(0, tr("Rank regression"));
     m_weights->setItemText(1, tr("Sobol indices"));
     m_weights->setAccessibleName(tr("How the weight of a factor is told"));
@@ -281,48 +491,32 @@ void BatchView::retranslate() {
         tr("Rank regression: standardised coefficients, of the parts of the batch; sign and weight "
            "as far as the dependence is monotone, which R² says. Sobol indices: share of the "
            "variance, of parts of their own."));
-    m_across->setAccessibleName(tr("Quantity across"));
-    m_across->setToolTip(m_across->accessibleName());
-    m_up->setAccessibleName(tr("Quantity upwards"));
-    m_up->setToolTip(m_up->accessibleName());
-    m_pages->content()->setAccessibleName(tr("What is shown of the batch"));
-    m_pages->content()->setToolTip(m_pages->content()->accessibleName());
-    m_name->setAccessibleName(tr("Characteristic"));
-    m_name->setToolTip(m_name->accessibleName());
-    const auto name = [](QPushButton& button, const QString& text, const QString& tip) {
-        button.setText(text);
-        button.setAccessibleName(text);
-        button.setAccessibleDescription(tip);
-        button.setToolTip(tip);
-    };
-    name(*m_run, tr("Run"), tr("Run the parts of the batch; a quick one runs by itself"));
-    name(*m_stop, tr("Stop"), tr("End the batch; what was done is kept and shown"));
-    name(*m_worst, tr("Worst part"),
-         tr("Keep the part with the least margin as a run beside this project and compare the two; "
-            "the project stays as it is"));
-    nameRows();
-    name(*m_add, tr("Add a usual batch"),
-         tr("50 parts whose stock, runout and dullness scatter about the present inputs; can be "
-            "undone and changed on the page Batch"));
-    m_legend->retranslate();
-    m_histograms->retranslate();
-    m_sensitivity->retranslate();
+    tell(*m_across, tr("Quantity across"));
+    tell(*m_up, tr("Quantity upwards"));
+    tell(*content(), tr("What is shown of the batch"));
+    tell(*m_name, tr("Characteristic"));
+    nameButtons();
     m_figures->retranslate();
     m_table->retranslate();
     fillNames();
     fillQuantities();
-    m_scatter->retranslate();
-    m_pareto->retranslate();
-    m_pages->showLegend();
-    showState();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->retranslate();
-        page.plot->replot(QCustomPlot::rpQueuedReplot);
-    }
 }
 
-void BatchView::recolour() {
-    m_pages->showLegend();
+void BatchView::nameButtons() {
+    tellButton(*m_bar->run(), tr("Run"),
+               tr("Run the parts of the batch; a quick one runs by itself"));
+    tellButton(*m_bar->stop(), tr("Stop"), tr("End the batch; what was done is kept and shown"));
+    tellButton(*m_worst, tr("Worst part"),
+               tr("Keep the part with the least margin as a run beside this project and compare "
+                  "the two; the project stays as it is"));
+    tellButton(*m_rows, tr("All parts as CSV"),
+               tr("Run the batch again and save a row for every part: its factors, every quantity, "
+                  "every requirement held or not"));
+    m_rows->menu()->actions()[0]->setText(tableFormatText(TableFormat::csvRussian));
+    m_rows->menu()->actions()[1]->setText(tableFormatText(TableFormat::csvEnglish));
+    tellButton(*m_add, tr("Add a usual batch"),
+               tr("50 parts whose stock, runout and dullness scatter about the present inputs; can "
+                  "be undone and changed on the page Batch"));
 }
 
 } // namespace sparkout

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view.h"
+#include "ui/plot/plot_view.h"
 #include "ui/session/batch_runner.h"
 #include "ui/session/document.h"
 
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 class QComboBox;
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSplitter;
 
@@ -21,19 +18,16 @@ namespace sparkout {
 class BatchFigures;
 class CopyTable;
 class HistogramPlot;
-class LegendStrip;
 class ParetoPlot;
-class PlotPages;
-class PlotTools;
+class RunBar;
 class ScatterPlot;
 class SensitivityPlot;
-class Settings;
 
 /// The view "Batch": parts that differ by the factors of the project, run one after another. How
 /// they scatter against the tolerance field, zone beside zone, with the figures of each; which
 /// factor matters most; any two quantities against each other. A quick batch runs by itself when
 /// the inputs change, another one on demand; results of other inputs are drawn faint.
-class BatchView : public View {
+class BatchView : public PlotView {
     Q_OBJECT
 public:
     explicit BatchView(QWidget* parent = nullptr, Settings* settings = nullptr);
@@ -42,15 +36,12 @@ public:
     [[nodiscard]] SensitivityPlot* sensitivity() const { return m_sensitivity; }
     [[nodiscard]] ScatterPlot* scatter() const { return m_scatter; }
     [[nodiscard]] ParetoPlot* pareto() const { return m_pareto; }
-    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const BatchOutcomePtr& batch() const { return m_batch; }
     [[nodiscard]] const SobolIndicesPtr& indices() const { return m_indices; }
-    [[nodiscard]] bool busy() const override; ///< runs a batch, or its Sobol indices
-    [[nodiscard]] bool stale() const { return m_batchStale; } ///< what is shown is of other inputs
-    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+    [[nodiscard]] bool busy() const override;            ///< runs a batch, or its Sobol indices
+    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
-    void retranslate() override;
     void forget() override;
 
 signals:
@@ -64,15 +55,22 @@ signals:
 
 protected:
     [[nodiscard]] QString hint() const override;
-    void recolour() override;
-    void showOutcome() override;
+    void nameParts() override;
+    void takeOutcome(const OutcomePtr& before) override;
+    [[nodiscard]] bool drawn() const override;
+    [[nodiscard]] bool faint() const override;
+    [[nodiscard]] const Project* shownProject() const override;
+    void showState() override;
+    [[nodiscard]] QString keptText() const override;
+    [[nodiscard]] QString remark() const override;
+    [[nodiscard]] QStringList subheading() const override;
 
 private:
-    void build(Settings* settings);
-    QWidget* buildRunBar();
-    void buildTools(QWidget* bar);
-    QWidget* buildFigures();
+    QWidget* buildTools();
+    CopyTable* buildFigures();
+    void buildRows();
     void connectParts();
+    void nameButtons();
     void chooseContent();
     void chooseName();
     void chooseWeights();
@@ -84,54 +82,40 @@ private:
     [[nodiscard]] bool quick() const; ///< so few parts that it runs by itself
     void takeBatch(const BatchOutcomePtr& outcome);
     void takeWorst();
-    void nameRows();
-    [[nodiscard]] bool wantsIndices() const; ///< Sobol's are chosen, but not there yet
+    [[nodiscard]] bool showsIndices() const; ///< Sobol's are chosen
+    [[nodiscard]] bool wantsIndices() const; ///< they are, but not there yet
     void runIndices();
     void takeIndices(const SobolIndicesPtr& indices);
 
     void fillNames();
     void fillQuantities();
     void showBatch();
-    void showState();
-    void replotShown();
-    [[nodiscard]] QString notice() const;
     [[nodiscard]] QString contentNotice() const; ///< why what was chosen shows nothing
     [[nodiscard]] std::string chosenName() const;
-    [[nodiscard]] QStringList heading() const;
 
     HistogramPlot* m_histograms;
     SensitivityPlot* m_sensitivity;
     ScatterPlot* m_scatter;
     ParetoPlot* m_pareto;
     QSplitter* m_splitter;
-    LegendStrip* m_legend;
-    PlotPages* m_pages = nullptr;
     BatchFigures* m_figures;
     CopyTable* m_table = nullptr;
     QComboBox* m_name;
     QComboBox* m_weights; ///< rank regression or Sobol indices
     QComboBox* m_across;
     QComboBox* m_up;
-    QPushButton* m_run;
-    QPushButton* m_stop;
+    RunBar* m_bar;
     QPushButton* m_worst;
     QPushButton* m_rows; ///< of all parts, into a file
     QPushButton* m_add;
-    QProgressBar* m_progress;
-    QLabel* m_state;
-    QLabel* m_notice;
-    QLabel* m_values;
-    Settings* m_settings;
-    QWidget* m_runBar = nullptr;
     std::string m_wanted = "diameter"; ///< characteristic the user chose
-    OutcomePtr m_good;                 ///< the inputs that were accepted last
     BatchOutcomePtr m_batch;           ///< what is shown
     BatchOutcomePtr m_refused;         ///< the last one that could not be run
     SobolIndicesPtr m_indices;         ///< of what is shown
     BatchOutcomePtr m_indicesOf;       ///< what they are, or were refused, or stopped, of
     BatchRunner* m_runner;
     BatchRunner* m_indexRunner;
-    bool m_batchStale = true;
+    bool m_stale = true;
     std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs
 };
 

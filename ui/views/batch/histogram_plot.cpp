@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/histogram_plot.h"
 
+#include "ui/plot/number_ticker.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
-
-#include <QLocale>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <limits>
@@ -29,11 +27,8 @@ constexpr std::size_t mostNamed = 4; ///< cells beside each other that have room
 
 HistogramPlot::HistogramPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
-    plotLayout()->clear();
-    retranslate();
-    connect(this, &QCustomPlot::mouseMove, this, &HistogramPlot::onMouse);
     connect(this, &QCustomPlot::afterLayout, this, &HistogramPlot::outline);
-    setBuilt();
+    built();
 }
 
 void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
@@ -59,7 +54,7 @@ void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
     }
     restyle();
     retranslate();
-    show();
+    showChoice();
     fit();
     if (moved) {
         valueAxis(0)->setRange(values);
@@ -70,24 +65,17 @@ void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
 
 void HistogramPlot::build(Cell& cell, int column) {
     cell.header = new QCPTextElement(this);
-    cell.rect = new QCPAxisRect(this, true);
     plotLayout()->addElement(0, column, cell.header);
-    plotLayout()->addElement(1, column, cell.rect);
+    cell.rect = addRect(1, column);
     for (QCPAxis* axis : cell.rect->axes()) {
-        style::setUpAxis(*axis);
         connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
                 [this, axis] { link(axis); });
     }
-    QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed); // half a part is none
-    whole->setTickStep(1);
-    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-    cell.rect->axis(QCPAxis::atLeft)->setTicker(whole);
+    cell.rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<WholeTicker>::create());
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
     values->grid()->setVisible(false);
     values->ticker()->setTickCount(valueTicks);
     cell.bars = new QCPBars(values, cell.rect->axis(QCPAxis::atLeft));
-    cell.bars->removeFromLegend();
-    cell.bars->setSelectable(QCP::stNone);
     QVector<double> at, counts;
     for (const HistogramBar& bar : cell.summary.histogram) {
         cell.bars->setWidth(bar.high - bar.low);
@@ -98,22 +86,9 @@ void HistogramPlot::build(Cell& cell, int column) {
     }
     cell.bars->setData(at, counts, true);
     const Characteristic& of = cell.summary.characteristic;
-    cell.low = of.low ? addLine(cell, *of.low) : nullptr;
-    cell.high = of.high ? addLine(cell, *of.high) : nullptr;
-    cell.mean = cell.summary.mean95 ? addLine(cell, cell.summary.moments.mean) : nullptr;
-}
-
-QCPItemStraightLine* HistogramPlot::addLine(const Cell& cell, double value) {
-    auto* line = new QCPItemStraightLine(this);
-    for (QCPItemPosition* point : {line->point1, line->point2}) {
-        point->setAxisRect(cell.rect);
-        point->setAxes(cell.rect->axis(QCPAxis::atBottom), cell.rect->axis(QCPAxis::atLeft));
-    }
-    line->point1->setCoords(value, 0);
-    line->point2->setCoords(value, 1);
-    line->setClipAxisRect(cell.rect);
-    line->setSelectable(false);
-    return line;
+    cell.low = of.low ? addRule(*cell.rect, *of.low) : nullptr;
+    cell.high = of.high ? addRule(*cell.rect, *of.high) : nullptr;
+    cell.mean = cell.summary.mean95 ? addRule(*cell.rect, cell.summary.moments.mean) : nullptr;
 }
 
 /// The same axis of the other cells follows.
@@ -153,32 +128,18 @@ void HistogramPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void HistogramPlot::show() {
+void HistogramPlot::showChoice() {
     for (const Cell& cell : m_cells) {
-        cell.bars->setVisible(m_choice.shows(partsKey));
+        cell.bars->setVisible(shows(partsKey));
         for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
             if (limit) {
-                limit->setVisible(m_choice.shows(limitsKey));
+                limit->setVisible(shows(limitsKey));
             }
         }
         if (cell.mean) {
-            cell.mean->setVisible(m_choice.shows(meanKey));
+            cell.mean->setVisible(shows(meanKey));
         }
     }
-}
-
-void HistogramPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void HistogramPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
 }
 
 LegendEntries HistogramPlot::legendEntries() const {
@@ -187,11 +148,10 @@ LegendEntries HistogramPlot::legendEntries() const {
     }
     const Cell& cell = m_cells.front();
     LegendEntries entries{
-        {cell.bars->brush().color(), Qt::NoPen, tr("parts"), partsKey, m_choice.shows(partsKey)}};
+        {cell.bars->brush().color(), Qt::NoPen, tr("parts"), partsKey, shows(partsKey)}};
     const auto add = [&](const QCPItemStraightLine* line, Key key, const QString& text) {
         if (line) {
-            entries.push_back(
-                {line->pen().color(), line->pen().style(), text, key, m_choice.shows(key)});
+            entries.push_back({line->pen().color(), line->pen().style(), text, key, shows(key)});
         }
     };
     add(cell.low ? cell.low : cell.high, limitsKey, tr("limits of the drawing"));
@@ -203,7 +163,7 @@ CsvTable HistogramPlot::table() const {
     CsvTable table;
     table.byPlace = true;
     table.header << tr("Where") << tr("From") << tr("To") << tr("Unit") << tr("Parts");
-    for (std::size_t i = 0; i < m_cells.size() && m_choice.shows(partsKey); ++i) {
+    for (std::size_t i = 0; i < m_cells.size() && shows(partsKey); ++i) {
         const Characteristic& of = m_cells[i].summary.characteristic;
         const QCPRange range = valueAxis(static_cast<int>(i))->range();
         for (const HistogramBar& bar : m_cells[i].summary.histogram) {
@@ -231,48 +191,39 @@ CsvTable HistogramPlot::tableOf(const BatchSummary& summary) {
     return table;
 }
 
-void HistogramPlot::onMouse(QMouseEvent* event) {
+QString HistogramPlot::valuesAt(const QPointF& at) const {
     for (const Cell& cell : m_cells) {
-        if (!cell.rect->rect().contains(event->pos())) {
+        if (!cell.rect->rect().contains(at.toPoint())) {
             continue;
         }
-        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
+        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
         const Characteristic& of = cell.summary.characteristic;
         for (const HistogramBar& bar : cell.summary.histogram) {
             if (x >= bar.low && x < bar.high) {
-                emit pointed(tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
-                                 .arg(BatchText::full(of),
-                                      BatchText::range({bar.low, bar.high}, of),
-                                      unitText(of.unit)));
-                return;
+                return tr("%1: %2 %3, %n part(s)", nullptr, static_cast<int>(bar.count))
+                    .arg(BatchText::full(of), BatchText::range({bar.low, bar.high}, of),
+                         unitText(of.unit));
             }
         }
     }
-    emit pointed({});
+    return {};
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
 void HistogramPlot::restyle() {
-    style::applyPalette(*this, palette());
-    const auto colour = [this](style::Drawn what) {
-        return style::dimmed(style::colour(what, palette()), isDimmed());
-    };
+    ViewPlot::restyle();
     for (const Cell& cell : m_cells) {
         cell.header->setFont(font());
         cell.header->setTextColor(palette().color(QPalette::Text));
-        for (QCPAxis* axis : cell.rect->axes()) {
-            axis->setTickLabelFont(font());
-            axis->setLabelFont(font());
-        }
-        cell.bars->setBrush(colour(style::Drawn::frequency));
+        cell.bars->setBrush(toned(style::Drawn::frequency));
         for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
             if (limit) {
-                limit->setPen(QPen(colour(style::Drawn::limit), 2));
+                limit->setPen(QPen(toned(style::Drawn::limit), 2));
             }
         }
         if (cell.mean) {
-            cell.mean->setPen(QPen(colour(style::Drawn::mean), 1.5, Qt::DashLine));
+            cell.mean->setPen(QPen(toned(style::Drawn::mean), 1.5, Qt::DashLine));
         }
     }
 }
@@ -282,6 +233,7 @@ void HistogramPlot::restyle() {
 /// each at least a pixel wide.
 void HistogramPlot::outline() {
     const QFontMetrics text(font());
+    bool changed = false;
     for (const Cell& cell : m_cells) {
         QCPAxis& values = *cell.rect->axis(QCPAxis::atBottom);
         const Characteristic& of = cell.summary.characteristic;
@@ -292,13 +244,18 @@ void HistogramPlot::outline() {
         const int tick =
             std::max(text.horizontalAdvance(BatchText::value(values.range().lower, of)),
                      text.horizontalAdvance(BatchText::value(values.range().upper, of)));
-        values.ticker()->setTickCount(
-            std::clamp(static_cast<int>(cell.rect->width() / (tickRoom * tick)), 2, valueTicks));
-        style::fitValueAxes(*cell.rect, font());
+        const int ticks =
+            std::clamp(static_cast<int>(cell.rect->width() / (tickRoom * tick)), 2, valueTicks);
+        changed = changed || values.ticker()->tickCount() != ticks;
+        values.ticker()->setTickCount(ticks);
+        changed = style::fitValueAxes(*cell.rect, font()) || changed;
         const double width = cell.bars->width() / values.range().size() * cell.rect->width();
         cell.bars->setPen(QPen(width < leastOutlined ? cell.bars->brush().color()
                                                      : palette().color(QPalette::Base),
                                1));
+    }
+    if (changed) {
+        replot(rpQueuedReplot);
     }
 }
 

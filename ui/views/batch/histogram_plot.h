@@ -2,9 +2,7 @@
 #pragma once
 
 #include "core/batch/batch_summary.h"
-#include "ui/plot/legend_drawing.h"
 #include "ui/plot/view_plot.h"
-#include "ui/tables/csv_table.h"
 
 #include <vector>
 
@@ -21,9 +19,7 @@ public:
 
     /// Of one characteristic; no replot. What was in sight stays while it is the same one.
     void setSummaries(std::vector<CharacteristicSummary> summaries);
-    void fit();
-    void toggleCurve(int key);
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
@@ -38,12 +34,14 @@ public:
         return at(cell).rect->axis(QCPAxis::atLeft);
     }
     [[nodiscard]] QString heading(int cell) const { return at(cell).header->text(); }
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const;                               ///< the bars in sight
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;                      ///< the bars in sight
     [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary); ///< of every characteristic
 
 private:
     void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     struct Cell {
         CharacteristicSummary summary;
         QCPTextElement* header = nullptr;
@@ -56,15 +54,11 @@ private:
 
     [[nodiscard]] const Cell& at(int cell) const { return m_cells[static_cast<std::size_t>(cell)]; }
     void build(Cell& cell, int column);
-    [[nodiscard]] QCPItemStraightLine* addLine(const Cell& cell, double value);
     void link(const QCPAxis* moved);
-    void show();
     void outline();
-    void onMouse(QMouseEvent* event);
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
-    CurveChoice m_choice;
     QCPRange m_fitted; ///< of the values, as they were fitted last
     bool m_linking = false;
 };

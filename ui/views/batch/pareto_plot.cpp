@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/pareto_plot.h"
 
+#include "ui/plot/number_ticker.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
-
-#include <QLocale>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +22,8 @@ constexpr std::size_t leastRows = 5; ///< a single cause is no wall
 } // namespace
 
 ParetoPlot::ParetoPlot(QWidget* parent) : ViewPlot(parent) {
-    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
+    m_rect = addRect();
     m_rect->setMinimumMargins(QMargins(0, 0, 20, 0));
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
     QCPAxis* const rows = m_rect->axis(QCPAxis::atLeft);
     rows->setRangeReversed(true); // from the top
     rows->grid()->setVisible(false);
@@ -40,22 +32,12 @@ ParetoPlot::ParetoPlot(QWidget* parent) : ViewPlot(parent) {
     shares->setVisible(true);
     shares->setTickLabels(true);
     shares->setTicks(true);
-    QSharedPointer<QCPAxisTickerFixed> parts(new QCPAxisTickerFixed); // half a part is none
-    parts->setTickStep(1);
-    parts->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-    m_rect->axis(QCPAxis::atBottom)->setTicker(parts);
+    m_rect->axis(QCPAxis::atBottom)->setTicker(QSharedPointer<WholeTicker>::create());
     m_bars = new QCPBars(rows, m_rect->axis(QCPAxis::atBottom));
-    m_bars->removeFromLegend();
-    m_bars->setSelectable(QCP::stNone);
     m_bars->setWidth(barShare);
     m_sum = addGraph(rows, shares);
-    m_sum->removeFromLegend();
-    m_sum->setSelectable(QCP::stNone);
     m_sum->setAdaptiveSampling(false);
-    connect(this, &QCustomPlot::mouseMove, this, &ParetoPlot::onMouse);
-    restyle();
-    retranslate();
-    setBuilt();
+    built();
 }
 
 const std::vector<RejectCause>& ParetoPlot::causes() const {
@@ -85,7 +67,7 @@ void ParetoPlot::setBatch(BatchOutcomePtr outcome) {
     m_sum->setData(rows, sums, true);
     restyle();
     retranslate();
-    show();
+    showChoice();
     fit();
     emit contentChanged();
 }
@@ -100,23 +82,9 @@ void ParetoPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void ParetoPlot::show() {
-    m_bars->setVisible(m_choice.shows(partsKey));
-    m_sum->setVisible(m_choice.shows(sumKey));
-}
-
-void ParetoPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void ParetoPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
+void ParetoPlot::showChoice() {
+    m_bars->setVisible(shows(partsKey));
+    m_sum->setVisible(shows(sumKey));
 }
 
 LegendEntries ParetoPlot::legendEntries() const {
@@ -125,9 +93,9 @@ LegendEntries ParetoPlot::legendEntries() const {
     }
     return {{m_bars->brush().color(), Qt::NoPen,
              tr("parts that fail it; a part that fails several counts at each"), partsKey,
-             m_choice.shows(partsKey)},
+             shows(partsKey)},
             {m_sum->pen().color(), Qt::SolidLine, tr("share of all failures, summed up"), sumKey,
-             m_choice.shows(sumKey)}};
+             shows(sumKey)}};
 }
 
 QString ParetoPlot::nameOf(const RejectCause& cause) {
@@ -164,34 +132,26 @@ CsvTable ParetoPlot::tableOf(const BatchSummary& summary) {
     return table;
 }
 
-void ParetoPlot::onMouse(QMouseEvent* event) {
-    const double row = m_rect->axis(QCPAxis::atLeft)->pixelToCoord(event->position().y());
+QString ParetoPlot::valuesAt(const QPointF& at) const {
+    const double row = m_rect->axis(QCPAxis::atLeft)->pixelToCoord(at.y());
     const auto i = static_cast<std::ptrdiff_t>(std::lround(row));
-    if (!m_rect->rect().contains(event->pos()) || i < 0 || i >= std::ssize(causes())) {
-        emit pointed({});
-        return;
+    if (!m_rect->rect().contains(at.toPoint()) || i < 0 || i >= std::ssize(causes())) {
+        return {};
     }
     const RejectCause& cause = causes()[static_cast<std::size_t>(i)];
     const double share =
         whole * static_cast<double>(cause.count) / static_cast<double>(m_outcome->summary.parts);
-    emit pointed(tr("%1: %n part(s), %2 % of the batch", nullptr, static_cast<int>(cause.count))
-                     .arg(nameOf(cause), Names::significant(share)));
+    return tr("%1: %n part(s), %2 % of the batch", nullptr, static_cast<int>(cause.count))
+        .arg(nameOf(cause), Names::significant(share));
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
 void ParetoPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
-    const auto colour = [this](style::Drawn what) {
-        return style::dimmed(style::colour(what, palette()), isDimmed());
-    };
+    ViewPlot::restyle();
     m_bars->setPen(Qt::NoPen);
-    m_bars->setBrush(colour(style::Drawn::frequency));
-    const QColor line = colour(style::Drawn::cumulativeShare);
+    m_bars->setBrush(toned(style::Drawn::frequency));
+    const QColor line = toned(style::Drawn::cumulativeShare);
     m_sum->setPen(QPen(line, 1.5));
     m_sum->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, line, line, sharePointSize));
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
 #include "ui/plot/view_plot.h"
 #include "ui/session/batch_runner.h"
-#include "ui/tables/csv_table.h"
 
 #include <vector>
 
@@ -20,14 +18,12 @@ public:
     explicit ParetoPlot(QWidget* parent = nullptr);
 
     void setBatch(BatchOutcomePtr outcome); ///< no replot
-    void fit();
-    void toggleCurve(int key);
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] bool empty() const { return causes().empty(); } ///< no part fails
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] static CsvTable tableOf(const BatchSummary& summary);
     [[nodiscard]] QCPBars* bars() const { return m_bars; }
     [[nodiscard]] QCPGraph* sum() const { return m_sum; } ///< of the shares [%]
@@ -35,14 +31,13 @@ public:
 
 private:
     void setTexts() override;
-    void show();
-    void onMouse(QMouseEvent* event);
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     [[nodiscard]] const std::vector<RejectCause>& causes() const;
     [[nodiscard]] double sumAt(std::size_t row) const; ///< [%]
     [[nodiscard]] static QString nameOf(const RejectCause& cause);
 
     BatchOutcomePtr m_outcome;
-    CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     QCPBars* m_bars = nullptr;
     QCPGraph* m_sum = nullptr;

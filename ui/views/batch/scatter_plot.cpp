@@ -8,8 +8,6 @@
 #include "ui/views/batch/batch_text.h"
 
 #include <QLineF>
-#include <QLocale>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <array>
@@ -48,23 +46,13 @@ double quantityOf(const BatchOutcome& outcome, std::size_t row, BatchQuantity qu
 }
 
 ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
+    m_rect = addRect();
     for (QCPGraph** graph : {&m_good, &m_outside, &m_worst}) {
-        *graph = addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
+        *graph = addLine(*m_rect);
         (*graph)->setLineStyle(QCPGraph::lsNone);
-        (*graph)->removeFromLegend();
-        (*graph)->setSelectable(QCP::stNone);
         (*graph)->setAdaptiveSampling(false);
     }
-    connect(this, &QCustomPlot::mouseMove, this, &ScatterPlot::onMouse);
-    restyle();
-    retranslate();
-    setBuilt();
+    built();
 }
 
 void ScatterPlot::setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up) {
@@ -109,36 +97,23 @@ void ScatterPlot::fill() {
         }
     }
     if (m_outcome) {
-        addLimits(m_across, QCPAxis::atBottom);
-        addLimits(m_up, QCPAxis::atLeft);
+        addLimits(m_across, true);
+        addLimits(m_up, false);
     }
     restyle();
     retranslate();
-    show();
+    showChoice();
     fit();
     emit contentChanged();
 }
 
-void ScatterPlot::addLimits(BatchQuantity quantity, QCPAxis::AxisType axis) {
-    const Characteristic* of = characteristic(quantity);
-    if (!of) {
-        return;
-    }
-    for (const std::optional<double>& limit : {of->low, of->high}) {
-        if (!limit) {
-            continue;
+void ScatterPlot::addLimits(BatchQuantity quantity, bool upright) {
+    if (const Characteristic* of = characteristic(quantity)) {
+        for (const std::optional<double>& limit : {of->low, of->high}) {
+            if (limit) {
+                m_limits.push_back(addRule(*m_rect, *limit, upright));
+            }
         }
-        auto* line = new QCPItemStraightLine(this);
-        for (QCPItemPosition* point : {line->point1, line->point2}) {
-            point->setAxisRect(m_rect);
-            point->setAxes(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-        }
-        const bool upright = axis == QCPAxis::atBottom;
-        line->point1->setCoords(upright ? *limit : 0, upright ? 0 : *limit);
-        line->point2->setCoords(upright ? *limit : 1, upright ? 1 : *limit);
-        line->setClipAxisRect(m_rect);
-        line->setSelectable(false);
-        m_limits.push_back(line);
     }
 }
 
@@ -180,34 +155,20 @@ QCPGraph* ScatterPlot::graph(Key key) const {
     return key == goodKey ? m_good : key == outsideKey ? m_outside : m_worst;
 }
 
-void ScatterPlot::show() {
+void ScatterPlot::showChoice() {
     for (const Key key : {goodKey, outsideKey, worstKey}) {
-        graph(key)->setVisible(m_choice.shows(key));
+        graph(key)->setVisible(shows(key));
     }
     for (QCPItemStraightLine* line : m_limits) {
-        line->setVisible(m_choice.shows(limitsKey));
+        line->setVisible(shows(limitsKey));
     }
-}
-
-void ScatterPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void ScatterPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
 }
 
 LegendEntries ScatterPlot::legendEntries() const {
     LegendEntries entries;
     const auto add = [&](Key key, const QString& text) {
         entries.push_back(
-            {graph(key)->scatterStyle().pen().color(), Qt::NoPen, text, key, m_choice.shows(key)});
+            {graph(key)->scatterStyle().pen().color(), Qt::NoPen, text, key, shows(key)});
     };
     add(goodKey, tr("parts"));
     if (m_outside->dataCount() > 0) {
@@ -218,8 +179,8 @@ LegendEntries ScatterPlot::legendEntries() const {
     }
     if (!m_limits.empty()) {
         const QPen pen = m_limits.front()->pen();
-        entries.push_back({pen.color(), pen.style(), tr("limits of the drawing"), limitsKey,
-                           m_choice.shows(limitsKey)});
+        entries.push_back(
+            {pen.color(), pen.style(), tr("limits of the drawing"), limitsKey, shows(limitsKey)});
     }
     return entries;
 }
@@ -234,7 +195,7 @@ CsvTable ScatterPlot::table() const {
     const auto& rows = m_outcome->result.statistics.rows;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double x = quantityOf(*m_outcome, i, m_across), y = quantityOf(*m_outcome, i, m_up);
-        if (m_choice.shows(outside(i) ? outsideKey : goodKey)
+        if (shows(outside(i) ? outsideKey : goodKey)
             && m_rect->axis(QCPAxis::atBottom)->range().contains(x)
             && m_rect->axis(QCPAxis::atLeft)->range().contains(y)) {
             table.rows.push_back({static_cast<double>(rows[i].part), x, y});
@@ -243,7 +204,7 @@ CsvTable ScatterPlot::table() const {
     return table;
 }
 
-void ScatterPlot::onMouse(QMouseEvent* event) {
+QString ScatterPlot::valuesAt(const QPointF& at) const {
     const std::size_t rows = m_outcome ? m_outcome->result.statistics.rows.size() : 0;
     double nearest = nearEnough;
     std::optional<std::size_t> found;
@@ -251,46 +212,38 @@ void ScatterPlot::onMouse(QMouseEvent* event) {
         const QPointF point(
             m_rect->axis(QCPAxis::atBottom)->coordToPixel(quantityOf(*m_outcome, i, m_across)),
             m_rect->axis(QCPAxis::atLeft)->coordToPixel(quantityOf(*m_outcome, i, m_up)));
-        const double away = QLineF(point, event->position()).length();
-        if (away < nearest && m_choice.shows(outside(i) ? outsideKey : goodKey)) {
+        const double away = QLineF(point, at).length();
+        if (away < nearest && shows(outside(i) ? outsideKey : goodKey)) {
             nearest = away;
             found = i;
         }
     }
     if (!found) {
-        emit pointed({});
-        return;
+        return {};
     }
     const auto value = [&](BatchQuantity quantity) {
         return QStringLiteral("%1 %2").arg(
             quantityName(*m_outcome, quantity),
             Names::significant(quantityOf(*m_outcome, *found, quantity), 4));
     };
-    emit pointed(tr("Part %1: %2; %3")
-                     .arg(m_outcome->result.statistics.rows[*found].part)
-                     .arg(value(m_across), value(m_up)));
+    return tr("Part %1: %2; %3")
+        .arg(m_outcome->result.statistics.rows[*found].part)
+        .arg(value(m_across), value(m_up));
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
 void ScatterPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
-    const auto colour = [this](Drawn what) {
-        return style::dimmed(style::colour(what, palette()), isDimmed());
-    };
+    ViewPlot::restyle();
     const auto dots = [](QCPGraph& graph, const QColor& of) {
         graph.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(of), of, partSize));
     };
-    dots(*m_good, colour(Drawn::goodPart));
-    dots(*m_outside, colour(Drawn::partOutside));
+    dots(*m_good, toned(Drawn::goodPart));
+    dots(*m_outside, toned(Drawn::partOutside));
     m_worst->setScatterStyle(QCPScatterStyle(
-        QCPScatterStyle::ssCircle, QPen(colour(Drawn::worstPart), 2), Qt::NoBrush, worstSize));
+        QCPScatterStyle::ssCircle, QPen(toned(Drawn::worstPart), 2), Qt::NoBrush, worstSize));
     for (QCPItemStraightLine* line : m_limits) {
-        line->setPen(QPen(colour(Drawn::limit), 1.5, Qt::DashLine));
+        line->setPen(QPen(toned(Drawn::limit), 1.5, Qt::DashLine));
     }
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
 #include "ui/plot/view_plot.h"
 #include "ui/session/batch_runner.h"
-#include "ui/tables/csv_table.h"
 
 #include <optional>
 
@@ -29,28 +27,25 @@ public:
     explicit ScatterPlot(QWidget* parent = nullptr);
 
     void setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQuantity up); ///< no replot
-    void fit();
-    void toggleCurve(int key);
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] QCPGraph* graph(Key key) const; ///< of the points
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const; ///< the points in sight
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override; ///< the points in sight
 
 private:
     void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
-    void addLimits(BatchQuantity quantity, QCPAxis::AxisType axis);
-    void show();
-    void onMouse(QMouseEvent* event);
+    void addLimits(BatchQuantity quantity, bool upright);
     [[nodiscard]] const Characteristic* characteristic(BatchQuantity quantity) const;
     [[nodiscard]] bool outside(std::size_t row) const; ///< the limits of what is shown
 
     BatchOutcomePtr m_outcome;
     BatchQuantity m_across = 0, m_up = 0;
-    CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     QCPGraph *m_good = nullptr, *m_outside = nullptr, *m_worst = nullptr;
     std::vector<QCPItemStraightLine*> m_limits;

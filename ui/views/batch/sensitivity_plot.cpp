@@ -7,7 +7,6 @@
 #include "ui/views/batch/batch_text.h"
 
 #include <QLocale>
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <array>
@@ -25,20 +24,12 @@ constexpr int outerAlpha = 90;
 
 SensitivityPlot::SensitivityPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
+    m_rect = addRect();
     QCPAxis& factors = *m_rect->axis(QCPAxis::atLeft);
     factors.setRangeReversed(true); // the first factor on top
     factors.grid()->setVisible(false);
     factors.setTickLength(0);
-    connect(this, &QCustomPlot::mouseMove, this, &SensitivityPlot::onMouse);
-    restyle();
-    retranslate();
-    setBuilt();
+    built();
 }
 
 void SensitivityPlot::setBatch(BatchOutcomePtr outcome, const std::string& name) {
@@ -86,7 +77,7 @@ void SensitivityPlot::fill() {
     nameFactors();
     restyle();
     retranslate();
-    show();
+    showChoice();
     fit();
     emit contentChanged();
 }
@@ -95,7 +86,7 @@ double SensitivityPlot::barWidth() const {
     return groupShare / static_cast<double>(std::max<std::size_t>(m_bars.size(), 1));
 }
 
-double SensitivityPlot::at(std::size_t place, std::size_t factor) const {
+double SensitivityPlot::barAt(std::size_t place, std::size_t factor) const {
     const double beside = static_cast<double>(place) - static_cast<double>(m_bars.size() - 1) / 2;
     return static_cast<double>(factor) + beside * barWidth();
 }
@@ -103,12 +94,10 @@ double SensitivityPlot::at(std::size_t place, std::size_t factor) const {
 void SensitivityPlot::draw(Bars& bars, std::size_t place) {
     const auto add = [&](const std::vector<double>& weights, double share) {
         auto* added = new QCPBars(m_rect->axis(QCPAxis::atLeft), m_rect->axis(QCPAxis::atBottom));
-        added->removeFromLegend();
-        added->setSelectable(QCP::stNone);
         added->setWidth(share * barWidth());
         QVector<double> keys, values;
         for (std::size_t f = 0; f < weights.size(); ++f) {
-            keys << at(place, f);
+            keys << barAt(place, f);
             values << weights[f];
         }
         added->setData(keys, values, true);
@@ -154,28 +143,14 @@ double SensitivityPlot::weight(std::size_t place, std::size_t factor) const {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void SensitivityPlot::show() {
+void SensitivityPlot::showChoice() {
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
         for (QCPBars* bars : {m_bars[i].innerBars, m_bars[i].outerBars}) {
             if (bars) {
-                bars->setVisible(m_choice.shows(static_cast<int>(i)));
+                bars->setVisible(shows(static_cast<int>(i)));
             }
         }
     }
-}
-
-void SensitivityPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void SensitivityPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
 }
 
 QString SensitivityPlot::placeName(const Bars& bars) const {
@@ -192,7 +167,7 @@ LegendEntries SensitivityPlot::legendEntries() const {
                       .arg(placeName(bars), locale().toString(bars.determination, 'f', 2))
                 : placeName(bars);
         entries.push_back({bars.innerBars->brush().color(), Qt::NoPen, name, static_cast<int>(i),
-                           m_choice.shows(static_cast<int>(i))});
+                           shows(static_cast<int>(i))});
     }
     return entries;
 }
@@ -237,7 +212,7 @@ CsvTable SensitivityPlot::table() const {
                            : QStringList{tr("Sobol index, first order"), tr("Sobol index, total")});
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
         const Bars& bars = m_bars[i];
-        for (std::size_t f = 0; f < bars.inner.size() && m_choice.shows(static_cast<int>(i)); ++f) {
+        for (std::size_t f = 0; f < bars.inner.size() && shows(static_cast<int>(i)); ++f) {
             table.rows.push_back({placeName(bars), BatchText::factor(m_outcome->factors[f].kind),
                                   bars.inner[f], ranks ? bars.determination : bars.outer[f]});
         }
@@ -245,42 +220,36 @@ CsvTable SensitivityPlot::table() const {
     return table;
 }
 
-void SensitivityPlot::onMouse(QMouseEvent* event) {
-    if (!m_rect->rect().contains(event->pos()) || m_bars.empty()) {
-        emit pointed({});
-        return;
+QString SensitivityPlot::valuesAt(const QPointF& at) const {
+    if (!m_rect->rect().contains(at.toPoint())) {
+        return {};
     }
-    const double y = m_rect->axis(QCPAxis::atLeft)->pixelToCoord(event->position().y());
+    const double y = m_rect->axis(QCPAxis::atLeft)->pixelToCoord(at.y());
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
         for (std::size_t f = 0; f < m_bars[i].inner.size(); ++f) {
-            if (std::abs(y - at(i, f)) > barWidth() / 2 || !m_choice.shows(static_cast<int>(i))) {
+            if (std::abs(y - barAt(i, f)) > barWidth() / 2 || !shows(static_cast<int>(i))) {
                 continue;
             }
             const Bars& bars = m_bars[i];
             const auto number = [](double v) { return Names::fixed(v, 2); };
             const QString who = QStringLiteral("%1, %2").arg(
                 placeName(bars), BatchText::factor(m_outcome->factors[f].kind));
-            emit pointed(m_kind == SensitivityKind::ranks
-                             ? tr("%1: %2 of the standardised rank regression")
-                                   .arg(who, number(bars.inner[f]))
-                             : tr("%1: %2 of the variance alone, %3 with its interactions")
-                                   .arg(who, number(bars.inner[f]), number(bars.outer[f])));
-            return;
+            return m_kind == SensitivityKind::ranks
+                       ? tr("%1: %2 of the standardised rank regression")
+                             .arg(who, number(bars.inner[f]))
+                       : tr("%1: %2 of the variance alone, %3 with its interactions")
+                             .arg(who, number(bars.inner[f]), number(bars.outer[f]));
         }
     }
-    emit pointed({});
+    return {};
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
 void SensitivityPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
+    ViewPlot::restyle();
     for (std::size_t i = 0; i < m_bars.size(); ++i) {
-        QColor colour = style::dimmed(tone(style::oneOfSeries(i), palette()), isDimmed());
+        QColor colour = toned(style::oneOfSeries(i));
         m_bars[i].innerBars->setPen(Qt::NoPen);
         m_bars[i].innerBars->setBrush(colour);
         if (m_bars[i].outerBars) {

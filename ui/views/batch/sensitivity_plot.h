@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
 #include "ui/plot/view_plot.h"
 #include "ui/session/batch_runner.h"
-#include "ui/tables/csv_table.h"
 
 #include <string>
 #include <vector>
@@ -25,15 +23,13 @@ public:
     void setBatch(BatchOutcomePtr outcome, const std::string& name); ///< no replot
     void setIndices(SobolIndicesPtr indices);                        ///< of the same batch, or null
     void setKind(SensitivityKind kind);
-    void fit();
-    void toggleCurve(int key); ///< keys are the places in their order
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] SensitivityKind kind() const { return m_kind; }
     [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be told
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] LegendEntries legendEntries() const override; ///< keys: places, in order
+    [[nodiscard]] CsvTable table() const override;
     /// Of every characteristic that has them.
     [[nodiscard]] static CsvTable ranksTable(const BatchOutcome& outcome);
     [[nodiscard]] static CsvTable sobolTable(const BatchOutcome& outcome,
@@ -44,6 +40,8 @@ public:
 
 private:
     void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     /// What is told of one place.
     struct Bars {
         std::size_t characteristic;       ///< of the summary
@@ -55,17 +53,14 @@ private:
     void fill();
     void draw(Bars& bars, std::size_t place);
     void nameFactors();
-    void show();
-    void onMouse(QMouseEvent* event);
     [[nodiscard]] double barWidth() const;
-    [[nodiscard]] double at(std::size_t place, std::size_t factor) const; ///< on the axis
+    [[nodiscard]] double barAt(std::size_t place, std::size_t factor) const; ///< on the axis
     [[nodiscard]] QString placeName(const Bars& bars) const;
 
     BatchOutcomePtr m_outcome;
     SobolIndicesPtr m_indices;
     std::string m_name;
     SensitivityKind m_kind = SensitivityKind::ranks;
-    CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     std::vector<Bars> m_bars;
 };

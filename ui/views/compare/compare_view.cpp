@@ -3,40 +3,40 @@
 
 #include "ui/charts/compare_plot.h"
 #include "ui/charts/run_table_model.h"
-#include "ui/charts/runs_model.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_tools.h"
-#include "ui/text/example_texts.h"
+#include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
-#include "ui/text/number_text.h"
-#include "ui/text/texts.h"
+#include "ui/views/compare/runs_panel.h"
+#include "ui/views/compare/second_axis_menu.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QDateTime>
 #include <QHeaderView>
 #include <QLabel>
 #include <QListView>
 #include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
 
+constexpr int runsWidth = 184, curvesWidth = 500;
+constexpr int curvesHeight = 330, tableHeight = 170;
 constexpr int widestValue = 120, leastName = 200; ///< columns, at the usual size of type
 constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
-
-QString runName(const KeptRun& run) {
-    return exampleTitle(run.name).simplified();
-}
 
 /// Along the ground length, from 0 to 1.
 double placeShare(const RunSummary& summary, std::size_t zone, double length_mm) {
@@ -45,13 +45,128 @@ double placeShare(const RunSummary& summary, std::size_t zone, double length_mm)
 
 } // namespace
 
-QString CompareView::title() const {
-    return tr("Compare");
+CompareView::CompareView(KeptRuns& kept, QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("compare"), parent, settings)
+    , m_kept(kept)
+    , m_plot(new ComparePlot(this))
+    , m_second(new SecondAxisMenu(*m_plot, this))
+    , m_zone(new QComboBox(this))
+    , m_axis(new QComboBox(this))
+    , m_runs(new RunsPanel(kept, this))
+    , m_table(
+          new CopyTable([this] { return tabSeparated(m_tableModel->table(), QLocale()); }, this))
+    , m_tableModel(new RunTableModel(this))
+    , m_empty(new QLabel(this))
+    , m_keepHere(new QPushButton(this))
+    , m_columns(new QSplitter(Qt::Horizontal, this))
+    , m_halves(new QSplitter(Qt::Vertical, this)) {
+    addPlot(*m_plot);
+    addCursors(*m_plot);
+    tools()->addTool(m_second->menuAction());
+    hideUntilDrawn({m_plot});
+    disableUntilDrawn({m_zone, m_axis});
+    build();
+    connectParts();
+    built();
 }
 
-int CompareView::selectedRun() const {
-    const int run = m_list->currentIndex().row() - 1; // below the present one
-    return run >= 0 && run < m_kept.count() ? run : -1;
+void CompareView::build() {
+    setUpNotice(*m_empty);
+    setTextLines(*m_empty, 3, 2); // a wrapped text tells a splitter one
+    m_columns->addWidget(m_runs);
+    m_columns->addWidget(buildCurves());
+    m_columns->setStretchFactor(1, 1);
+    m_columns->setSizes({runsWidth, curvesWidth});
+    auto* upper = new QWidget(this);
+    auto* column = rowIn<QVBoxLayout>(upper);
+    column->addWidget(m_columns, 1);
+    column->addWidget(values());
+    m_halves->addWidget(upper);
+    m_halves->addWidget(buildTable());
+    m_halves->setStretchFactor(0, 1);
+    m_heights = {curvesHeight, tableHeight};
+    m_table->hide();
+    for (QSplitter* splitter : {m_columns, m_halves}) {
+        splitter->setChildrenCollapsible(false);
+    }
+    addColumn({notice(), m_halves}, m_halves);
+    nameObjects({{m_plot, "comparePlot"},
+                 {m_zone, "compareZone"},
+                 {m_axis, "compareAxis"},
+                 {m_table, "compareTable"},
+                 {m_empty, "compareEmpty"},
+                 {m_keepHere, "compareStart"}});
+}
+
+QWidget* CompareView::buildCurves() {
+    auto* panel = new QWidget(this);
+    auto* column = rowIn<QVBoxLayout>(panel);
+    auto* row = new ToolRow;
+    column->addLayout(row);
+    row->setSpacing(metrics::hair); // many stand in it
+    for (QComboBox* box : {m_zone, m_axis}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        row->addWidget(box);
+    }
+    row->addStretch(1);
+    QToolButton* second = PlotTools::button(m_second->menuAction(), panel);
+    second->setPopupMode(QToolButton::InstantPopup);
+    second->setObjectName(QStringLiteral("secondAxisButton"));
+    row->addWidget(second);
+    addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
+    m_plot->setMinimumSize(240, 150);
+    column->addWidget(legend());
+    column->addWidget(m_plot, 1);
+    column->addWidget(strip());
+    return panel;
+}
+
+/// What differs, or what to do to see it.
+QWidget* CompareView::buildTable() {
+    auto* panel = new QWidget(this);
+    auto* column = rowIn<QVBoxLayout>(panel);
+    m_table->setModel(m_tableModel);
+    m_table->setSaving([this] { return m_tableModel->table(); },
+                       [this] { return heading().value(1); }, settings());
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setWordWrap(true);
+    m_table->setMinimumHeight(80);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setMinimumSectionSize(10);
+    connect(m_table, &CopyTable::resized, this, &CompareView::fitTable);
+    connect(m_tableModel, &QAbstractItemModel::modelReset, this, &CompareView::fitTable);
+    column->addWidget(m_table, 1);
+    column->addWidget(m_empty);
+    column->addWidget(m_keepHere, 0, Qt::AlignLeft);
+    column->addStretch(0);
+    return panel;
+}
+
+void CompareView::connectParts() {
+    connect(&m_kept, &KeptRuns::changed, this, [this] { setOutcome(latest()); });
+    connect(&m_kept, &KeptRuns::runRecalled, this, [this] { setOutcome(latest()); });
+    connect(m_runs->keep(), &QAction::triggered, this, &CompareView::keepWanted);
+    connect(m_keepHere, &QPushButton::clicked, this, &CompareView::keepWanted);
+    connect(m_zone, &QComboBox::activated, this, [this](int index) {
+        m_wanted = static_cast<std::size_t>(std::max(index, 0));
+        showCurves();
+        PlotView::showState();
+        replotAll();
+    });
+    connect(m_axis, &QComboBox::activated, this, [this] {
+        m_plot->setAxis(static_cast<CycleAxis>(m_axis->currentData().toInt()));
+        replotFront();
+        tools()->navigation().forgetViews();
+    });
+    connect(m_plot, &ComparePlot::timeClicked, this,
+            [this](double time_s) { cycle().toTime(time_s); });
+}
+
+QListView* CompareView::list() const {
+    return m_runs->list();
 }
 
 std::vector<int> CompareView::chosenRuns() const {
@@ -66,99 +181,17 @@ std::vector<int> CompareView::chosenRuns() const {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void CompareView::showOutcome() {
-    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
-    if (ran && m_good != latest()) {
-        const bool same = m_good
-                          && m_good->result.project.operation == latest()->result.project.operation
-                          && m_good->result.sections.size() == latest()->result.sections.size();
-        m_good = latest();
-        m_present =
-            ReadSummary{summarise(m_good->result, m_good->accuracy, m_good->constraints), {}};
-        if (!same) { // the gauge's zone, or the middle section
-            m_wanted = m_good->result.sections.size() / 2;
-        }
-        fillAxes();
-        fillZones();
+void CompareView::takeOutcome(const OutcomePtr& before) {
+    if (good() == before) {
+        return;
     }
-    m_plot->setDimmed(m_good && !ran);
-    showRuns();
-    showCurves();
-    showTable();
-    showMoment();
-    showState();
-    emit updated();
-}
-
-void CompareView::showRuns() {
-    const int kept = selectedRun();
-    std::vector<RunsModel::Run> rows{{tr("Present run"), detailOf(-1), toldOf(-1), lightOfRun(-1)}};
-    int number = 0;
-    for (int run = 0; run < m_kept.count(); ++run) {
-        const bool chosen = m_kept.isChosen(run);
-        rows.push_back({runName(m_kept.all()[static_cast<std::size_t>(run)]), detailOf(run),
-                        toldOf(run), lightOfRun(run), chosen ? ++number : -1, chosen});
+    m_present = ReadSummary{summarise(good()->result, good()->accuracy, good()->constraints), {}};
+    if (!before || before->result.project.operation != good()->result.project.operation
+        || before->result.sections.size() != good()->result.sections.size()) {
+        m_wanted = good()->result.sections.size() / 2; // the gauge's zone, or the middle section
     }
-    m_runs->setRuns(std::move(rows));
-    if (!m_list->currentIndex().isValid() || kept >= m_kept.count()) {
-        m_list->setCurrentIndex(m_runs->index(m_runs->rowCount() - 1));
-    }
-}
-
-/// The summary as kept; of the present run for −1, null while there is none.
-const RunSummary* CompareView::summaryOf(int run) const {
-    const ReadSummary* const read = run >= 0    ? m_kept.summary(run)
-                                    : m_present ? &*m_present
-                                                : nullptr;
-    return read ? &read->summary : nullptr;
-}
-
-/// The time, and below it what there is to say.
-QString CompareView::detailOf(int run) const {
-    const RunSummary* const summary = summaryOf(run);
-    if (!summary) {
-        return run < 0 ? tr("not computed yet") : tr("results not readable");
-    }
-    const ReadSummary* const read = run >= 0 ? m_kept.summary(run) : nullptr;
-    const QString time = read && read->missing.contains("/cycle_time_min")
-                             ? tr("no results kept")
-                             : tr("%1 min").arg(Names::significant(summary->cycle_time_min));
-    const RecalledRun* const now = run < 0 ? nullptr : m_kept.recalled(run);
-    return run < 0                  ? time
-           : !now                   ? time + u'\n' + tr("computing…")
-           : hasErrors(now->issues) ? time + u'\n' + tr("refused now")
-           : m_kept.isChanged(run)  ? time + u'\n' + tr("differs now")
-                                    : time;
-}
-
-std::optional<Light> CompareView::lightOfRun(int run) const {
-    const RunSummary* const summary = summaryOf(run);
-    const ReadSummary* const read = run >= 0 ? m_kept.summary(run) : nullptr;
-    const bool unknown = !summary || (read && read->missing.contains("/status"));
-    return unknown ? std::nullopt : verdictOf(*summary);
-}
-
-QString CompareView::toldOf(int run) const {
-    QStringList lines{run < 0 ? tr("Present run, always drawn")
-                              : runName(m_kept.all()[static_cast<std::size_t>(run)])};
-    lines << detailOf(run).split(u'\n');
-    if (const std::optional<Light> light = lightOfRun(run)) {
-        lines << lightName(*light);
-    }
-    if (run < 0) {
-        return lines.join(u'\n');
-    }
-    const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
-    const QDateTime when = QDateTime::fromString(QString::fromStdString(kept.when), Qt::ISODate);
-    lines << tr("Kept %1 by version %2")
-                 .arg(when.isValid() ? momentText(when.toLocalTime())
-                                     : QString::fromStdString(kept.when),
-                      QString::fromStdString(kept.engine_version));
-    const RecalledRun* const now = m_kept.recalled(run);
-    if (now && now->summary && m_kept.summary(run)) {
-        lines << changesShown(*m_kept.summary(run), *now->summary);
-    }
-    return lines.join(u'\n');
+    fillAxes();
+    fillZones();
 }
 
 /// Of the zone or section the user chose: of an alike run the same one, of another the nearest
@@ -170,11 +203,12 @@ std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
         return std::nullopt;
     }
     const std::vector<ZoneSummary>& zones = now->summary->zones;
-    ComparedFeeds feeds{runName(m_kept.all()[static_cast<std::size_t>(run)]), now->feeds, m_wanted};
-    if (now->feeds->operation != m_good->feeds.operation
+    ComparedFeeds feeds{RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]), now->feeds,
+                        m_wanted};
+    if (now->feeds->operation != good()->feeds.operation
         || zones.size() != m_present->summary.zones.size()) {
         const double wanted =
-            placeShare(m_present->summary, m_wanted, m_good->result.project.part.length_mm);
+            placeShare(m_present->summary, m_wanted, good()->result.project.part.length_mm);
         const auto distance = [&](std::size_t zone) {
             return std::abs(placeShare(*now->summary, zone, inputs->part.length_mm) - wanted);
         };
@@ -190,8 +224,8 @@ std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
 
 void CompareView::showCurves() {
     std::vector<ComparedFeeds> runs;
-    if (m_good && m_wanted < m_good->feeds.columns.size()) {
-        runs.push_back({tr("Present run"), {m_good, &m_good->feeds}, m_wanted});
+    if (good() && m_wanted < good()->feeds.columns.size()) {
+        runs.push_back({tr("Present run"), {good(), &good()->feeds}, m_wanted});
         int number = 0;
         for (const int run : chosenRuns()) {
             ++number; // also of one that is not drawn yet
@@ -202,8 +236,6 @@ void CompareView::showCurves() {
         }
     }
     m_plot->setRuns(std::move(runs));
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
-    m_tools->navigation().amendView();
 }
 
 /// A run that comes out differently now stands there as it was kept and as it is computed.
@@ -213,9 +245,9 @@ void CompareView::showTable() {
     const std::vector<int> chosen = chosenRuns();
     computed.reserve(chosen.size());
     if (m_present && !chosen.empty()) {
-        runs.push_back({tr("Present run"), &m_good->result.project, &*m_present});
+        runs.push_back({tr("Present run"), &good()->result.project, &*m_present});
         for (const int run : chosen) {
-            const QString name = runName(m_kept.all()[static_cast<std::size_t>(run)]);
+            const QString name = RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]);
             runs.push_back({name, m_kept.inputs(run), m_kept.summary(run)});
             const RecalledRun* const now = m_kept.recalled(run);
             if (m_kept.isChanged(run) && now && now->summary) {
@@ -231,17 +263,9 @@ void CompareView::showTable() {
     m_tableModel->setRows(differingRows(runs), names);
 }
 
-void CompareView::showMoment() {
-    const CycleCursor* const at = cycleIn(m_good);
-    m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
-}
-
 void CompareView::followCycle() {
-    showMoment();
-}
-
-void CompareView::showLegend() {
-    m_legend->setEntries(m_plot->legendEntries());
+    const CycleCursor* const at = cycleIn(good());
+    m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
 }
 
 /// Without a table the curves have its room.
@@ -273,29 +297,29 @@ void CompareView::fitTable() {
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents); // measures
 }
 
+bool CompareView::drawn() const {
+    return !m_plot->runs().empty();
+}
+
 void CompareView::showState() {
-    const bool drawn = !m_plot->runs().empty();
-    m_notice->setText(notice());
-    m_notice->setVisible(!m_notice->text().isEmpty());
-    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_legend, m_values}) {
-        part->setVisible(drawn);
-    }
-    m_zone->setEnabled(drawn);
-    m_axis->setEnabled(drawn);
-    m_tools->setEnabled(drawn);
+    m_runs->setRuns(m_present ? &*m_present : nullptr);
+    showCurves();
+    showTable();
+    followCycle();
+    PlotView::showState();
     m_keepHere->setVisible(m_kept.count() == 0);
     const QString empty = emptyText();
     m_empty->setText(empty);
     m_empty->setVisible(!empty.isEmpty());
     shareHeight(empty.isEmpty());
-    const int run = selectedRun();
-    m_restore->setEnabled(run >= 0 && m_kept.inputs(run));
-    m_rename->setEnabled(run >= 0);
-    m_delete->setEnabled(run >= 0);
     readOut();
 }
 
 // --- texts --------------------------------------------------------------------------------------
+
+QString CompareView::title() const {
+    return tr("Compare");
+}
 
 QString CompareView::hint() const {
     return tr("Point at a curve to read its values beside those of the present run.");
@@ -314,56 +338,57 @@ QString CompareView::emptyText() const {
                : QString();
 }
 
-QString CompareView::notice() const {
-    QStringList lines;
-    if (latest() && !latest()->ran()) {
-        lines << (m_good ? tr("The inputs are refused; the present run is that of the last "
-                              "accepted ones.")
-                         : tr("The inputs are refused:"))
-                     + u'\n' + Names::refusal(latest()->issues, 2);
-    } else if (!m_good) {
-        lines << tr("No result yet.");
-    } else if (m_good->feeds.columns.empty()) {
-        lines << tr("The cycle is too long to be recorded: its curves are not drawn. Fewer radii "
-                    "or sections help.");
-    }
+QString CompareView::keptText() const {
+    return tr("The inputs are refused; the present run is that of the last accepted ones.");
+}
+
+QString CompareView::remark() const {
+    return good()->feeds.columns.empty()
+               ? tr("The cycle is too long to be recorded: its curves are not drawn. Fewer radii "
+                    "or sections help.")
+               : QString();
+}
+
+QString CompareView::noticeText() const {
+    QStringList lines{PlotView::noticeText()};
     for (const int run : chosenRuns()) {
-        const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
-        const RecalledRun* const now = m_kept.recalled(run);
-        if (now && hasErrors(now->issues)) {
-            lines << tr("“%1” can no longer be run: %2")
-                         .arg(runName(kept), Names::refusal(now->issues, 1));
-        } else if (now && now->summary && m_kept.isChanged(run)) {
-            const QStringList all = m_kept.summary(run)
-                                        ? changesShown(*m_kept.summary(run), *now->summary)
-                                        : QStringList{tr("its results cannot be read")};
-            QString named = all.mid(0, mostChanges).join(QStringLiteral("; "));
-            if (all.size() > mostChanges) {
-                named += tr("; and %n more", nullptr, static_cast<int>(all.size()) - mostChanges);
-            }
-            lines << tr("“%1” was kept by version %2 of the program and comes out differently "
-                        "now: %3")
-                         .arg(runName(kept), QString::fromStdString(kept.engine_version), named);
-        } else if (now && now->feeds && now->feeds->columns.empty()) {
-            lines << tr("“%1” is too long to be recorded: its curves are not drawn.")
-                         .arg(runName(kept));
-        }
+        lines << runNotes(run);
     }
+    lines.removeAll(QString());
     return lines.join(u'\n');
 }
 
-QStringList CompareView::heading() const {
-    QStringList heading{title()};
-    if (m_good) {
-        heading << QString::fromStdString(m_good->result.project.title).simplified()
-                << m_zone->currentText();
+/// Why a run is not drawn as it was kept.
+QStringList CompareView::runNotes(int run) const {
+    const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
+    const RecalledRun* const now = m_kept.recalled(run);
+    const QString name = RunsPanel::nameOf(kept);
+    if (now && hasErrors(now->issues)) {
+        return {tr("“%1” can no longer be run: %2").arg(name, Names::refusal(now->issues, 1))};
     }
-    heading.removeAll(QString());
-    return heading;
+    if (now && now->summary && m_kept.isChanged(run)) {
+        const QStringList all = m_kept.summary(run)
+                                    ? changesShown(*m_kept.summary(run), *now->summary)
+                                    : QStringList{tr("its results cannot be read")};
+        QString named = all.mid(0, mostChanges).join(QStringLiteral("; "));
+        if (all.size() > mostChanges) {
+            named += tr("; and %n more", nullptr, static_cast<int>(all.size()) - mostChanges);
+        }
+        return {tr("“%1” was kept by version %2 of the program and comes out differently now: %3")
+                    .arg(name, QString::fromStdString(kept.engine_version), named)};
+    }
+    if (now && now->feeds && now->feeds->columns.empty()) {
+        return {tr("“%1” is too long to be recorded: its curves are not drawn.").arg(name)};
+    }
+    return {};
+}
+
+QStringList CompareView::subheading() const {
+    return {m_zone->currentText()};
 }
 
 void CompareView::fillAxes() {
-    const bool strokes = !m_good || m_good->feeds.operation->countsStrokes;
+    const bool strokes = !good() || good()->feeds.operation->countsStrokes;
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
     m_axis->addItem(tr("Time, min"), static_cast<int>(CycleAxis::minutes));
@@ -375,31 +400,28 @@ void CompareView::fillAxes() {
 
 void CompareView::fillZones() {
     m_zone->clear();
-    if (m_good) {
-        for (const FeedColumn& column : m_good->feeds.columns) {
+    if (good()) {
+        for (const FeedColumn& column : good()->feeds.columns) {
             m_zone->addItem(Names::zoneFull(column.zone, column.section));
         }
         m_zone->setCurrentIndex(static_cast<int>(m_wanted));
     }
 }
 
-void CompareView::retranslate() {
-    nameParts();
+void CompareView::nameParts() {
+    nameAround(tr("Legend of quantities and runs"), tr("State of the comparison"),
+               tr("Values under the mouse"));
+    m_second->retranslate();
+    m_runs->retranslate();
+    m_plot->setAccessibleName(tr("Curves of the compared runs"));
+    m_table->setAccessibleName(tr("Inputs and results that differ"));
+    m_empty->setAccessibleName(tr("What to do"));
+    tell(*m_zone, tr("Zone or section whose curves are drawn"));
+    tell(*m_axis, tr("Horizontal axis"));
+    m_keepHere->setText(tr("Keep the present run"));
+    m_table->retranslate();
     fillAxes();
     fillZones();
-    m_legend->retranslate();
-    m_plot->retranslate();
-    m_table->retranslate();
-    m_tools->retranslate();
-    m_strip->retranslate();
-    showRuns();
-    showCurves();
-    showTable();
-    showState();
-}
-
-void CompareView::recolour() {
-    showLegend();
 }
 
 } // namespace sparkout

@@ -1,103 +1,163 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/feeds/feeds_plot.h"
 
-#include "ui/plot/band_layer.h"
 #include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
 #include "ui/plot/plot_click.h"
-#include "ui/plot/plot_style.h"
+#include "ui/plot/plot_cursors.h"
+#include "ui/plot/quantity_colour.h"
+#include "ui/text/names.h"
 
 #include <algorithm>
 
 namespace sparkout {
 
-FeedsPlot::FeedsPlot(QWidget* parent) : ViewPlot(parent) {
+namespace {
+
+constexpr double valuesPad = 0.06; ///< of the values in sight
+constexpr float spreadAlpha = 0.25F;
+
+Qt::PenStyle dashOf(Quantity quantity) {
+    switch (quantity) {
+    case Quantity::programmed:
+    case Quantity::programmedSum: return Qt::DashLine;
+    case Quantity::came: return Qt::DotLine;
+    default: return Qt::SolidLine;
+    }
+}
+
+} // namespace
+
+FeedsPlot::FeedsPlot(QWidget* parent)
+    : ViewPlot(parent)
+    , m_grid(*this, m_chart)
+    , m_momentLine(new HairLine(*this, HairLine::Role::moment))
+    , m_hairLine(new HairLine(*this)) {
     setPlottingHints(QCP::phFastPolylines);
-    setNotAntialiasedElements(QCP::aeFills | QCP::aeGrid | QCP::aeAxes);
-    plotLayout()->clear();
-    m_momentLine = new HairLine(*this, HairLine::Role::moment);
-    m_hairLine = new HairLine(*this);
     setMouseTracking(true);
-    connect(this, &QCustomPlot::mouseMove, this, &FeedsPlot::onMouse);
     onPlotClick(*this, [this](const QPointF& at) {
-        if (const QCPAxisRect* rect = axisRectAt(at); rect && !m_columns.empty()) {
-            emit timeClicked(m_scale.time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
+        if (const QCPAxisRect* rect = axisRectAt(at); rect && !m_chart.isEmpty()) {
+            emit timeClicked(scale().time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
         }
     });
     setBuilt();
 }
 
-const FeedSeries& FeedsPlot::series() const {
-    static const FeedSeries none;
-    return m_outcome ? m_outcome->feeds : none;
-}
-
-const FeedColumn& FeedsPlot::source(int column) const {
-    return series().columns.at(m_columns.at(static_cast<std::size_t>(column)).index);
-}
-
 void FeedsPlot::setRun(OutcomePtr outcome, const std::vector<int>& shown) {
-    const bool sameGrid = m_outcome && shown.size() == m_columns.size()
+    const bool sameGrid = !m_chart.isEmpty() && shown.size() == m_chart.columnCount()
                           && outcome->feeds.operation == series().operation;
-    m_outcome = std::move(outcome);
-    m_scale = CycleScale(series(), m_axis);
-    m_strokes = CycleScale(series(), CycleAxis::strokes);
+    m_chart.setRun(std::move(outcome), shown);
     if (!sameGrid) {
-        buildGrid(shown.size());
-    }
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        m_columns[i].index = static_cast<std::size_t>(shown[i]);
-    }
-    if (!sameGrid) {
+        buildGrid();
         retranslate();
         emit gridBuilt();
     }
-    const double end_s = series().end_s;
-    const bool inside = m_to_s > m_from_s && m_from_s < end_s;
-    showTimes(inside ? m_from_s : 0, inside ? std::min(m_to_s, end_s) : end_s);
+    const double end_s = series().end_s, from_s = visibleFrom_s(), to_s = visibleTo_s();
+    const bool inside = to_s > from_s && from_s < end_s;
+    showTimes(inside ? from_s : 0, inside ? std::min(to_s, end_s) : end_s);
 }
 
 void FeedsPlot::setAxis(CycleAxis axis) {
-    m_axis = axis;
-    m_scale = CycleScale(series(), axis);
+    m_chart.setAxis(axis);
     m_hairLine->setAt({});
     setMoment(m_moment_s);
-    labelAxes();
-    showTimes(m_from_s, m_to_s);
+    m_grid.label();
+    showTimes(visibleFrom_s(), visibleTo_s());
 }
 
 void FeedsPlot::setMoment(std::optional<double> time_s) {
     m_moment_s = time_s;
-    m_momentLine->setAt(time_s ? std::optional(m_scale.at(*time_s)) : std::nullopt);
+    m_momentLine->setAt(time_s ? std::optional(scale().at(*time_s)) : std::nullopt);
 }
 
-void FeedsPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    showCurves();
+// --- building -----------------------------------------------------------------------------------
+
+void FeedsPlot::buildGrid() {
+    m_curves.clear();
+    m_grid.build();
+    for (std::size_t i = 0; i < m_chart.columnCount(); ++i) {
+        addCurves(i);
+    }
+    m_values = {};
+    linkAxes();
+    showChoice();
+    emit contentChanged();
+    restyle();
 }
 
-void FeedsPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    showCurves();
+void FeedsPlot::addCurves(std::size_t column) {
+    const auto add = [&](std::size_t row, QCPAxis::AxisType side,
+                         std::initializer_list<Quantity> quantities) {
+        for (const Quantity quantity : quantities) {
+            addCurve(column, quantity, m_grid.columns()[column].rects[row]->axis(side));
+        }
+    };
+    add(0, QCPAxis::atLeft, {Quantity::actual, Quantity::programmed});
+    add(1, QCPAxis::atRight, {Quantity::came, Quantity::left});
+    add(1, QCPAxis::atLeft, {Quantity::actualSum, Quantity::programmedSum});
+    if (m_chart.hasAxialFeed()) {
+        add(2, QCPAxis::atRight, {Quantity::force});
+        add(2, QCPAxis::atLeft, {Quantity::axialFeed});
+    } else {
+        add(2, QCPAxis::atLeft, {Quantity::force});
+    }
+}
+
+void FeedsPlot::addCurve(std::size_t column, Quantity quantity, QCPAxis* value) {
+    const auto add = [&](Edge edge) {
+        QCPGraph* graph = addGraph(value->axisRect()->axis(QCPAxis::atBottom), value);
+        m_curves.push_back({column, quantity, edge, graph});
+        return graph;
+    };
+    if (FeedsChart::hasSpread(quantity)) {
+        QCPGraph* low = add(Edge::low);
+        add(Edge::high)->setChannelFillGraph(low);
+    }
+    add(Edge::mean);
+}
+
+void FeedsPlot::linkAxes() {
+    const auto changed = QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged);
+    for (const QCPAxisRect* rect : axisRects()) {
+        connect(rect->axis(QCPAxis::atBottom), changed, this, &FeedsPlot::onTimesChanged);
+        for (const auto type : {QCPAxis::atLeft, QCPAxis::atRight}) {
+            QCPAxis* axis = rect->axis(type);
+            connect(axis, changed, this,
+                    [this, axis](const QCPRange& range) { onValuesChanged(axis, range); });
+        }
+    }
+}
+
+QCPGraph* FeedsPlot::curve(int column, Quantity quantity, Edge edge) const {
+    const auto found = std::ranges::find_if(m_curves, [&](const Curve& c) {
+        return static_cast<int>(c.column) == column && c.quantity == quantity && c.edge == edge;
+    });
+    return found == m_curves.end() ? nullptr : found->graph;
 }
 
 // --- what is in sight ---------------------------------------------------------------------------
 
 void FeedsPlot::showTimes(double from_s, double to_s) {
-    if (m_columns.empty() || !(to_s > from_s)) {
+    if (m_chart.isEmpty() || !(to_s > from_s)) {
         return;
     }
-    m_from_s = from_s;
-    m_to_s = to_s;
+    const Detail detail = m_chart.detail();
+    const FeedsChart::Steps steps = m_chart.steps();
+    m_chart.setTimes(from_s, to_s);
     m_linking = true;
-    for (Column& column : m_columns) {
-        for (QCPAxisRect* rect : column.rects) {
-            style::setSafeRange(*rect->axis(QCPAxis::atBottom), m_scale.at(from_s),
-                                m_scale.at(to_s));
-        }
+    for (const QCPAxisRect* rect : axisRects()) {
+        style::setSafeRange(*rect->axis(QCPAxis::atBottom), scale().at(from_s), scale().at(to_s));
     }
     m_linking = false;
-    refresh();
+    fill();
+    fillBands();
+    scaleValues();
+    if (detail != m_chart.detail()) {
+        m_grid.label();
+    }
+    if (detail != m_chart.detail() || steps != m_chart.steps()) {
+        emit contentChanged();
+    }
     emit timesChanged();
 }
 
@@ -106,10 +166,10 @@ void FeedsPlot::onTimesChanged(const QCPRange& range) {
         return;
     }
     // Pan and zoom stay within the cycle, and wider than a thousandth of a revolution.
-    const double end = m_scale.at(series().end_s);
+    const double end = scale().at(series().end_s);
     const double size = std::clamp(range.size(), end * 1e-6, end);
     const double low = std::clamp(range.lower, 0.0, end - size);
-    showTimes(m_scale.time_s(low), m_scale.time_s(low + size));
+    showTimes(scale().time_s(low), scale().time_s(low + size));
 }
 
 void FeedsPlot::onValuesChanged(QCPAxis* axis, const QCPRange& range) {
@@ -117,25 +177,26 @@ void FeedsPlot::onValuesChanged(QCPAxis* axis, const QCPRange& range) {
         return;
     }
     m_linking = true;
-    for (std::size_t row = 0; row < rowCount; ++row) {
-        const bool here = std::ranges::any_of(
-            m_columns, [&](const Column& c) { return c.rects[row] == axis->axisRect(); });
+    for (std::size_t row = 0; row < FeedsGrid::rowCount; ++row) {
+        const bool here = std::ranges::any_of(m_grid.columns(), [&](const auto& column) {
+            return column.rects[row] == axis->axisRect();
+        });
         if (!here) {
             continue;
         }
-        for (Column& column : m_columns) {
+        for (const FeedsGrid::Column& column : m_grid.columns()) {
             column.rects[row]->axis(axis->axisType())->setRange(range);
         }
-        const QCPAxisRect* first = m_columns.front().rects[row];
+        const QCPAxisRect* first = m_grid.columns().front().rects[row];
         m_values[row] = {true, first->axis(QCPAxis::atLeft)->range(),
                          first->axis(QCPAxis::atRight)->range()};
     }
     m_linking = false;
-    fitColumns();
+    m_grid.fit();
 }
 
 PlotHistory::State FeedsPlot::sight() const {
-    PlotHistory::State state{m_from_s, m_to_s};
+    PlotHistory::State state{visibleFrom_s(), visibleTo_s()};
     for (const RowValues& row : m_values) {
         const RowValues v = row.own ? row : RowValues{};
         state.insert(state.end(),
@@ -146,14 +207,14 @@ PlotHistory::State FeedsPlot::sight() const {
 
 void FeedsPlot::setSight(const PlotHistory::State& state) {
     constexpr std::size_t perRow = 5;
-    if (m_columns.empty() || state.size() != 2 + perRow * rowCount) {
+    if (m_chart.isEmpty() || state.size() != 2 + perRow * FeedsGrid::rowCount) {
         return;
     }
     m_linking = true;
-    for (std::size_t row = 0; row < rowCount; ++row) {
+    for (std::size_t row = 0; row < FeedsGrid::rowCount; ++row) {
         const double* v = state.data() + 2 + perRow * row;
         m_values[row] = {v[0] > 0, QCPRange(v[1], v[2]), QCPRange(v[3], v[4])};
-        for (Column& column : m_columns) {
+        for (const FeedsGrid::Column& column : m_grid.columns()) {
             if (m_values[row].own) {
                 column.rects[row]->axis(QCPAxis::atLeft)->setRange(m_values[row].left);
                 column.rects[row]->axis(QCPAxis::atRight)->setRange(m_values[row].right);
@@ -171,22 +232,131 @@ QList<QCPAxis*> FeedsPlot::movedAxes(QCPAxisRect& rect) const {
     return {rect.axis(QCPAxis::atBottom)};
 }
 
-// --- the mouse ----------------------------------------------------------------------------------
+// --- filling ------------------------------------------------------------------------------------
+
+void FeedsPlot::fill() {
+    for (const Curve& c : m_curves) {
+        QVector<QCPGraphData> points;
+        for (const XY& p : m_chart.line(c.column, c.quantity, c.edge)) {
+            points.push_back({p.x, p.y});
+        }
+        c.graph->data()->set(points, true);
+    }
+}
+
+std::vector<Band> FeedsPlot::stepBands(std::size_t column) const {
+    std::vector<Band> bands;
+    for (const StepSpan& span : m_chart.stepsOf(column)) {
+        const Place& place = span.place;
+        const QString name = Names::step(place.step);
+        const QString meaning = tr("%1: %2").arg(name, Names::stepMeaning(place.zone, place.step));
+        bands.push_back({scale().at(span.start_s),
+                         scale().at(span.end_s),
+                         stepColour(place.zone, place.step, palette()),
+                         name,
+                         {},
+                         meaning});
+    }
+    return bands;
+}
+
+std::vector<Band> FeedsPlot::stageBands() const {
+    std::vector<Band> bands;
+    for (const StageSpan& span : series().stages) {
+        const bool odd = span.stage % 2 == 1;
+        QColor colour =
+            style::colour(odd ? style::Drawn::oddStage : style::Drawn::evenStage, palette());
+        colour.setAlpha(odd ? 28 : 38);
+        const QString name = tr("stage %1").arg(span.stage);
+        bands.push_back({scale().at(span.start_s), scale().at(span.end_s), colour, name,
+                         tr("st. %1", "stage, short").arg(span.stage), name});
+    }
+    return bands;
+}
+
+void FeedsPlot::fillBands() {
+    for (std::size_t i = 0; i < m_chart.columnCount(); ++i) {
+        const std::vector<Band> bands = m_chart.showsSteps() ? stepBands(i) : stageBands();
+        for (BandLayer* layer : m_grid.columns()[i].bands) {
+            layer->setBands(bands);
+        }
+    }
+}
+
+void FeedsPlot::showChoice() {
+    for (const Curve& c : m_curves) {
+        c.graph->setVisible(shows(FeedsChart::keyOf(c.quantity))
+                            && (c.edge == Edge::mean || shows(FeedsChart::spreadKey)));
+    }
+    scaleValues();
+}
+
+void FeedsPlot::scaleRow(std::size_t row, QCPAxis::AxisType type, double low, double high) {
+    const double pad = high > low ? (high - low) * valuesPad : 1;
+    for (const FeedsGrid::Column& column : m_grid.columns()) {
+        if (!m_values[row].own) {
+            style::setSafeRange(*column.rects[row]->axis(type), low - (low == 0 ? 0 : pad),
+                                high + pad);
+        }
+    }
+}
+
+void FeedsPlot::scaleValues() {
+    const auto extremes = [this](std::initializer_list<Quantity> quantities) {
+        return m_chart.extremes(quantities, choice());
+    };
+    m_linking = true;
+    const auto feed = extremes({Quantity::programmed, Quantity::actual});
+    scaleRow(0, QCPAxis::atLeft, std::min(0.0, feed.first), feed.second);
+    const auto sums = extremes({Quantity::programmedSum, Quantity::actualSum});
+    scaleRow(1, QCPAxis::atLeft, detail() == Detail::stroke ? 0 : sums.first, sums.second);
+    const auto radii = extremes({Quantity::came, Quantity::left});
+    scaleRow(1, QCPAxis::atRight, radii.first, radii.second);
+    const double force = extremes({Quantity::force}).second;
+    if (m_chart.hasAxialFeed()) {
+        scaleRow(2, QCPAxis::atLeft, 0, extremes({Quantity::axialFeed}).second);
+        scaleRow(2, QCPAxis::atRight, 0, force);
+    } else {
+        scaleRow(2, QCPAxis::atLeft, 0, force);
+    }
+    m_linking = false;
+    m_grid.fit();
+}
+
+// --- reading ------------------------------------------------------------------------------------
+
+ReadCurves FeedsPlot::readCurves() const {
+    ReadCurves curves;
+    for (const Curve& c : m_curves) {
+        if (c.edge == Edge::mean && shows(FeedsChart::keyOf(c.quantity))) {
+            curves.push_back(m_chart.readCurve(c.column, c.quantity));
+        }
+    }
+    return curves;
+}
+
+CursorSubject FeedsPlot::cursorSubject() {
+    return {[this] { return timeLabel(); },
+            [this] { return QCPRange(0, scale().at(series().end_s)); },
+            [this] { return readCurves(); }, [this](double x) { return scale().time_s(x); },
+            [this](double time_s) { return scale().at(time_s); }};
+}
 
 void FeedsPlot::onMouse(QMouseEvent* event) {
     if (event->buttons() != Qt::NoButton) {
         return;
     }
-    for (const Column& column : m_columns) {
-        for (std::size_t row = 0; row < rowCount; ++row) {
+    for (std::size_t i = 0; i < m_grid.columns().size(); ++i) {
+        const FeedsGrid::Column& column = m_grid.columns()[i];
+        for (std::size_t row = 0; row < FeedsGrid::rowCount; ++row) {
             const QCPAxisRect* rect = column.rects[row];
             if (!rect->rect().contains(event->pos())) {
                 continue;
             }
             const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
             m_hairLine->setAt(x);
-            emit pointed(
-                feedText(column.points, m_scale.time_s(x), series(), m_detail == Detail::stroke));
+            emit pointed(feedText(m_chart.points(i), scale().time_s(x), series(),
+                                  detail() == Detail::stroke));
             const Band* band = column.bands[row]->bandAt(x);
             emit pointedBand(band ? band->meaning : QString());
             return;
@@ -201,26 +371,75 @@ void FeedsPlot::pointAway() {
     emit pointedBand({});
 }
 
-void FeedsPlot::resizeEvent(QResizeEvent* event) {
-    fitColumns();
-    QCustomPlot::resizeEvent(event);
+// --- look ---------------------------------------------------------------------------------------
+
+QColor FeedsPlot::colourOf(Quantity quantity) const {
+    return toned(style::drawnAs(quantity));
 }
 
-BandLayer* FeedsPlot::bands(int column, int row) const {
-    return m_columns.at(static_cast<std::size_t>(column)).bands.at(static_cast<std::size_t>(row));
+QColor FeedsPlot::stepColour(Zone zone, Step step, const QPalette& palette) {
+    const auto index = static_cast<std::size_t>(strokeStep(zone, step));
+    QColor colour = tone(style::stepOfStroke(index, palette), palette);
+    colour.setAlpha(style::isDark(palette) ? 75 : 85);
+    return colour;
 }
 
-QCPAxisRect* FeedsPlot::cell(int column, int row) const {
-    return m_columns.at(static_cast<std::size_t>(column)).rects.at(static_cast<std::size_t>(row));
-}
-
-QCPGraph* FeedsPlot::curve(int column, Quantity quantity, Edge edge) const {
-    for (const Curve& c : m_columns.at(static_cast<std::size_t>(column)).curves) {
-        if (c.quantity == quantity && c.edge == edge) {
-            return c.graph;
+void FeedsPlot::restyle() {
+    ViewPlot::restyle();
+    for (const Curve& c : m_curves) {
+        QColor colour = colourOf(c.quantity);
+        if (c.edge == Edge::mean) {
+            c.graph->setPen(
+                QPen(colour, c.quantity == Quantity::force ? 1.2 : 1.5, dashOf(c.quantity)));
+        } else {
+            colour.setAlphaF(colour.alphaF() * spreadAlpha);
+            c.graph->setPen(Qt::NoPen);
+            c.graph->setBrush(c.edge == Edge::high ? QBrush(colour) : QBrush(Qt::NoBrush));
         }
     }
-    return nullptr;
+    m_grid.restyle();
+    fillBands();
+}
+
+void FeedsPlot::takeLook(bool) {
+    if (!m_chart.isEmpty()) {
+        restyle();
+        m_grid.fit();
+    }
+}
+
+void FeedsPlot::setTexts() {
+    m_grid.label();
+    fillBands();
+}
+
+void FeedsPlot::resizeEvent(QResizeEvent* event) {
+    m_grid.fit();
+    ViewPlot::resizeEvent(event);
+}
+
+LegendEntries FeedsPlot::legendEntries() const {
+    LegendEntries entries;
+    if (m_chart.isEmpty()) {
+        return entries;
+    }
+    for (const Quantity quantity : {Quantity::programmed, Quantity::actual, Quantity::came,
+                                    Quantity::left, Quantity::axialFeed, Quantity::force}) {
+        if (quantity != Quantity::axialFeed || m_chart.hasAxialFeed()) {
+            const int key = FeedsChart::keyOf(quantity);
+            entries.push_back(
+                {colourOf(quantity), dashOf(quantity), quantityName(quantity), key, shows(key)});
+        }
+    }
+    QColor grey = palette().color(QPalette::Text);
+    grey.setAlpha(60);
+    entries.push_back({grey, Qt::NoPen, tr("spread over the radii"), FeedsChart::spreadKey,
+                       shows(FeedsChart::spreadKey)});
+    for (const auto& [zone, step] : m_chart.steps()) {
+        entries.push_back(
+            {stepColour(zone, step, palette()), Qt::NoPen, Names::stepMeaning(zone, step)});
+    }
+    return entries;
 }
 
 } // namespace sparkout

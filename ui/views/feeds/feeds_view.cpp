@@ -3,22 +3,24 @@
 
 #include "core/process/system_compliance.h"
 #include "ui/kit/font_size.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme_icon.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
 #include "ui/plot/plot_cursors.h"
-#include "ui/plot/plot_tools.h"
 #include "ui/text/names.h"
 #include "ui/views/feeds/feeds_note.h"
 #include "ui/views/feeds/feeds_overview.h"
 #include "ui/views/feeds/feeds_plot.h"
 
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -26,95 +28,177 @@
 namespace sparkout {
 
 namespace {
-constexpr int strokeGesture = 2001; ///< for PlotNavigation::gestureOf()
+constexpr int strokeGesture = 2001, overviewGesture = 2002; ///< for PlotNavigation::gestureOf()
 constexpr int wideView = 900;
 } // namespace
 
+FeedsView::FeedsView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("feeds"), parent, settings)
+    , m_plot(new FeedsPlot(this))
+    , m_overview(new FeedsOverview(*m_plot, this)) {
+    PlotSubject subject;
+    subject.navigation.fit = [this] { fitAll(); };
+    addPlot(*m_plot, std::move(subject));
+    addCursors(*m_plot);
+    QWidget* bar = buildTools();
+    hideUntilDrawn({m_plot, m_overview});
+    disableUntilDrawn({m_span, m_stroke, m_axis, m_section});
+    addColumn({bar, notice(), legend(), m_plot, m_overview, strip(), values()}, m_plot)
+        ->addStretch();
+    connectTools();
+    connectPlot();
+    built();
+}
+
+QWidget* FeedsView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    row->setSpacing(metrics::row); // many stand in it
+    m_span = new QComboBox(bar);
+    m_previous = new QToolButton(bar);
+    m_stroke = new QSpinBox(bar);
+    m_next = new QToolButton(bar);
+    m_strokeLabel = new QLabel(bar);
+    m_section = new QComboBox(bar);
+    m_axis = new QComboBox(bar);
+    m_note = new QToolButton(bar);
+    m_previous->setArrowType(Qt::LeftArrow);
+    m_next->setArrowType(Qt::RightArrow);
+    m_note->setIcon(themeIcon(u"info"));
+    m_note->setAutoRaise(true);
+    m_strokeLabel->setTextFormat(Qt::PlainText);
+    for (QToolButton* button : {m_previous, m_next, m_note}) {
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    for (QComboBox* box : {m_span, m_section, m_axis}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    m_stroke->setKeyboardTracking(false);
+    for (QWidget* w :
+         std::initializer_list<QWidget*>{m_span, m_strokeLabel, m_previous, m_stroke, m_next}) {
+        row->addWidget(w);
+    }
+    row->addStretch();
+    row->addWidget(m_section);
+    row->addWidget(m_axis);
+    addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});
+    row->addWidget(m_note);
+    nameObjects({{m_span, "span"},
+                 {m_stroke, "stroke"},
+                 {m_previous, "previous"},
+                 {m_next, "next"},
+                 {m_axis, "axis"},
+                 {m_section, "section"},
+                 {m_note, "note"}});
+    return bar;
+}
+
+void FeedsView::connectTools() {
+    connect(cursors()->toggle, &QAction::toggled, this, &FeedsView::showState);
+    connect(m_span, &QComboBox::currentIndexChanged, this, &FeedsView::onSpanChosen);
+    connect(m_stroke, &QSpinBox::valueChanged, this, &FeedsView::onStrokeChosen);
+    connect(m_previous, &QToolButton::clicked, m_stroke, &QSpinBox::stepDown);
+    connect(m_next, &QToolButton::clicked, m_stroke, &QSpinBox::stepUp);
+    connect(m_section, &QComboBox::currentIndexChanged, this, &FeedsView::onSectionChosen);
+    connect(m_axis, &QComboBox::currentIndexChanged, this, [this] {
+        m_plot->setAxis(static_cast<CycleAxis>(m_axis->currentData().toInt()));
+        m_overview->showRun();
+        m_plot->replot();
+    });
+    connect(m_note, &QToolButton::clicked, this, &FeedsView::showNote);
+}
+
+void FeedsView::connectPlot() {
+    PlotNavigation& navigation = tools()->navigation();
+    connect(&navigation, &PlotNavigation::moved, this, &FeedsView::readSpan);
+    connect(m_plot, &FeedsPlot::gridBuilt, &navigation, &PlotNavigation::forgetViews);
+    connect(m_plot, &FeedsPlot::timesChanged, m_overview, &FeedsOverview::followPlot);
+    connect(m_plot, &FeedsPlot::timeClicked, this,
+            [this](double time_s) { cycle().toTime(time_s); });
+    connect(m_plot, &FeedsPlot::pointedBand, m_plot, &QWidget::setToolTip);
+    connect(m_overview, &FeedsOverview::timesAsked, this, [this](double from_s, double to_s) {
+        m_plot->showTimes(from_s, to_s);
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+        readSpan();
+    });
+    connect(m_overview, &FeedsOverview::dragged, this,
+            [this, &navigation] { navigation.noteView(navigation.gestureOf(overviewGesture)); });
+    connect(m_overview, &FeedsOverview::fitAsked, &navigation, &PlotNavigation::fit);
+}
+
+// --- the run ------------------------------------------------------------------------------------
+
+bool FeedsView::draws(const Outcome& outcome) const {
+    return !outcome.trajectory.passes.empty();
+}
+
+bool FeedsView::isUnrecorded() const {
+    return latest() && latest()->ran() && !draws(*latest());
+}
+
+bool FeedsView::drawn() const {
+    return good() && !isUnrecorded();
+}
+
+bool FeedsView::countsStrokes() const {
+    return !good() || good()->result.project.operation->countsStrokes;
+}
+
 /// All zones, or some of the sections.
 std::vector<int> FeedsView::shownColumns() const {
-    const Project& project = m_good->result.project;
-    const auto count = static_cast<int>(m_good->feeds.columns.size());
+    const Project& project = good()->result.project;
+    const auto count = static_cast<int>(good()->feeds.columns.size());
     return project.operation->hasZones
                ? shownSections(count, 0)
                : shownSections(count, gaugeSection(project), m_wantedSection);
 }
 
-void FeedsView::showOutcome() {
-    QElapsedTimer clock;
-    clock.start();
-    const bool ran = latest() && latest()->ran() && !latest()->trajectory.passes.empty();
-    if (ran) {
-        const bool same =
-            m_good && m_good->result.project.operation == latest()->result.project.operation;
-        m_good = latest();
-        if (!same) {
-            m_what = Span::whole;
-            m_wantedSection.reset();
-            fillAxes();
-        }
-        m_plot->setRun(m_good, shownColumns());
-        fillSections();
-        fillSpans();
-        applySpan();
-        showMoment();
-        m_overview->showRun();
-        m_tools->navigation().amendView();
+void FeedsView::takeOutcome(const OutcomePtr& before) {
+    if (!before || before->result.project.operation != good()->result.project.operation) {
+        m_what = Span::whole;
+        m_wantedSection.reset();
+        fillAxes();
     }
-    m_plot->setDimmed(m_good && !ran);
-    showState();
-    showLegend();
-    m_plot->replot();
-    m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
-    emit updated();
+    m_plot->setRun(good(), shownColumns());
+    fillSections();
+    fillSpans();
+    applySpan();
+    showMoment();
+    m_overview->showRun();
 }
 
-void FeedsView::showState() {
-    const bool refused = latest() && !latest()->ran();
-    const bool unrecorded = latest() && !refused && latest()->trajectory.passes.empty();
-    QString text;
-    if (unrecorded) {
+QString FeedsView::noticeText() const {
+    QString text = PlotView::noticeText();
+    if (isUnrecorded()) {
         text = tr("The cycle is too long to draw: %1 visits of a radius, at most %2 are recorded. "
                   "Fewer radii or sections help; the verdict is of the whole cycle.")
                    .arg(QLocale().toString(latest()->result.visits),
                         QLocale().toString(maxRecordedVisits));
-    } else if (refused) {
-        text =
-            (m_good ? tr("The inputs are refused; the curves are those of the last accepted ones.")
-                    : tr("The inputs are refused:"))
-            + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    } else if (!m_good) {
-        text = tr("No result yet.");
-    } else if (m_good->result.status != RunStatus::completed) {
-        text = Names::status(m_good->result.status);
     }
-    if (!refused && m_good && m_plot->series().dropped > 0) {
+    if (!refused() && m_plot->series().dropped > 0) {
         text += QLatin1Char(' ')
                 + tr("%1 values that are no numbers are not drawn.").arg(m_plot->series().dropped);
     }
-    m_notice->setText(text);
-    m_notice->setVisible(!text.isEmpty());
-    const bool drawn = m_good != nullptr && !unrecorded;
-    for (QWidget* part : std::initializer_list<QWidget*>{m_plot, m_overview, m_legend}) {
-        part->setVisible(drawn);
-    }
-    m_values->setVisible(drawn && !m_cursors->toggle->isChecked()); // their table tells them
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_span, m_stroke, m_axis, m_section}) {
-        tool->setEnabled(drawn);
-    }
-    m_tools->setEnabled(drawn);
-    m_section->setVisible(m_section->count() > 0);
-    showSpan();
+    return text;
 }
 
-void FeedsView::showLegend() {
-    m_legend->setEntries(m_plot->legendEntries());
+QString FeedsView::remark() const {
+    const RunStatus status = good()->result.status;
+    return status == RunStatus::completed ? QString() : Names::status(status);
+}
+
+void FeedsView::showState() {
+    PlotView::showState();
+    values()->setVisible(drawn() && !cursors()->toggle->isChecked()); // their table tells them
+    m_section->setVisible(m_section->count() > 0);
+    showSpan();
 }
 
 void FeedsView::showNote() {
     if (!m_noteDialog) {
         m_noteDialog = new FeedsNote(this);
     }
-    m_noteDialog->setOperation(m_good ? m_good->result.project.operation : Operation());
+    m_noteDialog->setOperation(good() ? good()->result.project.operation : Operation());
     m_noteDialog->show();
     m_noteDialog->raise();
     m_noteDialog->activateWindow();
@@ -124,19 +208,17 @@ void FeedsView::showNote() {
 
 void FeedsView::fillSpans() {
     const QSignalBlocker blocker(m_span);
-    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
     m_span->clear();
     m_span->addItem(tr("Whole cycle"), 0);
-    if (m_good) {
+    if (good()) {
         for (const StageSpan& stage : m_plot->series().stages) {
             m_span->addItem(tr("Stage %1").arg(stage.stage), stage.stage);
         }
     }
-    m_span->addItem(strokes ? tr("One double stroke") : tr("One revolution"), -1);
+    m_span->addItem(countsStrokes() ? tr("One double stroke") : tr("One revolution"), -1);
     const QString number =
-        strokes ? tr("Number of the double stroke") : tr("Number of the revolution");
-    m_stroke->setAccessibleName(number);
-    m_stroke->setToolTip(number);
+        countsStrokes() ? tr("Number of the double stroke") : tr("Number of the revolution");
+    tell(*m_stroke, number);
     const QSignalBlocker strokeBlocker(m_stroke);
     m_stroke->setRange(1, std::max(m_plot->series().strokeCount(), 1));
     showSpan();
@@ -175,14 +257,14 @@ void FeedsView::applySpan() {
 
 /// None while all of the cycle is done.
 void FeedsView::showMoment() {
-    const CycleCursor* const at = cycleIn(m_good);
+    const CycleCursor* const at = cycleIn(good());
     m_plot->setMoment(at && !at->atEnd() ? std::optional(at->time_s()) : std::nullopt);
     m_overview->update();
 }
 
 void FeedsView::followCycle() {
     showMoment();
-    if (const CycleCursor* const at = cycleIn(m_good)) {
+    if (const CycleCursor* const at = cycleIn(good())) {
         bringIntoSight(at->time_s());
     }
 }
@@ -210,7 +292,7 @@ void FeedsView::bringIntoSight(double time_s) {
         readSpan();
     }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-    m_tools->navigation().amendView();
+    tools()->navigation().amendView();
 }
 
 void FeedsView::onSpanChosen(int index) {
@@ -219,7 +301,7 @@ void FeedsView::onSpanChosen(int index) {
     m_stage = chosen > 0 ? chosen : m_stage;
     applySpan();
     m_plot->replot();
-    m_tools->navigation().noteView();
+    tools()->navigation().noteView();
 }
 
 void FeedsView::onStrokeChosen(int) {
@@ -227,12 +309,12 @@ void FeedsView::onStrokeChosen(int) {
     applySpan();
     m_plot->replot();
     // Stepping from stroke to stroke is one gesture: Back leads out of it.
-    m_tools->navigation().noteView(m_tools->navigation().gestureOf(strokeGesture));
+    tools()->navigation().noteView(tools()->navigation().gestureOf(strokeGesture));
 }
 
 void FeedsView::showPlace(const Place& place) {
     redraw();
-    if (!m_good || !m_stroke->isEnabled()) {
+    if (!good() || !m_stroke->isEnabled()) {
         return;
     }
     const int section = place.zone == Zone::section ? m_section->findData(place.section) : -1;
@@ -281,8 +363,8 @@ void FeedsView::readSpan() {
 void FeedsView::onSectionChosen(int index) {
     const int section = m_section->itemData(index).toInt();
     m_wantedSection = section < 0 ? std::nullopt : std::optional<int>(section);
-    if (m_good) {
-        m_plot->setRun(m_good, shownColumns());
+    if (good()) {
+        m_plot->setRun(good(), shownColumns());
         m_overview->showRun();
         m_plot->replot();
     }
@@ -292,12 +374,11 @@ void FeedsView::onSectionChosen(int index) {
 
 void FeedsView::fillAxes() {
     const QSignalBlocker blocker(m_axis);
-    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
     const int before = m_axis->currentIndex() < 0 ? 0 : m_axis->currentData().toInt();
     m_axis->clear();
     m_axis->addItem(tr("Time, min"), static_cast<int>(CycleAxis::minutes));
     m_axis->addItem(tr("Time, s"), static_cast<int>(CycleAxis::seconds));
-    if (strokes) {
+    if (countsStrokes()) {
         m_axis->addItem(tr("Double strokes"), static_cast<int>(CycleAxis::strokes));
     }
     m_axis->addItem(tr("Revolutions"), static_cast<int>(CycleAxis::revolutions));
@@ -309,8 +390,8 @@ void FeedsView::fillAxes() {
 void FeedsView::fillSections() {
     const QSignalBlocker blocker(m_section);
     m_section->clear();
-    const int count = static_cast<int>(m_good ? m_good->result.sections.size() : 0);
-    if (m_good && !m_good->result.project.operation->hasZones && count > 4) {
+    const int count = static_cast<int>(good() ? good()->result.sections.size() : 0);
+    if (good() && !good()->result.project.operation->hasZones && count > 4) {
         m_section->addItem(tr("Evenly chosen"), -1);
         for (int i = 0; i < count; ++i) {
             m_section->addItem(Names::zone(Zone::section, i), i);
@@ -328,23 +409,27 @@ QString FeedsView::title() const {
     return tr("Feeds by stage");
 }
 
-void FeedsView::retranslate() {
-    buildLabels();
+void FeedsView::nameParts() {
+    nameAround(tr("Legend of the curves"), tr("State of the curves"),
+               tr("Values under the pointer"));
+    m_plot->setAccessibleName(tr("Curves of the feeds by stage"));
+    m_span->setPlaceholderText(tr("Free choice"));
+    m_strokeLabel->setText(tr("No.", "number of the double stroke or revolution"));
+    tell(*m_span, tr("Part of the cycle in sight"));
+    tell(*m_axis, tr("Horizontal axis"));
+    tell(*m_section, tr("Section that is also shown"));
+    tell(*m_previous, tr("Previous"));
+    tell(*m_next, tr("Next"));
+    m_note->setAccessibleName(tr("How to read the feeds"));
+    m_note->setToolTip(tr("How to read the feeds: the steps E1…E5 and the curves"));
     fillAxes();
     fillSections();
     fillSpans();
-    m_plot->retranslate();
     m_overview->showRun();
     m_overview->retranslate();
-    m_legend->retranslate();
-    m_tools->retranslate();
-    m_strip->retranslate();
     if (m_noteDialog) {
         m_noteDialog->retranslate();
     }
-    showState();
-    showLegend();
-    m_plot->replot();
 }
 
 QString FeedsView::hint() const {
@@ -353,9 +438,9 @@ QString FeedsView::hint() const {
 
 /// In a narrow view the values need four lines.
 void FeedsView::resizeEvent(QResizeEvent* event) {
-    View::resizeEvent(event);
+    PlotView::resizeEvent(event);
     const int lines = width() < wideView ? 4 : 2;
-    setTextLines(*m_values, lines, 0);
+    setTextLines(*values(), lines, 0);
 }
 
 } // namespace sparkout

@@ -6,7 +6,7 @@
 #include "ui/charts/compare_plot.h"
 #include "ui/dialogs/copy_table.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_pages.h"
+#include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/optimise/found_model.h"
 #include "ui/views/optimise/optimise_text.h"
@@ -14,26 +14,116 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSplitter>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace sparkout {
 
-QString OptimiseView::brief() const {
-    return tr("Optimise", "the view's tab");
+namespace {
+constexpr int plotShare = 260, foundShare = 140; ///< of the height at first
+} // namespace
+
+OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("optimise"), parent, settings)
+    , m_curves(new ComparePlot(this))
+    , m_times(new StageCountPlot(this))
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_found(new FoundModel(this))
+    , m_zone(new QComboBox(this))
+    , m_bar(new RunBar(QStringLiteral("optimise"), this))
+    , m_take(new QPushButton(this))
+    , m_add(new QPushButton(this))
+    , m_phases(new QCheckBox(this))
+    , m_refine(new QCheckBox(this))
+    , m_runner(new SearchRunner(this))
+    , m_trials(new RunController(this)) {
+    for (ViewPlot* plot : std::initializer_list<ViewPlot*>{m_curves, m_times}) {
+        plot->setMinimumSize(240, 120);
+        addPage(*plot);
+    }
+    m_bar->takeTurns();
+    m_bar->layOut({m_phases, m_refine}, {m_take});
+    share(*m_splitter, {{pages(), plotShare}, {buildTable(), foundShare}});
+    QVBoxLayout* const column = addColumn(
+        {m_bar, notice(), m_add, buildTools(), legend(), m_splitter, values()}, m_splitter);
+    column->setAlignment(m_add, Qt::AlignLeft);
+    column->addStretch(0);
+    nameObjects({{m_curves, "optimiseCurves"},
+                 {m_times, "optimiseTimes"},
+                 {m_zone, "optimiseZone"},
+                 {m_take, "optimiseTake"},
+                 {m_add, "optimiseAdd"},
+                 {m_phases, "optimisePhases"},
+                 {m_refine, "optimiseRefine"},
+                 {m_table, "optimiseFound"}});
+    connectParts();
+    built();
+    chooseContent();
 }
 
-QString OptimiseView::title() const {
-    return tr("Optimise");
+QWidget* OptimiseView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<QHBoxLayout>(bar);
+    for (QComboBox* box : {content(), m_zone}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        row->addWidget(box);
+    }
+    row->addStretch(1);
+    addPageButtons(*row);
+    return bar;
 }
 
-PlotTools* OptimiseView::tools() const {
-    return m_pages->page().tools;
+CopyTable* OptimiseView::buildTable() {
+    m_table = new CopyTable([this] { return tabSeparated(m_found->table(), QLocale()); }, this);
+    m_table->setModel(m_found);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setSaving([this] { return m_found->table(); }, [this] { return heading().value(1); },
+                       settings());
+    return m_table;
+}
+
+void OptimiseView::connectParts() {
+    connect(content(), &QComboBox::currentIndexChanged, this, &OptimiseView::chooseContent);
+    connect(m_zone, &QComboBox::currentIndexChanged, this, &OptimiseView::chooseZone);
+    connect(m_bar->run(), &QPushButton::clicked, this, &OptimiseView::runSearch);
+    connect(m_bar->stop(), &QPushButton::clicked, m_runner, &SearchRunner::stop);
+    connect(m_take, &QPushButton::clicked, this, &OptimiseView::takeCycle);
+    connect(m_table, &CopyTable::rowEntered, this, &OptimiseView::takeCycle);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            &OptimiseView::tryCycle);
+    connect(m_add, &QPushButton::clicked, this, [this] {
+        // The view is of the inputs that were accepted last; those of now may have a grid.
+        emit editWanted(
+            [](Project project) {
+                return project.optimisation ? project : withUsualSearch(std::move(project));
+            },
+            {"Edit", QT_TRANSLATE_NOOP("Edit", "Add a search")});
+    });
+    connect(m_runner, &SearchRunner::progressed, this, [this](const SearchState& state) {
+        const double share = state.best_s ? std::clamp(state.bound_s / *state.best_s, 0.0, 1.0) : 0;
+        m_bar->showProgress(share, OptimiseText::state(state));
+        m_bar->progress()->setToolTip(m_bar->progress()->format());
+    });
+    connect(m_runner, &SearchRunner::finished, this, &OptimiseView::takeSearch);
+    connect(m_trials, &RunController::finished, this, &OptimiseView::takeTrial);
 }
 
 const FoundCycle* OptimiseView::chosen() const {
@@ -52,51 +142,47 @@ std::optional<double> OptimiseView::before_s() const {
 /// Whether the present cycle is one of those that were found.
 bool OptimiseView::isTaken() const {
     return !m_stale && std::ranges::any_of(m_search->found, [&](const FoundCycle& found) {
-        Project taken = m_good->result.project;
+        Project taken = good()->result.project;
         setMachine(taken, found.machine);
         taken.cycle = found.cycle;
-        return sameProject(taken, m_good->result.project);
+        return sameProject(taken, good()->result.project);
     });
 }
 
 // --- searching ----------------------------------------------------------------------------------
 
-void OptimiseView::showOutcome() {
-    if (latest() && latest()->ran() && m_good != latest()) {
-        const bool same = m_good
-                          && m_good->result.project.operation == latest()->result.project.operation
-                          && m_good->result.sections.size() == latest()->result.sections.size();
-        m_good = latest();
-        if (!same) { // the gauge's zone, or the middle section
-            m_wanted = m_good->result.sections.size() / 2;
-            fillZones();
-        }
-        if (m_searching && busy() && !sameSearch(*m_searching, m_good->result.project)) {
-            m_runner->drop();
-        }
-        noteStale();
-        const bool mayCompare =
-            m_own && isTaken() && sameSearch(m_own->result.project, m_good->result.project);
-        m_before = mayCompare ? m_own : m_good;
-        m_found->setBefore(before_s());
-        m_times->setSearch(m_search, before_s());
-        showCurves();
+void OptimiseView::takeOutcome(const OutcomePtr& before) {
+    if (good() == before) {
+        return;
     }
-    showState();
-    emit updated();
+    const bool same = before && before->result.project.operation == good()->result.project.operation
+                      && before->result.sections.size() == good()->result.sections.size();
+    if (!same) { // the gauge's zone, or the middle section
+        m_wanted = good()->result.sections.size() / 2;
+        fillZones();
+    }
+    if (m_searching && busy() && !sameSearch(*m_searching, good()->result.project)) {
+        m_runner->drop();
+    }
+    noteStale();
+    const bool mayCompare =
+        m_own && isTaken() && sameSearch(m_own->result.project, good()->result.project);
+    m_before = mayCompare ? m_own : good();
+    m_found->setBefore(before_s());
+    m_times->setSearch(m_search, before_s());
+    showCurves();
 }
 
 void OptimiseView::noteStale() {
-    m_stale = !m_search || !m_good || !sameSearch(m_search->project, m_good->result.project);
+    m_stale = !m_search || !good() || !sameSearch(m_search->project, good()->result.project);
 }
 
 void OptimiseView::runSearch() {
-    if (!m_good) {
+    if (!good()) {
         return;
     }
-    m_searching = m_good->result.project;
-    m_progress->setValue(0);
-    m_progress->setFormat(OptimiseText::state({}));
+    m_searching = good()->result.project;
+    m_bar->showProgress(0, OptimiseText::state({}));
     m_runner->start(*m_searching, {m_phases->isChecked(), m_refine->isChecked()});
     showState();
 }
@@ -117,19 +203,18 @@ void OptimiseView::forget() {
 
 void OptimiseView::showSearch() {
     m_own.reset();
-    m_before = m_good;
+    m_before = good();
     m_found->show(m_search, before_s());
     m_times->setSearch(m_search, before_s());
     m_trial.reset();
     if (m_search && m_search->best()) {
         m_table->selectRow(0);
     }
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->navigation().forgetViews();
+    for (const ViewPlot* plot : plots()) {
+        plot->tools()->navigation().forgetViews();
     }
     tryCycle();
     showCurves();
-    showState();
 }
 
 void OptimiseView::tryCycle() {
@@ -154,7 +239,7 @@ void OptimiseView::takeCycle() {
         return;
     }
     if (!isTaken()) {
-        m_own = m_good;
+        m_own = good();
     }
     const auto take = [searched = m_search->project, found = *cycle](Project project) {
         if (sameSearch(searched, project)) { // else edited meanwhile
@@ -169,10 +254,10 @@ void OptimiseView::takeCycle() {
 // --- showing ------------------------------------------------------------------------------------
 
 void OptimiseView::chooseContent() {
-    m_pages->show();
-    m_zone->setVisible(m_pages->page().plot == m_curves);
+    showPage(static_cast<std::size_t>(content()->currentIndex()));
+    m_zone->setVisible(&front() == m_curves);
     showState();
-    m_pages->page().plot->replot(QCustomPlot::rpQueuedReplot);
+    replotFront();
 }
 
 void OptimiseView::chooseZone() {
@@ -183,9 +268,9 @@ void OptimiseView::chooseZone() {
 void OptimiseView::fillZones() {
     const QSignalBlocker blocker(m_zone);
     m_zone->clear();
-    if (m_good) {
-        for (const SectionResult& section : m_good->result.sections) {
-            const auto number = static_cast<int>(&section - m_good->result.sections.data());
+    if (good()) {
+        for (const SectionResult& section : good()->result.sections) {
+            const auto number = static_cast<int>(&section - good()->result.sections.data());
             m_zone->addItem(Names::zoneFull(section.zone, number));
         }
         m_zone->setCurrentIndex(static_cast<int>(m_wanted));
@@ -201,73 +286,75 @@ void OptimiseView::showCurves() {
         }
     }
     m_curves->setRuns(std::move(runs));
-    dim();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->navigation().amendView();
-        page.plot->replot(QCustomPlot::rpQueuedReplot);
-    }
-    m_pages->showLegend();
+    showState();
+    replotAll();
+}
+
+bool OptimiseView::isGiven() const {
+    return good() && good()->result.project.optimisation;
+}
+
+bool OptimiseView::isFound() const {
+    return m_search && m_search->best();
+}
+
+bool OptimiseView::hasCurves() const {
+    return &front() == m_times ? isFound() : !m_curves->runs().empty();
+}
+
+bool OptimiseView::drawn() const {
+    return hasCurves() && (isGiven() || isFound());
 }
 
 /// What was found before, while another search runs or after an edit.
-void OptimiseView::dim() {
-    const bool old = m_stale || busy();
-    const std::pair<ViewPlot*, bool> plots[] = {{m_curves, old && m_trial}, {m_times, old}};
-    for (const auto& [plot, isOld] : plots) {
-        if (plot->isDimmed() != isOld) {
-            plot->setDimmed(isOld);
-            plot->replot(QCustomPlot::rpQueuedReplot);
-        }
-    }
+bool OptimiseView::faint() const {
+    return m_stale || busy();
+}
+
+bool OptimiseView::isFaint(const ViewPlot& plot) const {
+    return faint() && (&plot != m_curves || m_trial);
 }
 
 void OptimiseView::showState() {
-    const bool given = m_good && m_good->result.project.optimisation;
-    const QString text = notice();
-    m_notice->setText(text);
-    m_notice->setVisible(!text.isEmpty());
-    m_add->setVisible(m_good && !given);
-    m_progress->setVisible(busy());
-    m_stop->setVisible(busy());
-    m_run->setVisible(!busy());
-    m_run->setEnabled(given);
+    PlotView::showState();
+    tools()->setEnabled(hasCurves());
+    m_add->setVisible(good() && !isGiven());
+    m_bar->showRunning(busy(), isGiven());
     for (QCheckBox* wish : {m_phases, m_refine}) { // the progress takes their room
         wish->setVisible(!busy());
-        wish->setEnabled(given);
+        wish->setEnabled(isGiven());
     }
-    m_state->setText(given && !busy()
-                         ? OptimiseText::gridSize(sparkout::gridSize(m_good->result.project))
-                         : QString());
-    m_state->setVisible(!busy());
-    const bool found = m_search && m_search->best();
-    m_table->setVisible(found);
+    m_bar->state()->setText(isGiven() && !busy()
+                                ? OptimiseText::gridSize(sparkout::gridSize(good()->result.project))
+                                : QString());
+    m_table->setVisible(isFound());
     m_take->setEnabled(chosen() && !m_stale && !busy());
-    dim();
-    const bool drawn = m_pages->page().plot == m_times ? found : !m_curves->runs().empty();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values}) {
-        part->setVisible(drawn && (given || found));
-    }
-    m_pages->page().tools->setEnabled(drawn);
     readOut();
 }
 
+// --- texts --------------------------------------------------------------------------------------
+
+QString OptimiseView::brief() const {
+    return tr("Optimise", "the view's tab");
+}
+
+QString OptimiseView::title() const {
+    return tr("Optimise");
+}
+
 QString OptimiseView::hint() const {
-    return m_pages->page().plot == m_curves
+    return &front() == m_curves
                ? tr("Point at a curve to read its values beside those of your cycle.")
                : tr("Point at a number of stages to read its time.");
 }
 
-QString OptimiseView::notice() const {
-    if (latest() && !latest()->ran()) {
-        return (m_search ? tr("The inputs are refused; the search is that of the last accepted "
-                              "ones.")
-                         : tr("The inputs are refused:"))
-               + u'\n' + Names::refusal(latest()->issues, 2);
-    }
-    if (!m_good) {
-        return tr("No result yet.");
-    }
-    if (!m_good->result.project.optimisation) {
+QString OptimiseView::keptText() const {
+    return m_search ? tr("The inputs are refused; the search is that of the last accepted ones.")
+                    : refusedText();
+}
+
+QString OptimiseView::remark() const {
+    if (!isGiven()) {
         return tr("This project does not say what may be changed. A search takes every listed feed "
                   "and stock of the stages and finds the quickest cycle that holds every "
                   "requirement. Choose them on the page Search of the inputs, or start with usual "
@@ -288,35 +375,44 @@ QString OptimiseView::notice() const {
     return OptimiseText::answer(*m_search, before_s());
 }
 
-QStringList OptimiseView::heading() const {
-    QStringList heading{title()};
-    if (m_good) {
-        heading << QString::fromStdString(m_good->result.project.title).simplified();
-        if (m_pages->page().plot == m_curves) {
-            heading << m_zone->currentText();
-        }
-    }
-    heading.removeAll(QString());
-    return heading;
+QStringList OptimiseView::subheading() const {
+    return &front() == m_curves ? QStringList(m_zone->currentText()) : QStringList();
 }
 
-void OptimiseView::retranslate() {
-    nameParts();
-    m_legend->retranslate();
-    m_curves->retranslate();
-    m_times->retranslate();
+void OptimiseView::nameParts() {
+    nameAround(tr("Legend of the search"), tr("What the search found"),
+               tr("Values under the mouse"));
+    m_curves->setAccessibleName(tr("Feeds and radii of your cycle and of the one found"));
+    m_times->setAccessibleName(tr("Machining time over the number of stages"));
+    m_bar->state()->setAccessibleName(tr("Size of the grid"));
+    m_bar->progress()->setAccessibleName(tr("Progress of the search"));
+    m_table->setAccessibleName(tr("The best cycles found"));
+    content()->setItemText(0, tr("Before and after"));
+    content()->setItemText(1, tr("Time by stages"));
+    tell(*content(), tr("What is shown of the search"));
+    tell(*m_zone, tr("Zone or section of the curves"));
+    nameButtons();
     m_found->retranslate();
     m_table->retranslate();
     fillZones();
-    for (const PlotPages::Page& page : m_pages->all()) {
-        page.tools->retranslate();
-    }
     showCurves();
-    showState();
 }
 
-void OptimiseView::recolour() {
-    m_pages->showLegend();
+void OptimiseView::nameButtons() {
+    tellButton(*m_bar->run(), tr("Search"),
+               tr("Find the quickest cycle of the grid that holds every requirement"));
+    tellButton(*m_bar->stop(), tr("Stop"), tr("End the search; the best so far is kept and shown"));
+    tellButton(*m_take, tr("Take this cycle"),
+               tr("Put the chosen cycle in the place of the present one; undo brings yours back"));
+    tellButton(*m_phases, tr("In every phase of the stock"),
+               tr("The cycle must hold for stocks spread over one feed step of every stage too: "
+                  "where the last step falls decides on the size"));
+    tellButton(*m_refine, tr("Between levels"),
+               tr("Go on from the quickest cycle between the levels of the grid, in the machine's "
+                  "steps: every cycle is run in full, but that none is quicker is not proved"));
+    tellButton(*m_add, tr("Add a usual search"),
+               tr("A dozen levels of each feed about the present cycle, and steps of stock; can be "
+                  "undone and changed on the page Search"));
 }
 
 } // namespace sparkout

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view.h"
+#include "ui/plot/plot_view.h"
 #include "ui/session/document.h"
 #include "ui/session/run_controller.h"
 #include "ui/session/search_runner.h"
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSplitter;
 
@@ -22,10 +19,7 @@ namespace sparkout {
 class ComparePlot;
 class CopyTable;
 class FoundModel;
-class LegendStrip;
-class PlotPages;
-class PlotTools;
-class Settings;
+class RunBar;
 class StageCountPlot;
 
 /// The view "Optimise": searches the grid of the project for the quickest cycle that holds every
@@ -33,24 +27,21 @@ class StageCountPlot;
 /// the one that it took the place of, curve by curve; the time over the number of stages; what
 /// keeps it from being quicker. A cycle is taken by one edit. Results of other inputs are drawn
 /// faint.
-class OptimiseView : public View {
+class OptimiseView : public PlotView {
     Q_OBJECT
 public:
     explicit OptimiseView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] ComparePlot* curves() const { return m_curves; }
     [[nodiscard]] StageCountPlot* times() const { return m_times; }
-    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SearchOutcomePtr& search() const { return m_search; }
     /// The time of the cycle that is compared with, if it ends by itself.
     [[nodiscard]] std::optional<double> before_s() const;
     [[nodiscard]] bool busy() const override { return m_runner->running(); }
     [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
-    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString brief() const override;
-    void retranslate() override;
     void forget() override;
 
 signals:
@@ -62,16 +53,21 @@ signals:
 
 protected:
     [[nodiscard]] QString hint() const override;
-    void recolour() override;
-    void showOutcome() override;
+    void nameParts() override;
+    void takeOutcome(const OutcomePtr& before) override;
+    [[nodiscard]] bool drawn() const override;
+    [[nodiscard]] bool faint() const override;
+    [[nodiscard]] bool isFaint(const ViewPlot& plot) const override;
+    void showState() override;
+    [[nodiscard]] QString keptText() const override;
+    [[nodiscard]] QString remark() const override;
+    [[nodiscard]] QStringList subheading() const override;
 
 private:
-    void build(Settings* settings);
-    QWidget* buildRunBar();
     QWidget* buildTools();
-    QWidget* buildTable();
+    CopyTable* buildTable();
     void connectParts();
-    void nameParts();
+    void nameButtons();
 
     void chooseContent();
     void chooseZone();
@@ -87,30 +83,21 @@ private:
 
     void showSearch();
     void showCurves();
-    void showState();
-    void dim();
-    [[nodiscard]] QString notice() const;
-    [[nodiscard]] QStringList heading() const;
+    [[nodiscard]] bool isGiven() const;   ///< what is to be searched
+    [[nodiscard]] bool isFound() const;   ///< a cycle
+    [[nodiscard]] bool hasCurves() const; ///< the front plot
 
     ComparePlot* m_curves;
     StageCountPlot* m_times;
     QSplitter* m_splitter;
-    LegendStrip* m_legend;
-    PlotPages* m_pages = nullptr;
     FoundModel* m_found;
     CopyTable* m_table = nullptr;
     QComboBox* m_zone;
-    QPushButton* m_run;
-    QPushButton* m_stop;
+    RunBar* m_bar;
     QPushButton* m_take;
     QPushButton* m_add;
     QCheckBox* m_phases;
     QCheckBox* m_refine;
-    QProgressBar* m_progress;
-    QLabel* m_state;
-    QLabel* m_notice;
-    QLabel* m_values;
-    OutcomePtr m_good;         ///< the inputs that were accepted last
     OutcomePtr m_own;          ///< what a cycle found took the place of
     OutcomePtr m_before;       ///< what is compared with: that one, or the present one
     SearchOutcomePtr m_search; ///< what is shown

@@ -6,9 +6,6 @@
 #include "ui/plot/quantity_colour.h"
 #include "ui/views/optimise/optimise_text.h"
 
-#include <QLocale>
-#include <QMouseEvent>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,32 +28,22 @@ double inMinutes(double time_s) {
 StageCountPlot::StageCountPlot(QWidget* parent) : ViewPlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
     setAntialiasedElements(QCP::aePlottables | QCP::aeScatters);
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
+    m_rect = addRect();
     QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
     whole->setTickStep(1);
     m_rect->axis(QCPAxis::atBottom)->setTicker(whole);
     for (QCPGraph*& curve : m_curves) {
-        curve = addGraph(m_rect->axis(QCPAxis::atBottom), m_rect->axis(QCPAxis::atLeft));
-        curve->removeFromLegend();
-        curve->setSelectable(QCP::stNone);
+        curve = addLine(*m_rect);
     }
     m_curves[proven]->setLineStyle(QCPGraph::lsNone);
-    connect(this, &QCustomPlot::mouseMove, this, &StageCountPlot::onMouse);
-    restyle();
-    retranslate();
-    setBuilt();
+    built();
 }
 
 void StageCountPlot::setSearch(SearchOutcomePtr outcome, std::optional<double> before_s) {
     m_outcome = std::move(outcome);
     m_before_s = before_s;
     fill();
-    show();
+    showChoice();
     fit();
     emit contentChanged();
 }
@@ -106,24 +93,10 @@ void StageCountPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void StageCountPlot::show() {
+void StageCountPlot::showChoice() {
     for (std::size_t key = 0; key < m_curves.size(); ++key) {
-        m_curves[key]->setVisible(m_choice.shows(static_cast<int>(key)));
+        m_curves[key]->setVisible(shows(static_cast<int>(key)));
     }
-}
-
-void StageCountPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void StageCountPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    show();
-    emit contentChanged();
-    replot(rpQueuedReplot);
 }
 
 QString StageCountPlot::name(Key key) {
@@ -140,10 +113,8 @@ LegendEntries StageCountPlot::legendEntries() const {
     LegendEntries entries;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i]->data()->isEmpty()) {
-            const QColor colour =
-                style::dimmed(style::colour(countsDrawn[i], palette()), isDimmed());
-            entries.push_back({colour, countPens[i], name(static_cast<Key>(i)), static_cast<int>(i),
-                               m_choice.shows(static_cast<int>(i))});
+            entries.push_back({toned(countsDrawn[i]), countPens[i], name(static_cast<Key>(i)),
+                               static_cast<int>(i), shows(static_cast<int>(i))});
         }
     }
     return entries;
@@ -166,37 +137,30 @@ CsvTable StageCountPlot::tableOf(const SearchOutcome& outcome) {
     return table;
 }
 
-void StageCountPlot::onMouse(QMouseEvent* event) {
-    const int stages = static_cast<int>(
-        std::lround(m_rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x())));
-    if (m_outcome && m_rect->rect().contains(event->pos())) {
-        for (const SearchedNumber& number : m_outcome->numbers) {
-            if (number.stages != stages) {
-                continue;
-            }
-            const QString who = tr("%n stage(s)", nullptr, stages);
-            emit pointed(
-                number.search.best && number.holds
-                    ? tr("%1: %2 min").arg(who, OptimiseText::minutes(number.search.best->time_s))
-                    : tr("%1: no cycle was found that holds every requirement").arg(who));
-            return;
-        }
+QString StageCountPlot::valuesAt(const QPointF& at) const {
+    const int stages =
+        static_cast<int>(std::lround(m_rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
+    if (!m_outcome || !m_rect->rect().contains(at.toPoint())) {
+        return {};
     }
-    emit pointed({});
+    const auto& numbers = m_outcome->numbers;
+    const auto number = std::ranges::find(numbers, stages, &SearchedNumber::stages);
+    if (number == numbers.end()) {
+        return {};
+    }
+    const QString who = tr("%n stage(s)", nullptr, stages);
+    return number->search.best && number->holds
+               ? tr("%1: %2 min").arg(who, OptimiseText::minutes(number->search.best->time_s))
+               : tr("%1: no cycle was found that holds every requirement").arg(who);
 }
 
 // --- look and words -----------------------------------------------------------------------------
 
 void StageCountPlot::restyle() {
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
+    ViewPlot::restyle();
     constexpr double thick = 2, point = 8;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        const QColor colour = style::dimmed(style::colour(countsDrawn[i], palette()), isDimmed());
-        m_curves[i]->setPen(QPen(colour, thick, countPens[i]));
+        m_curves[i]->setPen(QPen(toned(countsDrawn[i]), thick, countPens[i]));
     }
     const auto scatter = [&](Key key, QCPScatterStyle::ScatterShape shape) {
         const QColor colour = m_curves[key]->pen().color();
@@ -209,7 +173,6 @@ void StageCountPlot::restyle() {
 void StageCountPlot::setTexts() {
     m_rect->axis(QCPAxis::atBottom)->setLabel(tr("Number of stages"));
     m_rect->axis(QCPAxis::atLeft)->setLabel(tr("Machining time, min"));
-    emit contentChanged();
 }
 
 } // namespace sparkout

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
 #include "ui/plot/view_plot.h"
 #include "ui/session/search_runner.h"
-#include "ui/tables/csv_table.h"
 
+#include <array>
 #include <optional>
 
 namespace sparkout {
@@ -22,26 +21,23 @@ public:
 
     /// No replot.
     void setSearch(SearchOutcomePtr outcome, std::optional<double> before_s);
-    void fit();
-    void toggleCurve(int key);
-    void showOnly(int key);
+    void fit() override;
     void restyle() override;
 
-    [[nodiscard]] LegendEntries legendEntries() const;
-    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] LegendEntries legendEntries() const override;
+    [[nodiscard]] CsvTable table() const override;
     [[nodiscard]] static CsvTable tableOf(const SearchOutcome& outcome);
     [[nodiscard]] QCPGraph* curve(Key key) const { return m_curves[key]; }
 
 private:
     void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
-    void show();
-    void onMouse(QMouseEvent* event);
     [[nodiscard]] static QString name(Key key);
 
     SearchOutcomePtr m_outcome;
     std::optional<double> m_before_s;
-    CurveChoice m_choice;
     QCPAxisRect* m_rect = nullptr;
     std::array<QCPGraph*, 4> m_curves{}; ///< by Key
 };

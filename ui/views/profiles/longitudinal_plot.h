@@ -2,9 +2,7 @@
 #pragma once
 
 #include "ui/charts/longitudinal_series.h"
-#include "ui/charts/profiles_look.h"
-#include "ui/plot/read_curves.h"
-#include "ui/plot/view_plot.h"
+#include "ui/views/profiles/profile_plot.h"
 
 #include <optional>
 #include <vector>
@@ -12,12 +10,11 @@
 namespace sparkout {
 
 class BandLayer;
-struct CursorSubject;
 class ShaftLayer;
 
 /// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
 /// against the tolerance field; exaggerated, or the shaft drawn to scale.
-class LongitudinalPlot : public ViewPlot {
+class LongitudinalPlot : public ProfilePlot {
     Q_OBJECT
 public:
     explicit LongitudinalPlot(QWidget* parent = nullptr);
@@ -26,11 +23,10 @@ public:
     void setSeries(ProfileSeries series, std::vector<ShaftStep> shaft, std::vector<int> shown);
     void setDiameters(bool diameters); ///< D − d in place of R − R_t
     void setToScale(bool toScale);
-    void setHidden(ProfileLines hidden);
-    void fit();
+    void fit() override;
     /// What the user has moved to: left, bottom, width and height; empty: all.
-    [[nodiscard]] std::vector<double> sight() const;
-    void setSight(const std::vector<double>& sight);
+    [[nodiscard]] PlotHistory::State sight() const override;
+    void setSight(const PlotHistory::State& sight) override;
     void restyle() override;
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
@@ -38,8 +34,11 @@ public:
     [[nodiscard]] LengthQuantity quantity() const; ///< that is drawn
     [[nodiscard]] QCPGraph* graph(LengthLine line, bool mirrored = false) const;
     [[nodiscard]] BandLayer* bands() const { return m_bands; }
-    [[nodiscard]] ReadCurves readCurves() const; ///< the shown ones
-    [[nodiscard]] CursorSubject cursorSubject();
+    [[nodiscard]] std::vector<ProfileLine> lines() const override;
+    [[nodiscard]] CsvTable table() const override;
+    [[nodiscard]] ReadCurves readCurves() const override;
+    [[nodiscard]] QCPRange readSpan() const override { return {0, m_series.length_mm}; }
+    [[nodiscard]] CursorSubject cursorSubject() override;
     [[nodiscard]] QString scaleText() const; ///< exaggeration, or what one pixel is
 
 signals:
@@ -47,6 +46,8 @@ signals:
 
 protected:
     void setTexts() override;
+    void showChoice() override { fit(); }
+    void onMouse(QMouseEvent* event) override;
     void pointAway() override { pointAt(-1); }
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -66,12 +67,11 @@ private:
     void afterLayouting();
     void keepScale();
     void showScale();
-    [[nodiscard]] bool visible(LengthLine line) const;
+    [[nodiscard]] bool draws(LengthLine line) const;
     [[nodiscard]] QString nameOf(const Curve& curve) const;
     [[nodiscard]] static QString placeLabel();
     [[nodiscard]] QCPRange valuesInSight() const;
     [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
-    void onMouse(QMouseEvent* event);
     void pointAt(int profile);
 
     ProfileSeries m_series;
@@ -83,7 +83,6 @@ private:
     ShaftLayer* m_body = nullptr;
     QCPItemLine* m_gaugeLine = nullptr;
     QCPItemText* m_gaugeName = nullptr;
-    ProfileLines m_hidden;
     bool m_diameters = false;
     bool m_toScale = false;
     bool m_linking = false;

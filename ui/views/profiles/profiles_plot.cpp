@@ -3,6 +3,7 @@
 
 #include "ui/plot/plot_style.h"
 #include "ui/views/profiles/profiles_layers.h"
+#include "ui/views/profiles/profiles_table.h"
 #include "ui/views/profiles/profiles_text.h"
 
 #include <algorithm>
@@ -30,10 +31,8 @@ QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
 
 } // namespace
 
-ProfilesPlot::ProfilesPlot(QWidget* parent) : ViewPlot(parent) {
-    plotLayout()->clear();
+ProfilesPlot::ProfilesPlot(QWidget* parent) : ProfilePlot(parent) {
     connect(this, &QCustomPlot::afterLayout, this, &ProfilesPlot::keepScales);
-    connect(this, &QCustomPlot::mouseMove, this, &ProfilesPlot::onMouse);
     setBuilt();
 }
 
@@ -58,11 +57,6 @@ void ProfilesPlot::setReference(RadiusReference reference) {
 
 void ProfilesPlot::setMagnification(std::optional<double> wanted) {
     m_wanted = wanted;
-    fit();
-}
-
-void ProfilesPlot::setHidden(ProfileLines hidden) {
-    m_hidden = std::move(hidden);
     fit();
 }
 
@@ -194,6 +188,28 @@ QString ProfilesPlot::numbers(int index) const {
     return at(index).numbers->text();
 }
 
+std::vector<ProfileLine> ProfilesPlot::lines() const {
+    using enum ProfileLine;
+    switch (m_circles) {
+    case ReferenceCircles::leastSquares: return {profile, target, leastSquares, field, blank};
+    case ReferenceCircles::minimumZone: return {profile, target, minimumZone, field, blank};
+    case ReferenceCircles::none: break;
+    }
+    return {profile, target, field, blank};
+}
+
+/// Without the circles that were not chosen.
+CsvTable ProfilesPlot::table() const {
+    ProfileLines without = hidden();
+    if (m_circles != ReferenceCircles::leastSquares) {
+        without.insert(ProfileLine::leastSquares);
+    }
+    if (m_circles != ReferenceCircles::minimumZone) {
+        without.insert(ProfileLine::minimumZone);
+    }
+    return ProfilesTable::across(m_series, m_shown, without);
+}
+
 // --- one scale for all --------------------------------------------------------------------------
 
 void ProfilesPlot::onRangeChanged(QCPAxisRect* rect) {
@@ -205,13 +221,13 @@ void ProfilesPlot::onRangeChanged(QCPAxisRect* rect) {
     m_sight = QRectF(x.lower, y.lower, x.size(), y.size());
 }
 
-std::vector<double> ProfilesPlot::sight() const {
-    return m_sight ? std::vector<double>{m_sight->x(), m_sight->y(), m_sight->width(),
-                                         m_sight->height()}
-                   : std::vector<double>();
+PlotHistory::State ProfilesPlot::sight() const {
+    return m_sight
+               ? PlotHistory::State{m_sight->x(), m_sight->y(), m_sight->width(), m_sight->height()}
+               : PlotHistory::State();
 }
 
-void ProfilesPlot::setSight(const std::vector<double>& sight) {
+void ProfilesPlot::setSight(const PlotHistory::State& sight) {
     m_sight.reset();
     if (sight.size() == 4) {
         m_sight = QRectF(sight[0], sight[1], sight[2], sight[3]);

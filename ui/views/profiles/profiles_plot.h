@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/profiles_look.h"
 #include "ui/charts/profiles_series.h"
-#include "ui/plot/view_plot.h"
+#include "ui/views/profiles/profile_plot.h"
 
 #include <optional>
 #include <vector>
@@ -17,7 +16,7 @@ class PolarRing;
 
 /// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
 /// scale and magnification and moved together. Samples are joined by straight lines.
-class ProfilesPlot : public ViewPlot {
+class ProfilesPlot : public ProfilePlot {
     Q_OBJECT
 public:
     explicit ProfilesPlot(QWidget* parent = nullptr);
@@ -26,12 +25,11 @@ public:
     void setSeries(ProfileSeries series, std::vector<int> shown);
     void setReference(RadiusReference reference);
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
-    void setHidden(ProfileLines hidden);
     void setCircles(ReferenceCircles circles);
-    void fit(); ///< all of the cells in sight
+    void fit() override; ///< all of the cells in sight
     /// What the user has moved to: left, bottom, width and height; empty: all.
-    [[nodiscard]] std::vector<double> sight() const;
-    void setSight(const std::vector<double>& sight);
+    [[nodiscard]] PlotHistory::State sight() const override;
+    void setSight(const PlotHistory::State& sight) override;
     void restyle() override;
 
     [[nodiscard]] const ProfileSeries& series() const { return m_series; }
@@ -39,6 +37,8 @@ public:
     [[nodiscard]] double magnification() const { return m_magnification; }
     [[nodiscard]] std::vector<double> magnifications() const; ///< that can be chosen now
     [[nodiscard]] QString caption() const;
+    [[nodiscard]] std::vector<ProfileLine> lines() const override;
+    [[nodiscard]] CsvTable table() const override;
 
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
     /// Of the minimum zone the outer circle.
@@ -54,7 +54,10 @@ public:
     [[nodiscard]] QString numbers(int index) const;
 
 protected:
+    void setTexts() override;
+    void showChoice() override { fit(); }
     void takeLook(bool font) override;
+    void onMouse(QMouseEvent* event) override;
     void pointAway() override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -89,7 +92,6 @@ private:
     [[nodiscard]] const Profile& profile(std::size_t cell) const {
         return m_series.profiles[static_cast<std::size_t>(m_shown[cell])];
     }
-    [[nodiscard]] bool visible(ProfileLine line) const { return !m_hidden.contains(line); }
     [[nodiscard]] Arrangement arrangement() const;
     void rebuild();
     void clearCells();
@@ -100,12 +102,10 @@ private:
     void fill();
     void fillCell(std::size_t index);
     void fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale);
-    void setTexts() override;
     [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
     [[nodiscard]] QString headerOf(const Profile& p, int room) const;
     void keepScales();
     void onRangeChanged(QCPAxisRect* rect);
-    void onMouse(QMouseEvent* event);
     void pointAt(int cell, int k);
 
     ProfileSeries m_series;
@@ -117,7 +117,6 @@ private:
     std::optional<double> m_wanted; ///< magnification asked for
     double m_magnification = 1;
     double m_reach = 1; ///< radius of the drawing
-    ProfileLines m_hidden;
     ReferenceCircles m_circles = ReferenceCircles::leastSquares;
     bool m_linking = false;
     std::optional<QRectF> m_sight; ///< what the user has moved to; none: all

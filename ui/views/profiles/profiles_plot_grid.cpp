@@ -132,9 +132,7 @@ void ProfilesPlot::buildCell(Cell& cell, QCPLayoutGrid* into) {
 void ProfilesPlot::addCurves(Cell& cell) {
     for (QCPCurve** curve : {&cell.blank, &cell.leastSquares, &cell.inner, &cell.outer,
                              &cell.centre, &cell.profile, &cell.contacts}) {
-        *curve = new QCPCurve(cell.rect->axis(QCPAxis::atBottom), cell.rect->axis(QCPAxis::atLeft));
-        (*curve)->removeFromLegend();
-        (*curve)->setSelectable(QCP::stNone);
+        *curve = addCurve(*cell.rect);
     }
     cell.centre->setLineStyle(QCPCurve::lsNone);
     cell.contacts->setLineStyle(QCPCurve::lsNone);

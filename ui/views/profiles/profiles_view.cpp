@@ -2,9 +2,11 @@
 #include "ui/views/profiles/profiles_view.h"
 
 #include "core/simulation/feed_series.h"
+#include "ui/kit/theme_icon.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/cursor_strip.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_tools.h"
+#include "ui/plot/plot_cursors.h"
 #include "ui/text/names.h"
 #include "ui/views/profiles/longitudinal_plot.h"
 #include "ui/views/profiles/profiles_plot.h"
@@ -13,70 +15,251 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
+#include <QSplitter>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace sparkout {
 
-void ProfilesView::showOutcome() {
-    QElapsedTimer clock;
-    clock.start();
-    const bool ran = latest() && latest()->ran() && !latest()->result.sections.empty();
-    if (ran) {
-        const auto kind = [](const OutcomePtr& o) {
-            return std::pair(o->result.project.operation, o->result.sections.size());
-        };
-        if (!m_good || kind(m_good) != kind(latest())) {
-            m_chosen.reset();
+namespace {
+constexpr int mostCells = 4; ///< cross-sections side by side
+}
+
+ProfilesView::ProfilesView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("profiles"), parent, settings)
+    , m_splitter(new QSplitter(Qt::Vertical, this))
+    , m_across(new ProfilesPlot(m_splitter))
+    , m_along(new LongitudinalPlot(m_splitter))
+    , m_spectrum(new SpectrumPlot(m_splitter)) {
+    buildPlots();
+    QWidget* bar = buildToolBar();
+    QWidget* strokeBar = buildStrokeBar();
+    hideUntilDrawn({strokeBar, m_splitter});
+    disableUntilDrawn(
+        {m_parts, m_section, m_magnification, m_reference, m_circles, m_blank, m_fit});
+    addColumn({bar, strokeBar, notice(), legend(), m_splitter, strip(), values()}, m_splitter)
+        ->addStretch();
+    nameTools();
+    connectTools();
+    built();
+}
+
+void ProfilesView::buildPlots() {
+    m_across->setMinimumSize(200, 120);
+    m_along->setMinimumSize(200, 110);
+    m_spectrum->setMinimumSize(200, 110);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setStretchFactor(0, 5);
+    m_splitter->setStretchFactor(1, 3);
+    m_splitter->setStretchFactor(2, 3);
+    m_splitter->setSizes({500, 300, 300});
+    PlotSubject across, along, spectrum;
+    across.name = [] { return tr("cross-sections"); };
+    across.icon = u"export_sections";
+    across.heading = [this] { return headingOf(tr("cross-sections")); };
+    along.name = [] { return tr("along the axis"); };
+    along.icon = u"export_length";
+    along.heading = [this] { return headingOf(tr("along the axis")); };
+    spectrum.heading = [this] { return headingOf(tr("spectra of the cross-sections")); };
+    addPlot(*m_across, std::move(across));
+    addPlot(*m_along, std::move(along));
+    addPlot(*m_spectrum, std::move(spectrum));
+    addCursors(*m_along);
+    for (ProfilePlot* plot : std::initializer_list<ProfilePlot*>{m_across, m_along, m_spectrum}) {
+        plot->setHidden(m_hidden);
+    }
+    connect(m_along, &LongitudinalPlot::profileClicked, this, &ProfilesView::choose);
+}
+
+QStringList ProfilesView::headingOf(const QString& plot) const {
+    QStringList heading = PlotView::heading();
+    heading[0] = tr("%1: %2").arg(title(), plot);
+    return heading;
+}
+
+QStringList ProfilesView::subheading() const {
+    return {ProfilesText::moment(m_across->series()), Names::uncutStrips(good()->result.project)};
+}
+
+QWidget* ProfilesView::buildToolBar() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    m_parts = new QComboBox(bar);
+    m_section = new QComboBox(bar);
+    m_alone = new QToolButton(bar);
+    m_magnification = new QComboBox(bar);
+    m_reference = new QComboBox(bar);
+    m_circles = new QComboBox(bar);
+    m_fit = new QToolButton(bar);
+    m_alone->setCheckable(true);
+    m_fit->setIcon(themeIcon(u"fit"));
+    m_fit->setAutoRaise(true);
+    for (QToolButton* button : {m_alone, m_fit}) {
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    for (QComboBox* box : {m_parts, m_section, m_circles, m_magnification, m_reference}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    }
+    for (QWidget* w : std::initializer_list<QWidget*>{m_parts, m_section, m_alone}) {
+        row->addWidget(w);
+    }
+    row->addStretch();
+    m_acrossExport = m_across->tools()->exportButton(bar);
+    for (QWidget* w : std::initializer_list<QWidget*>{m_circles, m_reference, m_magnification,
+                                                      m_fit, m_acrossExport}) {
+        row->addWidget(w);
+    }
+    return bar;
+}
+
+QWidget* ProfilesView::buildStrokeBar() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    m_strokeLabel = new QLabel(bar);
+    m_previous = new QToolButton(bar);
+    m_slider = new QSlider(Qt::Horizontal, bar);
+    m_next = new QToolButton(bar);
+    m_number = new QSpinBox(bar);
+    m_blank = new QCheckBox(bar);
+    m_quantity = new QComboBox(bar);
+    m_toScale = new QCheckBox(bar);
+    m_logarithmic = new QCheckBox(bar);
+    m_logarithmic->setChecked(true);
+    m_strokeLabel->setTextFormat(Qt::PlainText);
+    m_previous->setArrowType(Qt::LeftArrow);
+    m_next->setArrowType(Qt::RightArrow);
+    for (QToolButton* button : {m_previous, m_next}) {
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAutoRepeat(true);
+    }
+    m_slider->setMinimumWidth(60);
+    m_number->setKeyboardTracking(false);
+    m_quantity->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (QWidget* w : std::initializer_list<QWidget*>{m_strokeLabel, m_previous}) {
+        row->addWidget(w);
+    }
+    row->addWidget(m_slider, 1);
+    for (QWidget* w : std::initializer_list<QWidget*>{m_next, m_number, m_blank, m_quantity,
+                                                      m_toScale, m_logarithmic}) {
+        row->addWidget(w);
+    }
+    m_cursorsButton = PlotTools::button(cursors()->toggle, bar);
+    row->addWidget(m_cursorsButton);
+    m_alongExport = m_along->tools()->exportButton(bar);
+    row->addWidget(m_alongExport);
+    m_spectrumExport = m_spectrum->tools()->exportButton(bar);
+    row->addWidget(m_spectrumExport);
+    return bar;
+}
+
+void ProfilesView::nameTools() {
+    nameObjects({{m_parts, "parts"},
+                 {m_section, "section"},
+                 {m_alone, "alone"},
+                 {m_blank, "blank"},
+                 {m_reference, "reference"},
+                 {m_circles, "circles"},
+                 {m_logarithmic, "logarithmicSpectrum"},
+                 {m_magnification, "magnification"},
+                 {m_fit, "fit"},
+                 {m_slider, "strokeSlider"},
+                 {m_number, "stroke"},
+                 {m_previous, "previous"},
+                 {m_next, "next"},
+                 {m_quantity, "quantity"},
+                 {m_toScale, "toScale"},
+                 {m_strokeLabel, "moment"}});
+}
+
+void ProfilesView::connectTools() {
+    connect(m_parts, &QComboBox::currentIndexChanged, this, [this] {
+        showParts();
+        showSpectrum();
+        showLegend();
+        replotAll();
+    });
+    connect(m_section, &QComboBox::currentIndexChanged, this, &ProfilesView::onSection);
+    connect(m_alone, &QToolButton::toggled, this, [this] { onSection(m_section->currentIndex()); });
+    connect(m_magnification, &QComboBox::currentIndexChanged, this, &ProfilesView::onMagnification);
+    connect(m_reference, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_across->setReference(index == 1 ? RadiusReference::mean : RadiusReference::target);
+        fillMagnifications();
+        showDescription();
+        replotAll();
+    });
+    connect(m_circles, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_across->setCircles(static_cast<ReferenceCircles>(index));
+        fillMagnifications();
+        showLegend();
+        replotAll();
+    });
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
+        m_spectrum->setLogarithmic(on);
+        m_spectrum->replot();
+        m_spectrum->tools()->navigation().forgetViews(); // ranges of the other scale
+    });
+    connect(m_blank, &QCheckBox::toggled, this,
+            [this] { toggleCurve(static_cast<int>(ProfileLine::blank)); });
+    connect(m_fit, &QToolButton::clicked, this, [this] {
+        for (ViewPlot* plot : plots()) {
+            plot->tools()->navigation().fit();
         }
-        m_good = latest();
-        fillStrokes();
-        fillSections();
-        showSeries();
-    }
-    m_across->setDimmed(m_good && !ran);
-    m_along->setDimmed(m_good && !ran);
-    m_spectrum->setDimmed(m_good && !ran);
-    showState();
-    showLegend();
-    m_across->replot();
-    m_along->replot();
-    m_spectrum->replot();
-    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
-        tools->navigation().amendView();
-    }
-    m_lastUpdate_ms = static_cast<double>(clock.nsecsElapsed()) / 1e6;
-    emit updated();
+    });
+    connect(m_slider, &QSlider::valueChanged, this, &ProfilesView::setStroke);
+    connect(m_number, &QSpinBox::valueChanged, this, &ProfilesView::setStroke);
+    connect(m_previous, &QToolButton::clicked, m_number, &QSpinBox::stepDown);
+    connect(m_next, &QToolButton::clicked, m_number, &QSpinBox::stepUp);
+    connect(m_quantity, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_along->setDiameters(index == 1);
+        replotAll();
+    });
+    connect(m_toScale, &QCheckBox::toggled, this, [this](bool on) {
+        m_along->setToScale(on);
+        showParts();
+        replotAll();
+    });
 }
 
 // --- what is shown ------------------------------------------------------------------------------
 
+void ProfilesView::takeOutcome(const OutcomePtr& before) {
+    const auto kind = [](const OutcomePtr& o) {
+        return std::pair(o->result.project.operation, o->result.sections.size());
+    };
+    if (!before || kind(before) != kind(good())) {
+        m_chosen.reset();
+    }
+    fillStrokes();
+    fillSections();
+    showSeries();
+}
+
 bool ProfilesView::recorded() const {
-    return m_good && !m_good->trajectory.passes.empty();
+    return good() && !good()->trajectory.passes.empty();
 }
 
 int ProfilesView::stroke() const {
-    const CycleCursor* const at = cycleIn(m_good);
-    return at && !at->atEnd() ? at->stroke() : m_good ? m_good->result.cycleCount : 0;
+    const CycleCursor* const at = cycleIn(good());
+    return at && !at->atEnd() ? at->stroke() : good() ? good()->result.cycleCount : 0;
 }
 
 void ProfilesView::showSeries() {
-    if (!m_good) {
+    if (!good()) {
         return;
     }
-    const CycleCursor* const at = cycleIn(m_good);
+    const CycleCursor* const at = cycleIn(good());
     const ProfileSeries series =
-        makeProfileSeries(m_good->result, m_good->trajectory,
+        makeProfileSeries(good()->result, good()->trajectory,
                           at && !at->atEnd() ? std::optional(at->progress()) : std::nullopt);
     const std::vector<int> shown = shownProfiles();
     m_across->setSeries(series, shown);
-    m_along->setSeries(series, shaftSteps(m_good->result.project), shown);
+    m_along->setSeries(series, shaftSteps(good()->result.project), shown);
     showSpectrum();
     fillMagnifications();
     showStroke();
@@ -85,44 +268,34 @@ void ProfilesView::showSeries() {
 
 /// Of the profiles shown across; nothing is computed while it is not in sight.
 void ProfilesView::showSpectrum() {
-    if (m_good && showsSpectrum()) {
+    if (good() && showsSpectrum()) {
         m_spectrum->setSeries(m_across->series(), m_across->shown());
     }
 }
 
+QString ProfilesView::keptText() const {
+    return tr("The inputs are refused; the profiles are those of the last accepted ones.");
+}
+
+QString ProfilesView::remark() const {
+    const RunStatus status = good()->result.status;
+    return status == RunStatus::completed ? QString() : Names::status(status);
+}
+
+QString ProfilesView::noticeText() const {
+    QStringList lines{PlotView::noticeText()};
+    if (good() && !recorded()) {
+        lines << tr("The cycle is too long to be recorded: only its end is shown.");
+    }
+    if (good()) {
+        lines << Names::uncutStrips(good()->result.project);
+    }
+    lines.removeAll(QString());
+    return lines.join(u'\n');
+}
+
 void ProfilesView::showState() {
-    const bool refused = latest() && !latest()->ran();
-    QString text;
-    if (refused) {
-        text = (m_good ? tr("The inputs are refused; the profiles are those of the last accepted "
-                            "ones.")
-                       : tr("The inputs are refused:"))
-               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    } else if (!m_good) {
-        text = tr("No result yet.");
-    } else if (m_good->result.status != RunStatus::completed) {
-        text = Names::status(m_good->result.status);
-    }
-    if (m_good && !recorded()) {
-        text += (text.isEmpty() ? QString() : QStringLiteral("\n"))
-                + tr("The cycle is too long to be recorded: only its end is shown.");
-    }
-    if (const QString strips = m_good ? Names::uncutStrips(m_good->result.project) : QString();
-        !strips.isEmpty()) {
-        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + strips;
-    }
-    m_notice->setText(text);
-    m_notice->setVisible(!text.isEmpty());
-    for (QWidget* w : std::initializer_list<QWidget*>{m_legend, m_values, m_strokeBar}) {
-        w->setVisible(m_good != nullptr);
-    }
-    for (QWidget* tool : std::initializer_list<QWidget*>{m_parts, m_section, m_magnification,
-                                                         m_reference, m_circles, m_blank, m_fit}) {
-        tool->setEnabled(m_good != nullptr);
-    }
-    m_acrossTools->setEnabled(m_good != nullptr);
-    m_alongTools->setEnabled(m_good != nullptr);
-    m_spectrumTools->setEnabled(m_good != nullptr);
+    PlotView::showState();
     showParts();
 }
 
@@ -144,7 +317,6 @@ bool ProfilesView::showsSpectrum() const {
 
 /// The tools of what is not in sight go with it.
 void ProfilesView::showParts() {
-    m_splitter->setVisible(m_good != nullptr);
     for (QWidget* w : std::initializer_list<QWidget*>{m_across, m_acrossExport, m_magnification,
                                                       m_reference, m_circles}) {
         w->setVisible(showsAcross());
@@ -157,13 +329,13 @@ void ProfilesView::showParts() {
          std::initializer_list<QWidget*>{m_spectrum, m_spectrumExport, m_logarithmic}) {
         w->setVisible(showsSpectrum());
     }
-    m_quantity->setEnabled(m_good && !m_toScale->isChecked());
+    m_quantity->setEnabled(good() && !m_toScale->isChecked());
 }
 
 // --- the moment ---------------------------------------------------------------------------------
 
 void ProfilesView::fillStrokes() {
-    const int count = m_good->result.cycleCount;
+    const int count = good()->result.cycleCount;
     const QSignalBlocker sliderBlocker(m_slider);
     const QSignalBlocker numberBlocker(m_number);
     m_slider->setRange(0, count);
@@ -177,7 +349,7 @@ void ProfilesView::showStroke() {
     const int number = stroke();
     m_slider->setValue(number);
     m_number->setValue(number);
-    const bool strokes = !m_good || m_good->result.project.operation->countsStrokes;
+    const bool strokes = !good() || good()->result.project.operation->countsStrokes;
     m_strokeLabel->setText(strokes ? tr("Double stroke") : tr("Revolution"));
     m_number->setSuffix(tr(" of %1").arg(m_slider->maximum()));
     const bool can = recorded();
@@ -186,7 +358,7 @@ void ProfilesView::showStroke() {
     }
     m_previous->setEnabled(can && number > 0);
     m_next->setEnabled(can && number < m_slider->maximum());
-    const QString moment = m_good ? ProfilesText::moment(m_across->series()) : QString();
+    const QString moment = good() ? ProfilesText::moment(m_across->series()) : QString();
     for (QWidget* w : std::initializer_list<QWidget*>{m_slider, m_number}) {
         w->setToolTip(moment);
         w->setAccessibleDescription(moment);
@@ -194,9 +366,9 @@ void ProfilesView::showStroke() {
 }
 
 void ProfilesView::setStroke(int number) {
-    if (m_good && number >= m_good->result.cycleCount) {
+    if (good() && number >= good()->result.cycleCount) {
         cycle().setPosition(cycle().count());
-    } else if (m_good) {
+    } else if (good()) {
         cycle().toStroke(number);
     }
 }
@@ -208,77 +380,131 @@ void ProfilesView::followCycle() {
 
 void ProfilesView::showSection(int section) {
     redraw();
-    if (m_good) {
-        setStroke(m_good->result.cycleCount);
+    if (good()) {
+        setStroke(good()->result.cycleCount);
         m_section->setCurrentIndex(std::max(m_section->findData(section), 0));
     }
 }
 
-// --- drawing ------------------------------------------------------------------------------------
+// --- what the user chooses ----------------------------------------------------------------------
 
-void ProfilesView::fit() {
-    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
-        tools->navigation().fit();
+std::vector<int> ProfilesView::shownProfiles() const {
+    const SimulationResult& result = good()->result;
+    const int count = static_cast<int>(result.sections.size());
+    const bool many = count > mostCells;
+    if (m_chosen && (!many || m_alone->isChecked())) {
+        return {std::clamp(*m_chosen, 0, count - 1)};
+    }
+    return shownSections(count, gaugeProfile(result), m_chosen, mostCells);
+}
+
+void ProfilesView::fillSections() {
+    const QSignalBlocker blocker(m_section);
+    m_section->clear();
+    if (!good()) {
+        return;
+    }
+    const auto& sections = good()->result.sections;
+    const bool zones = good()->result.project.operation->hasZones;
+    const int count = static_cast<int>(sections.size());
+    m_section->addItem(zones               ? tr("All zones")
+                       : count > mostCells ? tr("Evenly chosen")
+                                           : tr("All sections"),
+                       -1);
+    for (int i = 0; i < count; ++i) {
+        m_section->addItem(Names::zone(sections[static_cast<std::size_t>(i)].zone, i), i);
+    }
+    m_section->setCurrentIndex(std::clamp(m_chosen.value_or(-1) + 1, 0, count));
+    m_alone->setVisible(count > mostCells);
+    m_alone->setEnabled(m_chosen.has_value());
+}
+
+void ProfilesView::onSection(int index) {
+    const int chosen = m_section->itemData(index).toInt();
+    m_chosen = chosen < 0 ? std::nullopt : std::optional<int>(chosen);
+    m_alone->setEnabled(m_chosen.has_value());
+    showSeries();
+    m_across->fit();
+    replotAll();
+}
+
+/// A section clicked along the axis joins those shown, where not all have room.
+void ProfilesView::choose(int profile) {
+    if (m_section->count() > mostCells + 1) {
+        m_section->setCurrentIndex(m_section->findData(profile));
     }
 }
 
-void ProfilesView::replotAll() {
-    m_across->replot(QCustomPlot::rpQueuedReplot);
-    m_along->replot(QCustomPlot::rpQueuedReplot);
-    m_spectrum->replot(QCustomPlot::rpQueuedReplot);
-    for (PlotTools* tools : {m_acrossTools, m_alongTools, m_spectrumTools}) {
-        tools->navigation().amendView();
+void ProfilesView::fillMagnifications() {
+    const QSignalBlocker blocker(m_magnification);
+    m_magnification->clear();
+    const QString used = ProfilesText::magnification(m_across->magnification());
+    m_magnification->addItem(m_wantedMagnification ? tr("Auto") : tr("Auto: %1").arg(used), 0.0);
+    for (const double value : m_across->magnifications()) {
+        m_magnification->addItem(ProfilesText::magnification(value), value);
+        if (m_wantedMagnification && value <= *m_wantedMagnification) {
+            m_magnification->setCurrentIndex(m_magnification->count() - 1);
+        }
     }
+}
+
+void ProfilesView::onMagnification(int index) {
+    const double value = m_magnification->itemData(index).toDouble();
+    m_wantedMagnification = value > 0 ? std::optional<double>(value) : std::nullopt;
+    m_across->setMagnification(m_wantedMagnification);
+    fillMagnifications();
+    replotAll();
+}
+
+void ProfilesView::toggleCurve(int key) {
+    const auto line = static_cast<ProfileLine>(key);
+    if (!m_hidden.erase(line)) {
+        m_hidden.insert(line);
+    }
+    showHidden();
+}
+
+/// Hides all other lines; asked again, shows all.
+void ProfilesView::showOnly(int key) {
+    const std::vector<ProfileLine> all = legendLines();
+    ProfileLines others(all.begin(), all.end());
+    others.erase(static_cast<ProfileLine>(key));
+    const bool alone = m_hidden == others;
+    m_hidden = alone ? ProfileLines() : others;
+    showHidden();
+}
+
+void ProfilesView::showHidden() {
+    const QSignalBlocker blocker(m_blank);
+    m_blank->setChecked(!m_hidden.contains(ProfileLine::blank));
+    m_across->setHidden(m_hidden);
+    m_along->setHidden(m_hidden);
+    m_spectrum->setHidden(m_hidden);
+    fillMagnifications();
+    showLegend();
+    replotAll();
 }
 
 // --- texts --------------------------------------------------------------------------------------
-
-std::vector<ProfileLine> ProfilesView::acrossLines() const {
-    using enum ProfileLine;
-    switch (m_across->circles()) {
-    case ReferenceCircles::leastSquares: return {profile, target, leastSquares, field, blank};
-    case ReferenceCircles::minimumZone: return {profile, target, minimumZone, field, blank};
-    case ReferenceCircles::none: break;
-    }
-    return {profile, target, field, blank};
-}
 
 std::vector<ProfileLine> ProfilesView::legendLines() const {
     using enum ProfileLine;
     std::vector<ProfileLine> lines;
     switch (parts()) {
     case Parts::sections:
-    case Parts::sectionsAndSpectrum: return acrossLines();
-    case Parts::length: return {profile, spread, target, field, blank, gauge};
-    case Parts::spectrum: return {profile, blank};
+    case Parts::sectionsAndSpectrum: return m_across->lines();
+    case Parts::length: return m_along->lines();
+    case Parts::spectrum: return m_spectrum->lines();
     case Parts::sectionsAndLength:
-        lines = acrossLines();
+        lines = m_across->lines();
         lines.insert(lines.begin() + 1, spread);
         lines.push_back(gauge);
     }
     return lines;
 }
 
-LegendEntries ProfilesView::entriesOf(const std::vector<ProfileLine>& lines,
-                                      const QPalette& palette) const {
-    LegendEntries entries;
-    const bool dim = m_good && latest() && !latest()->ran();
-    for (const ProfileLine line : lines) {
-        LegendEntry entry;
-        const bool swatch = line == ProfileLine::spread || line == ProfileLine::field;
-        const QPen pen = ProfileLook::pen(line, palette, dim);
-        entry.colour = swatch ? ProfileLook::fill(line, palette, dim) : pen.color();
-        entry.pen = swatch ? Qt::NoPen : pen.style();
-        entry.text = ProfileLook::name(line);
-        entry.key = static_cast<int>(line);
-        entry.shown = !m_hidden.contains(line);
-        entries.push_back(entry);
-    }
-    return entries;
-}
-
 void ProfilesView::showLegend() {
-    m_legend->setEntries(entriesOf(legendLines(), palette()));
+    legend()->setEntries(m_across->entriesOf(legendLines()));
 }
 
 void ProfilesView::showDescription() {
@@ -297,36 +523,61 @@ QString ProfilesView::title() const {
     return tr("Zone profiles");
 }
 
-void ProfilesView::retranslate() {
-    m_acrossTools->retranslate();
-    m_alongTools->retranslate();
-    m_spectrumTools->retranslate();
-    m_strip->retranslate();
-    m_legend->retranslate();
-    buildLabels();
-    if (m_good) {
+/// Fills a box with texts in the present language and keeps the choice.
+void ProfilesView::fillChoice(QComboBox& box, const QStringList& texts) {
+    const QSignalBlocker blocker(box);
+    const int index = std::max(box.currentIndex(), 0);
+    box.clear();
+    box.addItems(texts);
+    box.setCurrentIndex(index);
+}
+
+void ProfilesView::nameParts() {
+    nameAround(tr("Legend of the curves"), tr("State of the profiles"),
+               tr("Values under the pointer"));
+    m_across->setAccessibleName(tr("Cross-sections with magnified deviations"));
+    m_along->setAccessibleName(tr("Profile along the axis"));
+    m_spectrum->setAccessibleName(tr("Spectra of the cross-sections"));
+    fillChoice(*m_parts, {tr("Sections and length"), tr("Sections only"), tr("Length only"),
+                          tr("Sections and spectrum"), tr("Spectrum only")});
+    fillChoice(*m_circles, {tr("LSCI"), tr("MZCI"), tr("none")});
+    fillChoice(*m_reference, {tr("from target"), tr("from own mean")});
+    fillChoice(*m_quantity, {tr("Radii"), tr("Diameters")});
+    m_alone->setText(tr("Only this"));
+    m_blank->setText(tr("Blank"));
+    m_toScale->setText(tr("To scale"));
+    m_logarithmic->setText(tr("Logarithmic"));
+    tell(*m_parts, tr("What is in sight"));
+    tell(*m_section, tr("Zone or section to look at"));
+    tell(*m_alone, tr("Only the chosen section, large"));
+    tell(*m_magnification, tr("Magnification of the deviations, the same for all; "
+                              "×1 is the true shape"));
+    tell(*m_reference, tr("Radius the deviations are counted from: the target shows size and "
+                          "form, the own mean shows form alone"));
+    tell(*m_circles, tr("Reference circles of the roundness (ISO 12181): LSCI, the least-squares "
+                        "circle, or MZCI, the two circles of the minimum zone"));
+    tell(*m_logarithmic, tr("Amplitudes on a logarithmic axis"));
+    tell(*m_blank, tr("The profile before the first touch"));
+    tell(*m_fit, tr("Show all in both plots; in one of them: Home, or a double click in it. "
+                    "Wheel: zoom. Drag: move."));
+    tell(*m_previous, tr("Previous"));
+    tell(*m_next, tr("Next"));
+    tell(*m_quantity, tr("Along the axis: deviations of radii from the target, or of diameters "
+                         "from nominal"));
+    tell(*m_toScale, tr("The part along its axis with nothing exaggerated"));
+    m_slider->setAccessibleName(tr("Moment of the cycle"));
+    m_number->setAccessibleName(tr("Moment of the cycle"));
+    m_number->setSpecialValueText(tr("blank", "before the first stroke"));
+    if (good()) {
         fillSections();
-    }
-    m_across->retranslate();
-    m_along->retranslate();
-    m_spectrum->retranslate();
-    if (m_good) {
         fillMagnifications();
         showStroke();
         showDescription();
     }
-    showState();
-    showLegend();
-    readOut();
-    replotAll();
 }
 
 QString ProfilesView::hint() const {
     return tr("Point at a profile to read its values.");
-}
-
-void ProfilesView::recolour() {
-    showLegend();
 }
 
 } // namespace sparkout

@@ -3,10 +3,7 @@
 
 #include "core/units.h"
 #include "ui/plot/number_ticker.h"
-#include "ui/plot/plot_style.h"
 #include "ui/text/names.h"
-
-#include <QMouseEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +41,8 @@ double highestOf(const QCPBars& bars) {
 
 } // namespace
 
-SpectrumPlot::SpectrumPlot(QWidget* parent) : ViewPlot(parent) {
+SpectrumPlot::SpectrumPlot(QWidget* parent) : ProfilePlot(parent) {
     setNotAntialiasedElements(QCP::aeAll);
-    plotLayout()->clear();
-    connect(this, &QCustomPlot::mouseMove, this, &SpectrumPlot::onMouse);
     retranslate();
     setBuilt();
 }
@@ -72,7 +67,7 @@ void SpectrumPlot::setSeries(const ProfileSeries& series, const std::vector<int>
         setBars(*cell.blank, m_blank);
         setBars(*cell.profile, cell.left);
     }
-    show();
+    showChoice();
     retranslate();
     if (!same) {
         fit();
@@ -134,8 +129,6 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
         (*bars)->setWidth(barShare);
         (*bars)->setBaseValue(barFloor_um);
         (*bars)->setBarsGroup(cell.sideBySide);
-        (*bars)->removeFromLegend();
-        (*bars)->setSelectable(QCP::stNone);
     }
     setScale(cell);
 }
@@ -202,15 +195,14 @@ QCPBars* SpectrumPlot::bars(int index, ProfileLine line) const {
     return line == ProfileLine::blank ? at(index).blank : at(index).profile;
 }
 
-void SpectrumPlot::setHidden(ProfileLines hidden) {
-    m_hidden = std::move(hidden);
-    show();
+std::vector<ProfileLine> SpectrumPlot::lines() const {
+    return {ProfileLine::profile, ProfileLine::blank};
 }
 
-void SpectrumPlot::show() {
+void SpectrumPlot::showChoice() {
     for (const Cell& cell : m_cells) {
-        cell.blank->setVisible(!m_hidden.contains(ProfileLine::blank));
-        cell.profile->setVisible(!m_hidden.contains(ProfileLine::profile));
+        cell.blank->setVisible(visible(ProfileLine::blank));
+        cell.profile->setVisible(visible(ProfileLine::profile));
     }
 }
 
@@ -223,7 +215,7 @@ void SpectrumPlot::setLogarithmic(bool on) {
 }
 
 void SpectrumPlot::restyle() {
-    style::applyPalette(*this, palette());
+    ViewPlot::restyle();
     if (m_caption) {
         m_caption->setFont(font());
         m_caption->setTextColor(palette().color(QPalette::Text));
@@ -231,10 +223,6 @@ void SpectrumPlot::restyle() {
     for (Cell& cell : m_cells) {
         cell.header->setFont(font());
         cell.header->setTextColor(palette().color(QPalette::Text));
-        for (QCPAxis* axis : cell.rect->axes()) {
-            axis->setTickLabelFont(font());
-            axis->setLabelFont(font());
-        }
         for (const ProfileLine line : {ProfileLine::blank, ProfileLine::profile}) {
             QCPBars* bars = line == ProfileLine::blank ? cell.blank : cell.profile;
             const QColor colour = ProfileLook::pen(line, palette(), isDimmed()).color();
@@ -258,33 +246,31 @@ void SpectrumPlot::setTexts() {
 
 // --- numbers ------------------------------------------------------------------------------------
 
-void SpectrumPlot::onMouse(QMouseEvent* event) {
+QString SpectrumPlot::valuesAt(const QPointF& at) const {
     for (const Cell& cell : m_cells) {
-        if (!cell.rect->rect().contains(event->pos())) {
+        if (!cell.rect->rect().contains(at.toPoint())) {
             continue;
         }
-        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
+        const double x = cell.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x());
         const auto n = std::lround(x);
         if (n >= 1 && n < static_cast<long>(cell.left.size())) {
             const auto um = [n](const std::vector<Harmonic>& spectrum) {
                 return Names::significant(spectrum[static_cast<std::size_t>(n)].amplitude_mm
                                           * umPerMm);
             };
-            emit pointed(
-                (n == 1 ? tr("%1, %2 undulation per revolution (eccentricity): amplitude %3 µm, "
-                             "of the blank %4 µm")
-                        : tr("%1, %2 undulations per revolution: amplitude %3 µm, of the blank "
-                             "%4 µm"))
-                    .arg(cell.name, QString::number(n), um(cell.left), um(m_blank)));
-            return;
+            return (n == 1 ? tr("%1, %2 undulation per revolution (eccentricity): amplitude %3 µm, "
+                                "of the blank %4 µm")
+                           : tr("%1, %2 undulations per revolution: amplitude %3 µm, of the blank "
+                                "%4 µm"))
+                .arg(cell.name, QString::number(n), um(cell.left), um(m_blank));
         }
     }
-    emit pointed({});
+    return {};
 }
 
 CsvTable SpectrumPlot::table() const {
-    const bool withBlank = !m_hidden.contains(ProfileLine::blank);
-    const bool withProfile = !m_hidden.contains(ProfileLine::profile);
+    const bool withBlank = visible(ProfileLine::blank);
+    const bool withProfile = visible(ProfileLine::profile);
     CsvTable table;
     table.header << tr("undulations per revolution");
     if (withBlank) {

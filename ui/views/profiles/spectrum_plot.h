@@ -2,10 +2,8 @@
 #pragma once
 
 #include "core/form/harmonics.h"
-#include "ui/charts/profiles_look.h"
 #include "ui/charts/profiles_series.h"
-#include "ui/plot/view_plot.h"
-#include "ui/tables/csv_table.h"
+#include "ui/views/profiles/profile_plot.h"
 
 #include <vector>
 
@@ -13,24 +11,28 @@ namespace sparkout {
 
 /// Amplitudes of a profile over the undulations per revolution: 1 is the eccentricity, 2 an oval.
 /// One axis rect a zone or section side by side, blank and profile as bars, all moved together.
-class SpectrumPlot : public ViewPlot {
+class SpectrumPlot : public ProfilePlot {
     Q_OBJECT
 public:
     explicit SpectrumPlot(QWidget* parent = nullptr);
 
     void setSeries(const ProfileSeries& series, const std::vector<int>& shown); ///< no replot
-    void setHidden(ProfileLines hidden);
     void setLogarithmic(bool on);
-    void fit();
+    void fit() override;
     void restyle() override;
 
     [[nodiscard]] int cellCount() const { return static_cast<int>(m_cells.size()); }
     [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
     [[nodiscard]] QCPBars* bars(int index, ProfileLine line) const;
-    [[nodiscard]] CsvTable table() const;
+    [[nodiscard]] std::vector<ProfileLine> lines() const override;
+    [[nodiscard]] CsvTable table() const override;
+
+protected:
+    void setTexts() override;
+    void showChoice() override;
+    [[nodiscard]] QString valuesAt(const QPointF& at) const override;
 
 private:
-    void setTexts() override;
     struct Cell {
         QString name;
         QCPTextElement* header = nullptr;
@@ -52,14 +54,11 @@ private:
     [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
     [[nodiscard]] double highestBar() const;      ///< [µm]
     void fitAmplitudes();
-    void show();
-    void onMouse(QMouseEvent* event);
 
     std::vector<Harmonic> m_blank;
     std::vector<Cell> m_cells;
     QCPTextElement* m_caption = nullptr;
     QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
-    ProfileLines m_hidden;
     bool m_logarithmic = true;
     bool m_linking = false;
 };

@@ -18,23 +18,15 @@ constexpr double sweepRoom = 0.05;
 
 } // namespace
 
-SweepCurves::SweepCurves(QWidget* parent)
-    : SweepPlot(parent), m_present(new QCPItemStraightLine(this)) {
+SweepCurves::SweepCurves(QWidget* parent) : SweepPlot(parent), m_present(addRule(*cell(), 0)) {
     QCPAxis* const beside = cell()->axis(QCPAxis::atRight);
     beside->setRange(0, 1);
     m_refused = addMarks(beside);
     m_notReached = addMarks(beside);
     m_chosenFoot = addMarks(beside);
     m_chosenMarks = addMarks(up());
-    for (QCPItemPosition* point : {m_present->point1, m_present->point2}) {
-        point->setAxisRect(cell());
-        point->setTypeX(QCPItemPosition::ptPlotCoords);
-        point->setTypeY(QCPItemPosition::ptAxisRectRatio);
-        point->setAxes(across(), up());
-    }
-    m_present->setClipAxisRect(cell());
-    m_present->setSelectable(false);
     m_present->setVisible(false);
+    built();
 }
 
 /// Of too many sections those that come nearest to a limit anywhere.
@@ -79,9 +71,7 @@ void SweepCurves::fill() {
     chooseQuantities();
     const std::vector<double>& values = sweep().inputs[0].values;
     for (const std::size_t q : m_quantities) {
-        QCPGraph* const curve = addGraph(across(), up());
-        curve->removeFromLegend();
-        curve->setSelectable(QCP::stNone);
+        QCPGraph* const curve = ViewPlot::addLine(*cell());
         curve->setAdaptiveSampling(false);
         for (std::size_t i = 0; i < values.size(); ++i) {
             curve->addData(scaleOf(0).at(values[i]), shownAt(i, q));
@@ -107,9 +97,7 @@ void SweepCurves::addLimits() {
         if (none || std::ranges::any_of(drawn, same)) {
             return;
         }
-        QCPGraph* const graph = addGraph(across(), up());
-        graph->removeFromLegend();
-        graph->setSelectable(QCP::stNone);
+        QCPGraph* const graph = ViewPlot::addLine(*cell());
         for (std::size_t i = 0; i < values.size(); ++i) {
             graph->addData(scaleOf(0).at(values[i]), line[i]);
         }
@@ -153,7 +141,6 @@ void SweepCurves::addBands() {
         auto* const band = new QCPItemRect(this);
         band->setLayer(QStringLiteral("background"));
         band->setClipAxisRect(cell());
-        band->setSelectable(false);
         for (QCPItemPosition* corner : {band->topLeft, band->bottomRight}) {
             corner->setAxisRect(cell());
             corner->setTypeX(QCPItemPosition::ptPlotCoords);
@@ -253,7 +240,7 @@ void SweepCurves::colour() {
         band->setPen(Qt::NoPen);
         band->setBrush(of);
     }
-    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
+    const QColor text = ink();
     m_present->setPen(QPen(text, 1.5, Qt::DotLine));
     m_refused->setScatterStyle(QCPScatterStyle(
         QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, footSize));
@@ -272,17 +259,17 @@ void SweepCurves::label() {
 
 void SweepCurves::showChoice() {
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_curves[i]->setVisible(choice().shows(static_cast<int>(i)));
+        m_curves[i]->setVisible(shows(static_cast<int>(i)));
     }
     for (QCPGraph* limit : m_limits) {
-        limit->setVisible(choice().shows(limitKey));
+        limit->setVisible(shows(limitKey));
     }
     for (QCPItemRect* band : m_bands) {
-        band->setVisible(choice().shows(holdsKey));
+        band->setVisible(shows(holdsKey));
     }
-    m_refused->setVisible(choice().shows(refusedKey));
-    m_notReached->setVisible(choice().shows(notReachedKey));
-    m_present->setVisible(m_hasPresent && choice().shows(presentKey));
+    m_refused->setVisible(shows(refusedKey));
+    m_notReached->setVisible(shows(notReachedKey));
+    m_present->setVisible(m_hasPresent && shows(presentKey));
 }
 
 LegendEntries SweepCurves::legendEntries() const {
@@ -296,19 +283,19 @@ LegendEntries SweepCurves::legendEntries() const {
         entries.push_back(
             {m_curves[i]->pen().color(), Qt::SolidLine,
              quantity.section < 0 ? SweepText::name(quantity) : SweepText::where(quantity), key,
-             choice().shows(key)});
+             shows(key)});
     }
     if (!m_limits.empty()) {
         entries.push_back({m_limits.front()->pen().color(), Qt::DashLine, tr("limit"), limitKey,
-                           choice().shows(limitKey)});
+                           shows(limitKey)});
     }
     if (!m_bands.empty()) {
         entries.push_back({m_bands.front()->brush().color(), Qt::NoPen,
-                           tr("every requirement holds"), holdsKey, choice().shows(holdsKey)});
+                           tr("every requirement holds"), holdsKey, shows(holdsKey)});
     }
     if (m_hasPresent) {
         entries.push_back({m_present->pen().color(), Qt::DotLine, tr("present value"), presentKey,
-                           choice().shows(presentKey)});
+                           shows(presentKey)});
     }
     addStatusEntries(entries);
     return entries;

@@ -69,8 +69,6 @@ SweepMap::SweepMap(QWidget* parent)
     : SweepPlot(parent), m_map(new QCPColorMap(across(), up())), m_scale(new QCPColorScale(this)) {
     m_map->setInterpolate(false);
     m_map->setTightBoundary(false);
-    m_map->setSelectable(QCP::stNone);
-    m_map->removeFromLegend();
     plotLayout()->addElement(0, 1, m_scale);
     m_scale->setType(QCPAxis::atRight);
     m_scale->setBarWidth(scaleWidth);
@@ -81,21 +79,14 @@ SweepMap::SweepMap(QWidget* parent)
     auto* const together = new QCPMarginGroup(this);
     cell()->setMarginGroup(QCP::msBottom | QCP::msTop, together);
     m_scale->setMarginGroup(QCP::msBottom | QCP::msTop, together);
-    m_limitHalo = addContour();
-    m_limit = addContour();
-    m_holdsHalo = addContour();
-    m_holds = addContour();
+    for (QCPCurve** contour : {&m_limitHalo, &m_limit, &m_holdsHalo, &m_holds}) {
+        *contour = addCurve(*cell());
+    }
     m_refused = addMarks(up());
     m_notReached = addMarks(up());
     m_present = addMarks(up());
     m_chosenMark = addMarks(up());
-}
-
-QCPCurve* SweepMap::addContour() {
-    auto* const curve = new QCPCurve(across(), up());
-    curve->removeFromLegend();
-    curve->setSelectable(QCP::stNone);
-    return curve;
+    built();
 }
 
 double SweepMap::worstShown(std::size_t point) const {
@@ -231,7 +222,7 @@ void SweepMap::colour() {
     }
     m_limit->setPen(QPen(style::dimmed(onMap::light, isDimmed()), 2));
     m_holds->setPen(QPen(style::dimmed(onMap::accent, isDimmed()), 2));
-    const QColor text = style::dimmed(palette().color(QPalette::Text), isDimmed());
+    const QColor text = ink();
     m_refused->setScatterStyle(QCPScatterStyle(
         QCPScatterStyle::ssCross, QPen(toned(Drawn::refused), 2), Qt::NoBrush, mapSignSize));
     const QColor stuck = toned(Drawn::sizeNotReached);
@@ -251,14 +242,14 @@ void SweepMap::label() {
 }
 
 void SweepMap::showChoice() {
-    m_limitHalo->setVisible(choice().shows(limitKey));
-    m_limit->setVisible(choice().shows(limitKey));
-    m_holdsHalo->setVisible(choice().shows(holdsKey));
-    m_holds->setVisible(choice().shows(holdsKey));
-    m_refused->setVisible(choice().shows(refusedKey));
-    m_notReached->setVisible(choice().shows(notReachedKey));
-    m_present->setVisible(choice().shows(presentKey));
-    m_chosenMark->setVisible(choice().shows(chosenKey));
+    m_limitHalo->setVisible(shows(limitKey));
+    m_limit->setVisible(shows(limitKey));
+    m_holdsHalo->setVisible(shows(holdsKey));
+    m_holds->setVisible(shows(holdsKey));
+    m_refused->setVisible(shows(refusedKey));
+    m_notReached->setVisible(shows(notReachedKey));
+    m_present->setVisible(shows(presentKey));
+    m_chosenMark->setVisible(shows(chosenKey));
 }
 
 LegendEntries SweepMap::legendEntries() const {
@@ -267,7 +258,7 @@ LegendEntries SweepMap::legendEntries() const {
         return entries;
     }
     const auto add = [&](const QColor& of, Qt::PenStyle pen, const QString& text, int key) {
-        entries.push_back({of, pen, text, key, choice().shows(key)});
+        entries.push_back({of, pen, text, key, shows(key)});
     };
     if (!m_limit->data()->isEmpty()) {
         add(m_limit->pen().color(), Qt::SolidLine, tr("limit of this result"), limitKey);

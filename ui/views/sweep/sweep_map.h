@@ -26,7 +26,6 @@ protected:
     void showChoice() override;
 
 private:
-    [[nodiscard]] QCPCurve* addContour();
     void fillCells();
     void fillContours();
     [[nodiscard]] double worstShown(std::size_t point) const;

@@ -4,7 +4,6 @@
 #include "ui/plot/number_ticker.h"
 #include "ui/plot/plot_click.h"
 
-#include <QLocale>
 #include <QMouseEvent>
 
 #include <algorithm>
@@ -16,15 +15,12 @@ namespace sparkout {
 
 using style::Drawn;
 
-SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
-    plotLayout()->clear();
-    m_rect = new QCPAxisRect(this, true);
-    plotLayout()->addElement(0, 0, m_rect);
-    for (QCPAxis* axis : m_rect->axes()) {
-        style::setUpAxis(*axis);
-    }
-    connect(this, &QCustomPlot::afterLayout, this,
-            [this] { style::fitValueAxes(*m_rect, font()); });
+SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent), m_rect(addRect()) {
+    connect(this, &QCustomPlot::afterLayout, this, [this] {
+        if (style::fitValueAxes(*m_rect, font())) {
+            replot(rpQueuedReplot);
+        }
+    });
     const auto choose = [this](const QPointF& at) {
         if (const auto point = pointAt(at)) {
             emit pointChosen(*point);
@@ -39,7 +35,6 @@ SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent) {
 }
 
 void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) {
-    setBuilt();
     m_sweep = std::move(sweep);
     m_entry = std::move(entry);
     m_margins = margins;
@@ -61,35 +56,17 @@ void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) 
 void SweepPlot::setPresent(std::vector<std::optional<double>> values) {
     if (m_present != values) {
         m_present = std::move(values);
-        if (isBuilt()) {
-            fillMarks();
-            showChoice();
-            emit contentChanged();
-        }
+        fillMarks();
+        showChoice();
+        emit contentChanged();
     }
 }
 
 void SweepPlot::setChosen(std::optional<std::size_t> point) {
     m_chosen = point;
-    if (isBuilt()) {
-        fillMarks();
-        showChoice();
-        emit contentChanged(); // the legend names it
-    }
-}
-
-void SweepPlot::toggleCurve(int key) {
-    m_choice.toggle(key);
+    fillMarks();
     showChoice();
-    emit contentChanged();
-    replot(rpQueuedReplot);
-}
-
-void SweepPlot::showOnly(int key) {
-    m_choice.only(key, legendEntries());
-    showChoice();
-    emit contentChanged();
-    replot(rpQueuedReplot);
+    emit contentChanged(); // the legend names it
 }
 
 // --- what it is about ---------------------------------------------------------------------------
@@ -118,19 +95,9 @@ bool SweepPlot::any(SweepStatus status) const {
     return std::ranges::find(sweep().points, status, &SweepPoint::status) != sweep().points.end();
 }
 
-QColor SweepPlot::toned(Drawn what) const {
-    return style::dimmed(style::colour(what, palette()), isDimmed());
-}
-
-QColor SweepPlot::toned(Tone tone) const {
-    return style::dimmed(sparkout::tone(tone, palette()), isDimmed());
-}
-
 QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
     QCPGraph* const graph = addGraph(across(), value);
     graph->setLineStyle(QCPGraph::lsNone);
-    graph->removeFromLegend();
-    graph->setSelectable(QCP::stNone);
     graph->setAdaptiveSampling(false);
     return graph;
 }
@@ -138,7 +105,7 @@ QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
 void SweepPlot::addStatusEntries(LegendEntries& entries) const {
     const auto add = [&](SweepStatus status, Drawn what, const QString& text, int key) {
         if (any(status)) {
-            entries.push_back({toned(what), Qt::NoPen, text, key, m_choice.shows(key)});
+            entries.push_back({toned(what), Qt::NoPen, text, key, shows(key)});
         }
     };
     add(SweepStatus::refused, Drawn::refused, tr("refused (×)"), refusedKey);
@@ -220,14 +187,7 @@ CsvTable SweepPlot::tableOf(const SweepResult& sweep, const std::vector<std::siz
 }
 
 void SweepPlot::restyle() {
-    if (!isBuilt()) {
-        return;
-    }
-    style::applyPalette(*this, palette());
-    for (QCPAxis* axis : m_rect->axes()) {
-        axis->setTickLabelFont(font());
-        axis->setLabelFont(font());
-    }
+    ViewPlot::restyle();
     colour();
 }
 

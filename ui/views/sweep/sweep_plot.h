@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/legend_drawing.h"
-#include "ui/plot/plot_style.h"
 #include "ui/plot/view_plot.h"
-#include "ui/tables/csv_table.h"
 #include "ui/views/sweep/sweep_scale.h"
 #include "ui/views/sweep/sweep_text.h"
 
@@ -27,15 +24,11 @@ public:
     /// The present values of the inputs, as far as they are given.
     void setPresent(std::vector<std::optional<double>> values);
     void setChosen(std::optional<std::size_t> point);
-    virtual void fit() = 0;
-    void toggleCurve(int key);
-    void showOnly(int key);
     void restyle() override;
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
     [[nodiscard]] QPointF pixelOf(std::size_t point) const; ///< in the middle of its marks
-    [[nodiscard]] virtual LegendEntries legendEntries() const = 0;
-    [[nodiscard]] CsvTable table() const; ///< the points in sight
+    [[nodiscard]] CsvTable table() const override;          ///< the points in sight
     /// A row a point that was run and is wanted: its inputs, its state, the quantities.
     [[nodiscard]] static CsvTable tableOf(const SweepResult& sweep,
                                           const std::vector<std::size_t>& quantities,
@@ -47,17 +40,15 @@ signals:
 protected:
     void setTexts() override;
 
-    virtual void fill() = 0;       ///< from what was set
-    virtual void fillMarks() = 0;  ///< present and chosen point
-    virtual void colour() = 0;     ///< by the palette
-    virtual void label() = 0;      ///< in the language
-    virtual void showChoice() = 0; ///< what the legend hides
+    virtual void fill() = 0;      ///< from what was set
+    virtual void fillMarks() = 0; ///< present and chosen point
+    virtual void colour() = 0;    ///< by the palette
+    virtual void label() = 0;     ///< in the language
 
     [[nodiscard]] bool empty() const { return !m_sweep || m_entry.quantities.empty(); }
     [[nodiscard]] const SweepResult& sweep() const { return m_sweep->result; }
     [[nodiscard]] const SweepEntry& entry() const { return m_entry; }
     [[nodiscard]] bool margins() const { return m_margins; }
-    [[nodiscard]] const CurveChoice& choice() const { return m_choice; }
     [[nodiscard]] SweepScale scaleOf(std::size_t input) const;
     /// Of the present values; nothing where one is not given, or not positive over ratios.
     [[nodiscard]] std::optional<double> presentPlace(std::size_t input) const;
@@ -67,8 +58,6 @@ protected:
     [[nodiscard]] bool any(SweepStatus status) const;
     [[nodiscard]] QCPAxis* across() const { return m_rect->axis(QCPAxis::atBottom); }
     [[nodiscard]] QCPAxis* up() const { return m_rect->axis(QCPAxis::atLeft); }
-    [[nodiscard]] QColor toned(style::Drawn what) const;
-    [[nodiscard]] QColor toned(Tone tone) const;
     [[nodiscard]] QCPGraph* addMarks(QCPAxis* value); ///< a graph of signs without a line
     /// Entries of points without numbers, as far as there are any.
     void addStatusEntries(LegendEntries& entries) const;
@@ -83,7 +72,6 @@ private:
     bool m_margins = false;
     std::vector<std::optional<double>> m_present;
     std::optional<std::size_t> m_chosen;
-    CurveChoice m_choice;
     QCPAxisRect* m_rect;
 };
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/sweep/sweep_view.h"
 
+#include "core/format/project_file.h"
+#include "core/project/number_input.h"
+#include "core/study/sweep_edits.h"
+#include "ui/kit/tool_row.h"
 #include "ui/plot/legend_strip.h"
-#include "ui/plot/plot_pages.h"
+#include "ui/plot/run_bar.h"
 #include "ui/text/names.h"
 #include "ui/views/sweep/sweep_axis_box.h"
 #include "ui/views/sweep/sweep_curves.h"
 #include "ui/views/sweep/sweep_map.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QProgressBar>
@@ -15,13 +20,20 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sparkout {
 
 namespace {
+
+constexpr int valueLines = 3;
+constexpr const char* usualInput = "/wheel/dullness";
+/// Radii ground in a sweep that runs by itself: about two seconds of one processor.
+constexpr double quickSweepVisits = 2e8;
 
 /// Whether no result of any point differs from those of the first.
 bool nothingChanges(const SweepResult& sweep) {
@@ -47,24 +59,107 @@ bool nothingChanges(const SweepResult& sweep) {
 
 } // namespace
 
-QString SweepView::brief() const {
-    return tr("Sweep", "the view's tab");
+SweepView::SweepView(QWidget* parent, Settings* settings)
+    : PlotView(QStringLiteral("sweep"), parent, settings)
+    , m_axes{new SweepAxisBox(0, this), new SweepAxisBox(1, this)}
+    , m_curves(new SweepCurves(this))
+    , m_map(new SweepMap(this))
+    , m_entry(new QComboBox(this))
+    , m_side(new QComboBox(this))
+    , m_point(new QSpinBox(this))
+    , m_bar(new RunBar(QStringLiteral("sweep"), this, SweepText::progress))
+    , m_take(new QAction(this))
+    , m_takeButton(new QPushButton(this))
+    , m_add(new QPushButton(this))
+    , m_runner(new SweepRunner(this)) {
+    for (SweepPlot* plot : sweepPlots()) {
+        plot->setMinimumSize(240, 120);
+        PlotSubject subject;
+        subject.own = {m_take};
+        addPage(*plot, std::move(subject));
+    }
+    setUpReadout(*values(), valueLines);
+    setUpNotice(*m_bar->state());
+    m_point->setKeyboardTracking(false);
+    disableUntilDrawn({m_point, m_entry, m_side});
+    m_bar->layOut({}, {m_point, m_takeButton});
+    QVBoxLayout* const column = addColumn({m_axes[0], m_axes[1], m_toolBar = buildTools(), m_bar,
+                                           notice(), m_add, legend(), pages(), values()},
+                                          pages());
+    column->setAlignment(m_add, Qt::AlignLeft);
+    column->addStretch(0);
+    nameObjects({{m_curves, "sweepCurves"},
+                 {m_map, "sweepMap"},
+                 {m_entry, "sweepResult"},
+                 {m_side, "sweepSide"},
+                 {m_point, "sweepPoint"},
+                 {m_add, "sweepAdd"},
+                 {m_takeButton, "sweepTake"}});
+    connectParts();
+    connectEdits();
+    built();
 }
 
-QString SweepView::title() const {
-    return tr("Sweep");
+QWidget* SweepView::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = rowIn<ToolRow>(bar);
+    m_side->addItems({QString(), QString()});
+    for (QComboBox* box : {m_entry, m_side}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        row->addWidget(box);
+    }
+    row->addStretch(1);
+    addPageButtons(*row);
+    return bar;
 }
 
-std::array<SweepPlot*, 2> SweepView::plots() const {
+void SweepView::connectParts() {
+    connect(m_entry, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
+    connect(m_side, &QComboBox::currentIndexChanged, this, &SweepView::chooseEntry);
+    for (SweepPlot* plot : sweepPlots()) {
+        connect(plot, &SweepPlot::pointChosen, this, [this](std::size_t at) { choosePoint(at); });
+    }
+    connect(m_bar->run(), &QPushButton::clicked, this, &SweepView::runSweep);
+    connect(m_bar->stop(), &QPushButton::clicked, m_runner, &SweepRunner::stop);
+    connect(m_take, &QAction::triggered, this, &SweepView::takeValues);
+    connect(m_takeButton, &QPushButton::clicked, m_take, &QAction::trigger);
+    connect(m_point, &QSpinBox::valueChanged, this, [this](int number) {
+        choosePoint(number > 0 ? std::optional(static_cast<std::size_t>(number - 1))
+                               : std::nullopt);
+    });
+    m_bar->follow(*m_runner);
+    connect(m_runner, &SweepRunner::finished, this, &SweepView::takeSweep);
+}
+
+void SweepView::connectEdits() {
+    const auto choose = [this](std::size_t place, const std::string& path) {
+        edit([place,
+              path](Project project) { return withSweptInput(std::move(project), place, path); },
+             {"Edit", QT_TRANSLATE_NOOP("Edit", "Input of the sweep")});
+    };
+    for (std::size_t place = 0; place < m_axes.size(); ++place) {
+        connect(m_axes[place], &SweepAxisBox::inputChosen, this,
+                [choose, place](const std::string& path) { choose(place, path); });
+        connect(m_axes[place], &SweepAxisBox::axisEdited, this,
+                [this, place](const SweepAxis& axis) {
+                    edit(
+                        [place, axis](Project project) {
+                            return withSweepAxis(std::move(project), place, axis);
+                        },
+                        {"Edit", QT_TRANSLATE_NOOP("Edit", "Range of the sweep")});
+                });
+    }
+    connect(m_add, &QPushButton::clicked, this, [choose] { choose(0, usualInput); });
+}
+
+// --- choices ------------------------------------------------------------------------------------
+
+std::array<SweepPlot*, 2> SweepView::sweepPlots() const {
     return {m_curves, m_map};
 }
 
 SweepPlot& SweepView::plot() const {
-    return *plots()[m_sweep && m_sweep->result.inputs.size() > 1 ? 1 : 0];
-}
-
-PlotTools* SweepView::tools() const {
-    return m_pages->page().tools;
+    return *sweepPlots()[m_sweep && m_sweep->result.inputs.size() > 1 ? 1 : 0];
 }
 
 SweepEntry SweepView::chosenEntry() const {
@@ -76,9 +171,8 @@ void SweepView::chooseEntry() {
     if (!m_entries.empty()) {
         m_wanted = chosenEntry().key;
     }
-    showPlots();
-    showState();
-    m_pages->page().tools->navigation().forgetViews();
+    showEntry();
+    tools()->navigation().forgetViews();
 }
 
 void SweepView::choosePoint(std::optional<std::size_t> point) {
@@ -87,7 +181,108 @@ void SweepView::choosePoint(std::optional<std::size_t> point) {
     m_point->setValue(m_chosen ? static_cast<int>(*m_chosen) + 1 : 0);
     plot().setChosen(m_chosen);
     showState();
-    replotShown();
+    replotFront();
+}
+
+// --- running ------------------------------------------------------------------------------------
+
+void SweepView::showOutcome() {
+    m_edited = false;
+    PlotView::showOutcome();
+}
+
+void SweepView::takeOutcome(const OutcomePtr&) {
+    const bool asked = std::exchange(m_asked, false);
+    const Project& project = good()->result.project;
+    for (SweepAxisBox* box : m_axes) {
+        box->show(project);
+    }
+    m_refused = project.sweep ? checkSweep(project) : Issues();
+    noteStale();
+    const bool runs = m_running && m_runner->running() && sameSweep(*m_running, project);
+    if (!project.sweep) {
+        forget();
+    } else if (!m_refused.empty()) {
+        m_runner->drop();
+    } else if (stale() && !runs) {
+        m_runner->drop();
+        if (asked || quick()) {
+            runSweep();
+        }
+    }
+    showPresent();
+}
+
+void SweepView::forget() {
+    m_runner->drop();
+    m_sweep.reset();
+    noteStale();
+    showSweep();
+}
+
+void SweepView::noteStale() {
+    m_stale = !m_sweep || !good() || !sameSweep(m_sweep->result.project, good()->result.project);
+}
+
+bool SweepView::quick() const {
+    return static_cast<double>(good()->result.visits)
+               * static_cast<double>(pointsOf(good()->result.project))
+           <= quickSweepVisits;
+}
+
+void SweepView::runSweep() {
+    if (m_edited) { // the project of now is on its way
+        m_asked = true;
+        return;
+    }
+    m_running = good()->result.project;
+    m_bar->showProgress(0, pointsOf(*m_running));
+    m_runner->start(*m_running);
+    showState();
+}
+
+void SweepView::takeSweep(const SweepOutcomePtr& outcome) {
+    const bool any =
+        outcome->ran() && std::ranges::any_of(outcome->result.points, [](const SweepPoint& point) {
+            return point.status != SweepStatus::pending;
+        });
+    if (any) {
+        m_sweep = outcome;
+        m_chosen.reset();
+        noteStale();
+        showSweep();
+    }
+    showState();
+    emit sweepShown();
+}
+
+void SweepView::edit(const std::function<Project(Project)>& edit, const EditText& text) {
+    emit editWanted(
+        [this, edit](Project project) {
+            Project changed = edit(project);
+            m_edited = !sameProject(changed, project);
+            return changed;
+        },
+        text);
+}
+
+void SweepView::takeValues() {
+    if (m_sweep && m_chosen) {
+        edit([sweep = m_sweep, point = *m_chosen](
+                 Project project) { return withPoint(std::move(project), sweep->result, point); },
+             {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the values of a point of the sweep")});
+    }
+}
+
+void SweepView::showPresent() {
+    std::vector<std::optional<double>> values;
+    for (std::size_t i = 0; m_sweep && i < m_sweep->result.inputs.size(); ++i) {
+        const auto input =
+            numberInput(good()->result.project, m_sweep->result.inputs[i].axis.input);
+        values.push_back(input ? input->value : std::nullopt);
+    }
+    m_curves->setPresent(values);
+    m_map->setPresent(std::move(values));
 }
 
 // --- showing ------------------------------------------------------------------------------------
@@ -124,29 +319,65 @@ void SweepView::showSweep() {
         m_point->setSuffix(points > 0 ? tr(" of %1").arg(points) : QString());
     }
     fillEntries();
-    showPlots();
-    if (m_good) {
+    showEntry();
+    if (good()) {
         showPresent();
     }
-    for (const PlotPages::Page& each : m_pages->all()) {
-        each.tools->navigation().amendView();
-    }
+    replotAll();
 }
 
-void SweepView::showPlots() {
-    for (SweepPlot* other : plots()) {
+void SweepView::showEntry() {
+    for (SweepPlot* other : sweepPlots()) {
         const bool shown = other == &plot();
         other->setChosen(shown ? m_chosen : std::nullopt);
         other->setSweep(shown ? m_sweep : nullptr, shown ? chosenEntry() : SweepEntry{},
                         m_side->currentIndex() == 1);
     }
-    m_pages->show(&plot() == m_map ? 1 : 0);
+    showPage(&plot() == m_map ? 1 : 0);
     showState();
-    replotShown();
 }
 
-void SweepView::replotShown() {
-    plot().replot(QCustomPlot::rpQueuedReplot);
+bool SweepView::drawn() const {
+    return m_sweep && !m_entries.empty();
+}
+
+bool SweepView::faint() const {
+    return m_sweep && (stale() || refused());
+}
+
+const Project* SweepView::shownProject() const {
+    return m_sweep ? &m_sweep->result.project : nullptr;
+}
+
+void SweepView::showState() {
+    PlotView::showState();
+    const bool has = good() && good()->result.project.sweep;
+    const bool accepted = latest() && latest()->ran();
+    for (SweepAxisBox* box : m_axes) {
+        box->setVisible(good() != nullptr);
+        box->setEnabled(accepted);
+    }
+    m_axes[1]->setVisible(has);
+    m_add->setVisible(good() && !has);
+    m_add->setEnabled(accepted);
+    m_bar->setVisible(has);
+    m_toolBar->setVisible(has);
+    m_bar->showRunning(busy(), has && m_refused.empty());
+    m_bar->state()->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
+    m_take->setEnabled(drawn() && m_chosen && accepted);
+    m_takeButton->setEnabled(m_take->isEnabled());
+    readOut();
+    plot().setAccessibleDescription(m_bar->state()->text());
+}
+
+// --- texts --------------------------------------------------------------------------------------
+
+QString SweepView::brief() const {
+    return tr("Sweep", "the view's tab");
+}
+
+QString SweepView::title() const {
+    return tr("Sweep");
 }
 
 QString SweepView::hint() const {
@@ -154,60 +385,13 @@ QString SweepView::hint() const {
                                : tr("Point at a place to read its values; a click chooses it.");
 }
 
-void SweepView::showState() {
-    const bool faint = m_sweep && (stale() || (latest() && !latest()->ran()));
-    for (SweepPlot* each : plots()) {
-        each->setDimmed(faint);
-    }
-    m_notice->setText(notice());
-    m_notice->setVisible(!m_notice->text().isEmpty());
-    m_state->setText(m_sweep ? SweepText::run(m_sweep->result) : QString());
-    showButtons();
-    readOut();
-    plot().setAccessibleDescription(m_state->text());
+QString SweepView::keptText() const {
+    return m_sweep ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
+                   : refusedText();
 }
 
-void SweepView::showButtons() {
-    const bool has = m_good && m_good->result.project.sweep;
-    const bool accepted = latest() && latest()->ran();
-    const bool runs = busy();
-    const bool drawn = m_sweep && !m_entries.empty();
-    for (SweepAxisBox* box : m_axes) {
-        box->setVisible(m_good != nullptr);
-        box->setEnabled(accepted);
-    }
-    m_axes[1]->setVisible(has);
-    m_add->setVisible(m_good && !has);
-    m_add->setEnabled(accepted);
-    m_runBar->setVisible(has);
-    m_toolBar->setVisible(has);
-    m_run->setEnabled(has && !runs && m_refused.empty());
-    m_stop->setEnabled(runs);
-    m_progress->setVisible(runs);
-    m_state->setVisible(!runs);
-    m_point->setEnabled(drawn);
-    m_take->setEnabled(drawn && m_chosen && accepted);
-    m_takeButton->setEnabled(m_take->isEnabled());
-    m_entry->setEnabled(drawn);
-    m_side->setEnabled(drawn);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_pages->stack(), m_legend, m_values}) {
-        part->setVisible(drawn);
-    }
-    for (const PlotPages::Page& each : m_pages->all()) {
-        each.tools->setEnabled(drawn);
-    }
-}
-
-QString SweepView::notice() const {
-    if (latest() && !latest()->ran()) {
-        return (m_sweep ? tr("The inputs are refused; the sweep is that of the last accepted ones.")
-                        : tr("The inputs are refused:"))
-               + QLatin1Char('\n') + Names::refusal(latest()->issues, 2);
-    }
-    if (!m_good) {
-        return tr("No result yet.");
-    }
-    if (!m_good->result.project.sweep) {
+QString SweepView::remark() const {
+    if (!good()->result.project.sweep) {
         return tr(
             "What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input "
             "above, and see every result over a range of it: one input gives curves, two give "
@@ -221,14 +405,14 @@ QString SweepView::notice() const {
                       : tr("Of the inputs before the last edit. Press “Run” for those of now.");
     }
     if (m_sweep) {
-        return remark();
+        return sweepRemark();
     }
     return busy() ? QString()
                   : tr("This sweep takes a while: press “Run”. It can be stopped at any time and "
                        "keeps what was done.");
 }
 
-QString SweepView::remark() const {
+QString SweepView::sweepRemark() const {
     const SweepResult& sweep = m_sweep->result;
     if (m_entries.empty()) {
         const auto refused =
@@ -244,73 +428,44 @@ QString SweepView::remark() const {
                : QString();
 }
 
-QStringList SweepView::heading() const {
-    QStringList heading{title()};
-    if (m_sweep) {
-        heading << QString::fromStdString(m_sweep->result.project.title).simplified()
-                << m_entry->currentText() << m_state->text();
-    }
-    heading.removeAll(QString());
-    return heading;
+QStringList SweepView::subheading() const {
+    return {m_entry->currentText(), m_bar->state()->text()};
 }
 
 void SweepView::nameParts() {
-    m_legend->setAccessibleName(tr("Legend of the sweep"));
-    m_notice->setAccessibleName(tr("State of the sweep"));
-    m_state->setAccessibleName(tr("What was run"));
-    m_values->setAccessibleName(tr("Values under the mouse, or of the point chosen"));
-    m_progress->setAccessibleName(tr("Progress of the sweep"));
+    nameAround(tr("Legend of the sweep"), tr("State of the sweep"),
+               tr("Values under the mouse, or of the point chosen"));
+    m_bar->state()->setAccessibleName(tr("What was run"));
+    m_bar->progress()->setAccessibleName(tr("Progress of the sweep"));
     m_curves->setAccessibleName(tr("Curves over the varied input"));
     m_map->setAccessibleName(tr("Map over the two varied inputs"));
-    const auto name = [](QWidget& widget, const QString& text, const QString& tip) {
-        widget.setAccessibleName(text);
-        widget.setAccessibleDescription(tip);
-        widget.setToolTip(tip);
-    };
-    name(*m_entry, tr("Result shown"), tr("The result that is shown over the varied inputs"));
-    name(*m_side, tr("Values or margins"),
+    tell(*m_entry, tr("Result shown"), tr("The result that is shown over the varied inputs"));
+    tell(*m_side, tr("Values or margins"),
          tr("The values themselves, or how far they are from their limits: above 0 the requirement "
             "holds"));
-    name(*m_point, tr("Point chosen"),
+    tell(*m_point, tr("Point chosen"),
          tr("The point whose values can be taken; a click in the plot chooses one, too"));
-    const auto button = [&name](QPushButton& of, const QString& text, const QString& tip) {
-        of.setText(text);
-        name(of, text, tip);
-    };
-    button(*m_run, tr("Run"), tr("Run the points of the sweep; a quick one runs by itself"));
-    button(*m_stop, tr("Stop"), tr("End the sweep; what was done is kept and shown"));
-    button(*m_add, tr("Vary the dullness"),
-           tr("A sweep of the wheel's dullness from half to twice its value; can be undone"));
-    const QString take = tr("Take these values");
-    m_take->setText(take);
-    button(*m_takeButton, take,
-           tr("Put the inputs of the chosen point into this project; undo brings yours back"));
-}
-
-void SweepView::retranslate() {
-    setAccessibleName(tr("Sweep"));
-    nameParts();
     m_side->setItemText(0, tr("Values"));
     m_side->setItemText(1, tr("Margins"));
     m_point->setPrefix(tr("point "));
     m_point->setSpecialValueText(tr("no point"));
-    m_legend->retranslate();
+    nameButtons();
     for (SweepAxisBox* box : m_axes) {
         box->retranslate();
-        box->show(m_good ? m_good->result.project : Project());
+        box->show(good() ? good()->result.project : Project());
     }
     showSweep();
-    for (const PlotPages::Page& each : m_pages->all()) {
-        each.tools->retranslate();
-    }
-    for (SweepPlot* each : plots()) {
-        each->retranslate();
-        each->replot(QCustomPlot::rpQueuedReplot);
-    }
 }
 
-void SweepView::recolour() {
-    m_pages->showLegend();
+void SweepView::nameButtons() {
+    tellButton(*m_bar->run(), tr("Run"),
+               tr("Run the points of the sweep; a quick one runs by itself"));
+    tellButton(*m_bar->stop(), tr("Stop"), tr("End the sweep; what was done is kept and shown"));
+    tellButton(*m_add, tr("Vary the dullness"),
+               tr("A sweep of the wheel's dullness from half to twice its value; can be undone"));
+    m_take->setText(tr("Take these values"));
+    tellButton(*m_takeButton, m_take->text(),
+               tr("Put the inputs of the chosen point into this project; undo brings yours back"));
 }
 
 } // namespace sparkout

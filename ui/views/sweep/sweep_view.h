@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/plot/view.h"
+#include "ui/plot/plot_view.h"
 #include "ui/session/document.h"
 #include "ui/session/sweep_runner.h"
 #include "ui/views/sweep/sweep_text.h"
@@ -12,18 +12,14 @@
 #include <string>
 #include <vector>
 
+class QAction;
 class QComboBox;
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace sparkout {
 
-class LegendStrip;
-class PlotPages;
-class PlotTools;
-class Settings;
+class RunBar;
 class SweepAxisBox;
 class SweepCurves;
 class SweepMap;
@@ -32,22 +28,19 @@ class SweepPlot;
 /// The view "Sweep": one or two inputs varied over a range and any result over them, as curves or
 /// as a map. A quick sweep runs by itself when the inputs change, another one on demand; results of
 /// other inputs are drawn faint. The values of a point can be taken into the project.
-class SweepView : public View {
+class SweepView : public PlotView {
     Q_OBJECT
 public:
     explicit SweepView(QWidget* parent = nullptr, Settings* settings = nullptr);
 
     [[nodiscard]] SweepCurves* curves() const { return m_curves; }
     [[nodiscard]] SweepMap* map() const { return m_map; }
-    [[nodiscard]] PlotTools* tools() const; ///< of what is shown
     [[nodiscard]] const SweepOutcomePtr& sweep() const { return m_sweep; }
     [[nodiscard]] bool busy() const override { return m_runner->running(); }
-    [[nodiscard]] bool stale() const { return m_sweepStale; } ///< what is shown is of other inputs
-    [[nodiscard]] QSize sizeHint() const override { return {700, 620}; }
+    [[nodiscard]] bool stale() const { return m_stale; } ///< what is shown is of other inputs
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString brief() const override;
-    void retranslate() override;
     void forget() override;
 
 signals:
@@ -58,16 +51,23 @@ signals:
 
 protected:
     [[nodiscard]] QString hint() const override;
-    void recolour() override;
+    void nameParts() override;
+    void takeOutcome(const OutcomePtr& before) override;
+    [[nodiscard]] bool drawn() const override;
+    [[nodiscard]] bool faint() const override;
+    [[nodiscard]] const Project* shownProject() const override;
     void showOutcome() override;
+    void showState() override;
+    [[nodiscard]] QString keptText() const override;
+    [[nodiscard]] QString remark() const override;
+    [[nodiscard]] QStringList subheading() const override;
 
 private:
-    void build();
-    QWidget* buildRunBar();
     QWidget* buildTools();
     void connectParts();
     void connectEdits();
-    [[nodiscard]] std::array<SweepPlot*, 2> plots() const;
+    void nameButtons();
+    [[nodiscard]] std::array<SweepPlot*, 2> sweepPlots() const;
     [[nodiscard]] SweepPlot& plot() const; ///< in sight
     void chooseEntry();
 
@@ -81,38 +81,27 @@ private:
 
     void fillEntries();
     void showSweep();
-    void showPlots();
+    void showEntry();
     void showPresent();
-    void showState();
-    void showButtons();
-    void replotShown();
-    void nameParts();
-    [[nodiscard]] QString notice() const;
-    [[nodiscard]] QString remark() const; ///< what else there is to say of what is shown
+    [[nodiscard]] QString sweepRemark() const; ///< on what is shown
     [[nodiscard]] SweepEntry chosenEntry() const;
-    [[nodiscard]] QStringList heading() const;
 
     std::array<SweepAxisBox*, 2> m_axes;
     SweepCurves* m_curves;
     SweepMap* m_map;
-    LegendStrip* m_legend;
-    PlotPages* m_pages = nullptr; ///< one for a varied input, one for two
-    QComboBox *m_entry, *m_side;  ///< the result; its values or margins
-    QSpinBox* m_point;            ///< chosen, from 1; 0: none
-    QPushButton *m_run, *m_stop, *m_add;
+    QComboBox *m_entry, *m_side; ///< the result; its values or margins
+    QSpinBox* m_point;           ///< chosen, from 1; 0: none
+    RunBar* m_bar;
+    QWidget* m_toolBar = nullptr;
     QAction* m_take;
-    QPushButton* m_takeButton;
-    QProgressBar* m_progress;
-    QLabel *m_state, *m_notice, *m_values;
-    QWidget *m_runBar = nullptr, *m_toolBar = nullptr;
+    QPushButton *m_takeButton, *m_add;
     std::vector<SweepEntry> m_entries;   ///< in the box
     std::string m_wanted = "diameter";   ///< result the user chose
-    OutcomePtr m_good;                   ///< the inputs that were accepted last
     SweepOutcomePtr m_sweep;             ///< what is shown
     Issues m_refused;                    ///< why the present one cannot be run
     std::optional<std::size_t> m_chosen; ///< point of what is shown
     SweepRunner* m_runner;
-    bool m_sweepStale = true;
+    bool m_stale = true;
     bool m_edited = false; ///< the document has been asked for a change that is not run yet
     bool m_asked = false;  ///< to run as soon as it is
     std::optional<Project> m_running; ///< what it runs, to know when that is of other inputs

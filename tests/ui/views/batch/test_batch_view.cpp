@@ -275,7 +275,7 @@ private slots:
             return int(label->isVisible() && label->text().contains(mark));
         };
         const auto count = [&] {
-            return marked("profiles", "notice") + marked("layers", "layersNotice")
+            return marked("profiles", "profilesNotice") + marked("layers", "layersNotice")
                    + marked("batch", "batchNotice");
         };
         show(project);

@@ -176,7 +176,7 @@ void TestFeedsTools::forceAndAxialFeedShareTheThirdRow() {
     QVERIFY(force->valueAxis()->range().upper >= m_traverse->result.peakNormalForce_n);
     QVERIFY(force->valueAxis()->range().upper <= 1.2 * m_traverse->result.peakNormalForce_n);
     hover(view.plot(), view.plot()->cell(1, 2)->rect().center());
-    const QString text = view.findChild<QLabel*>(QStringLiteral("values"))->text();
+    const QString text = view.findChild<QLabel*>(QStringLiteral("feedsValues"))->text();
     QVERIFY(text.contains(QStringLiteral("force")) && text.contains(QStringLiteral("axial feed")));
 }
 

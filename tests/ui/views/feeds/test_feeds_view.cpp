@@ -74,7 +74,7 @@ void TestFeedsView::valuesThatAreNoNumbersAreLeftOut() {
     show(view, outcome);
     QCOMPARE(view.plot()->series().dropped, 2);
     QVERIFY(drawable(view.plot()));
-    QVERIFY(view.findChild<QLabel*>(QStringLiteral("notice"))->text().contains(u'2'));
+    QVERIFY(view.findChild<QLabel*>(QStringLiteral("feedsNotice"))->text().contains(u'2'));
     view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(2);
     QVERIFY(drawable(view.plot()));
 }
@@ -212,7 +212,7 @@ void TestFeedsView::pointingAtACurveTellsItsValues() {
     show(view, m_traverse);
     view.findChild<QSpinBox*>(QStringLiteral("stroke"))->setValue(27);
     const QRect rect = view.plot()->cell(1, 0)->rect();
-    auto* values = view.findChild<QLabel*>(QStringLiteral("values"));
+    auto* values = view.findChild<QLabel*>(QStringLiteral("feedsValues"));
     hover(view.plot(), rect.topLeft() + QPoint(rect.width() / 3, 20));
     QVERIFY2(values->text().contains(QStringLiteral("NZ, E1, stage 1, double stroke 27")),
              qPrintable(values->text()));
@@ -263,7 +263,7 @@ void TestFeedsView::refusedInputsKeepTheCurvesDimmed() {
     show(view, refused());
     QCOMPARE(graph->dataCount(), points);
     QVERIFY(graph->pen().color().alpha() < alpha / 2);
-    auto* notice = view.findChild<QLabel*>(QStringLiteral("notice"));
+    auto* notice = view.findChild<QLabel*>(QStringLiteral("feedsNotice"));
     QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("5000")));
     show(view, m_traverse);
     QCOMPARE(graph->pen().color().alpha(), alpha);
@@ -273,7 +273,7 @@ void TestFeedsView::refusedInputsKeepTheCurvesDimmed() {
 void TestFeedsView::withoutAResultTheViewSaysSo() {
     FeedsView view;
     view.show();
-    auto* notice = view.findChild<QLabel*>(QStringLiteral("notice"));
+    auto* notice = view.findChild<QLabel*>(QStringLiteral("feedsNotice"));
     QCOMPARE(notice->text(), QStringLiteral("No result yet."));
     show(view, refused());
     QVERIFY(notice->text().startsWith(QStringLiteral("The inputs are refused:")));

@@ -291,10 +291,10 @@ void TestProfilesForm::spectraMoveTogetherAndAreSaved() {
         return plot.cell(cell)->axis(side)->range();
     };
     const QCPRange before = range(2, QCPAxis::atBottom);
-    view.spectrumTools()->navigation().zoom(0.5);
+    view.spectrum()->tools()->navigation().zoom(0.5);
     QVERIFY(range(2, QCPAxis::atBottom).size() < before.size());
     QCOMPARE(range(2, QCPAxis::atBottom), range(0, QCPAxis::atBottom));
-    view.spectrumTools()->fit->trigger();
+    view.spectrum()->tools()->fit->trigger();
     QCOMPARE(range(1, QCPAxis::atBottom), before);
     QVERIFY(range(0, QCPAxis::atLeft).lower > 0); // logarithmic at first
     part<QCheckBox>(view, "logarithmicSpectrum")->click();

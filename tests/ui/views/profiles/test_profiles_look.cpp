@@ -161,7 +161,7 @@ void TestProfilesLook::refusedInputsKeepTheProfilesDimmed() {
     show(view, refused());
     QVERIFY(alpha() < before / 2);
     QCOMPARE(view.across()->axisRectCount(), 3);
-    auto* notice = part<QLabel>(view, "notice");
+    auto* notice = part<QLabel>(view, "profilesNotice");
     QVERIFY(notice->isVisible() && notice->text().contains(QStringLiteral("5000")));
     show(view, m_of.traverse);
     QCOMPARE(alpha(), before);
@@ -171,7 +171,7 @@ void TestProfilesLook::refusedInputsKeepTheProfilesDimmed() {
 void TestProfilesLook::withoutAResultTheViewSaysSo() {
     ProfilesView view;
     view.show();
-    auto* notice = part<QLabel>(view, "notice");
+    auto* notice = part<QLabel>(view, "profilesNotice");
     QCOMPARE(notice->text(), QStringLiteral("No result yet."));
     show(view, refused());
     QVERIFY(notice->text().startsWith(QStringLiteral("The inputs are refused:")));
@@ -227,7 +227,7 @@ void TestProfilesLook::anotherLanguageReachesEveryText() {
     QVERIFY(marked(view.along()->cell()->axis(QCPAxis::atLeft)->label()));
     QVERIFY(marked(view.along()->bands()->bands()[0].name));
     QVERIFY(marked(view.along()->graph(LengthLine::mean)->name()));
-    QVERIFY(marked(view.title()) && marked(part<QLabel>(view, "values")->text()));
+    QVERIFY(marked(view.title()) && marked(part<QLabel>(view, "profilesValues")->text()));
     settle();
     QVERIFY(marked(view.along()->cell()->axis(QCPAxis::atBottom)->label()));
     QApplication::removeTranslator(&marking);
@@ -330,14 +330,14 @@ void TestProfilesLook::theDataCopiedAreTheProfiles() {
     const ProfileSeries& s = view.across()->series();
     QVERIFY(std::abs(row[2].toDouble() - (s.profiles[0].radii_mm[9] - s.target_mm) * 1000) < 1e-9);
     clickLegend(view, QStringLiteral("least-squares circle"));
-    view.acrossTools()->copyData->trigger();
+    view.across()->tools()->copyData->trigger();
     QCOMPARE(QApplication::clipboard()->text().split(u'\n')[0].split(u'\t').size(), 5);
 }
 
 void TestProfilesLook::theDataAlongTheAxisNameTheZones() {
     ProfilesView view;
     show(view, m_of.traverse);
-    view.alongTools()->copyData->trigger();
+    view.along()->tools()->copyData->trigger();
     const QStringList lines = QApplication::clipboard()->text().trimmed().split(u'\n');
     QCOMPARE(lines.size(), 4);
     QVERIFY(lines[2].startsWith(QStringLiteral("NZ\t38\t46\t54\t")));
@@ -351,7 +351,7 @@ void TestProfilesLook::anExportedPictureTellsWhatItShows() {
     ProfilesView view;
     show(view, m_of.plunge);
     view.setStroke(12);
-    view.acrossTools()->copyPicture->trigger();
+    view.across()->tools()->copyPicture->trigger();
     const QImage picture = QApplication::clipboard()->image();
     QVERIFY(picture.width() >= 2 * view.across()->width());
     QVERIFY(picture.height() > 2 * view.across()->height()); // heading and legend

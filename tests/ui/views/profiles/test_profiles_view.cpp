@@ -134,7 +134,7 @@ void TestProfilesView::theGridNamesRoundDeviations() {
 void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
     ProfilesView view;
     show(view, m_of.plunge);
-    auto* values = part<QLabel>(view, "values");
+    auto* values = part<QLabel>(view, "profilesValues");
     const QString before = values->text();
     hover(view.across(), pixelOf(view.across(), 1, 10, angleOf(9, 36) + 0.05));
     const Profile& p = view.across()->series().profiles[1];
@@ -155,7 +155,7 @@ void TestProfilesView::pointingAtASampleTellsAngleAndDeviation() {
 void TestProfilesView::keysWalkFromSampleToSample() {
     ProfilesView view;
     show(view, m_of.plunge);
-    auto* values = part<QLabel>(view, "values");
+    auto* values = part<QLabel>(view, "profilesValues");
     QTest::keyClick(view.across(), Qt::Key_Right, Qt::ControlModifier);
     QVERIFY(values->text().contains(QStringLiteral("Section 0, φ = 0.0° (k = 0)")));
     QTest::keyClick(view.across(), Qt::Key_Left, Qt::ControlModifier);
@@ -169,7 +169,7 @@ void TestProfilesView::keysWalkFromSampleToSample() {
 void TestProfilesView::pointingAlongTheAxisTellsTheZone() {
     ProfilesView view;
     show(view, m_of.traverse);
-    auto* values = part<QLabel>(view, "values");
+    auto* values = part<QLabel>(view, "profilesValues");
     LongitudinalPlot* plot = view.along();
     const double x = plot->cell()->axis(QCPAxis::atBottom)->coordToPixel(46);
     hover(plot, QPointF(x, plot->cell()->rect().center().y()));
@@ -238,7 +238,7 @@ void TestProfilesView::anUnrecordedCycleShowsItsEnd() {
     QVERIFY(view.across()->isVisible());
     QVERIFY(view.across()->series().atEnd());
     QVERIFY(!part<QSlider>(view, "strokeSlider")->isEnabled());
-    QVERIFY(part<QLabel>(view, "notice")->text().contains(QStringLiteral("only its end")));
+    QVERIFY(part<QLabel>(view, "profilesNotice")->text().contains(QStringLiteral("only its end")));
 }
 
 // --- sections -----------------------------------------------------------------------------------

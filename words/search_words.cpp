@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/search_refusal.h"
+#include "words/search_words.h"
 
 #include "core/optimisation/grid.h"
 #include "core/optimisation/search_names.h"

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/feed_curves.h"
+#include "ui/tables/csv_table.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace sparkout {
+
+/// A run whose curves are drawn: of one of its zones or sections.
+struct ComparedFeeds {
+    QString name; ///< for the legend
+    std::shared_ptr<const FeedSeries> feeds;
+    std::size_t column = 0;
+    int number = 0; ///< chooses the dash; 0: the present run
+};
+
+/// The feeds of several runs over one horizontal axis, the present run first, in two plots with a
+/// quantity to the left and one to the right: as they are drawn, told and tabulated.
+class CompareChart {
+    Q_DECLARE_TR_FUNCTIONS(CompareChart)
+public:
+    static constexpr std::size_t rowCount = 2;
+    /// What the right-hand axes can show, row by row; the first unless chosen.
+    static constexpr std::array<std::array<Quantity, 3>, rowCount> secondQuantities{
+        {{Quantity::force, Quantity::programmed, Quantity::axialFeed},
+         {Quantity::left, Quantity::came, Quantity::programmedSum}}};
+
+    void setRuns(std::vector<ComparedFeeds> runs);
+    void setAxis(CycleAxis axis);
+    void setSecond(std::size_t row, Quantity quantity) { m_second.at(row) = quantity; }
+
+    [[nodiscard]] const std::vector<ComparedFeeds>& runs() const { return m_runs; }
+    [[nodiscard]] const CycleScale& scale(std::size_t run) const { return m_scales[run]; }
+    [[nodiscard]] Quantity second(std::size_t row) const { return m_second.at(row); }
+    [[nodiscard]] std::array<Quantity, 4> quantities() const; ///< left and right, row by row
+    [[nodiscard]] std::vector<XY> line(std::size_t run, Quantity quantity) const;
+    [[nodiscard]] double end() const;                          ///< of the longest run, on the axis
+    [[nodiscard]] QString timeLabel() const;                   ///< "Time, min"
+    [[nodiscard]] static QString briefName(Quantity quantity); ///< of an axis: plots are low
+    [[nodiscard]] QStringList shortNames() const;              ///< of the runs, each another
+    /// What a run does at a place of the axis, in one line.
+    [[nodiscard]] QString valuesAt(std::size_t run, double x) const;
+    /// The points within a span of the axis, of the runs and quantities that are wanted.
+    [[nodiscard]] CsvTable table(double from, double to,
+                                 const std::function<bool(const ComparedFeeds&)>& wanted,
+                                 const std::function<bool(Quantity)>& shown) const;
+
+private:
+    [[nodiscard]] const FeedPoints& pointsOf(std::size_t run) const;
+    [[nodiscard]] QString shortName(std::size_t run) const;
+
+    std::vector<ComparedFeeds> m_runs;
+    std::vector<CycleScale> m_scales; ///< of each run
+    CycleAxis m_axis = CycleAxis::minutes;
+    std::array<Quantity, rowCount> m_second{secondQuantities[0][0], secondQuantities[1][0]};
+};
+
+} // namespace sparkout

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/run_bar.h"
+
+#include "ui/kit/metrics.h"
+#include "ui/kit/tool_row.h"
+#include "ui/session/counted_job.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+constexpr int progressSteps = 1000;
+} // namespace
+
+RunBar::RunBar(const QString& name, QWidget* parent, Progress text)
+    : QWidget(parent)
+    , m_text(text)
+    , m_run(new QPushButton(this))
+    , m_stop(new QPushButton(this))
+    , m_state(new QLabel(this))
+    , m_progress(new QProgressBar(this)) {
+    m_run->setObjectName(name + QStringLiteral("Run"));
+    m_stop->setObjectName(name + QStringLiteral("Stop"));
+    m_state->setObjectName(name + QStringLiteral("State"));
+    m_progress->setObjectName(name + QStringLiteral("Progress"));
+    m_state->setTextFormat(Qt::PlainText);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(true);
+}
+
+void RunBar::layOut(std::initializer_list<QWidget*> before, std::initializer_list<QWidget*> behind,
+                    int letters) {
+    auto* row = new ToolRow(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(metrics::tight);
+    row->addWidget(m_run);
+    row->addWidget(m_stop);
+    for (QWidget* part : before) {
+        row->addWidget(part);
+    }
+    row->addText(m_state, letters, 1);
+    row->addWidget(m_progress, 1);
+    for (QWidget* part : behind) {
+        row->addWidget(part);
+    }
+}
+
+void RunBar::follow(const CountedJob& job) {
+    connect(&job, &CountedJob::progressed, this,
+            qOverload<qint64, qint64, double>(&RunBar::showProgress));
+}
+
+void RunBar::showProgress(qint64 done, qint64 parts, double left_s) {
+    m_progress->setValue(static_cast<int>(done * progressSteps / std::max(parts, qint64(1))));
+    m_progress->setFormat(m_text(done, parts, left_s));
+}
+
+void RunBar::showProgress(double share, const QString& text) {
+    m_progress->setValue(static_cast<int>(share * progressSteps));
+    m_progress->setFormat(text);
+}
+
+void RunBar::showRunning(bool runs, bool mayRun) {
+    m_progress->setVisible(runs);
+    if (m_turns) { // the one that comes takes the keyboard from the one that goes
+        m_stop->setVisible(runs);
+        m_run->setVisible(!runs);
+    }
+    m_run->setEnabled(mayRun && !runs);
+    m_stop->setEnabled(runs || m_turns);
+    m_state->setVisible(!runs);
+}
+
+} // namespace sparkout

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/compare/runs_panel.h"
+
+#include "ui/charts/run_table.h"
+#include "ui/charts/runs_model.h"
+#include "ui/kit/metrics.h"
+#include "ui/kit/theme_icon.h"
+#include "ui/plot/plot_tools.h"
+#include "ui/text/example_texts.h"
+#include "ui/text/names.h"
+#include "ui/text/number_text.h"
+#include "ui/text/texts.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QListView>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+namespace {
+
+/// Lets a name that is being typed be, unless the row itself gets another name.
+class RunDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        const QVariant name = index.data(Qt::EditRole);
+        if (editor->property("runName") != name) {
+            editor->setProperty("runName", name);
+            QStyledItemDelegate::setEditorData(editor, index);
+        }
+    }
+};
+
+} // namespace
+
+RunsPanel::RunsPanel(KeptRuns& kept, QWidget* parent)
+    : QWidget(parent)
+    , m_kept(kept)
+    , m_list(new QListView(this))
+    , m_runs(new RunsModel(this))
+    , m_keep(makeAction("compareKeep", u"keep"))
+    , m_restore(makeAction("compareRestore", u"restore", Qt::CTRL | Qt::Key_Return))
+    , m_rename(makeAction("compareRename", u"rename", Qt::Key_F2))
+    , m_delete(makeAction("compareDelete", u"remove", QKeySequence::Delete)) {
+    build();
+    connectParts();
+}
+
+QString RunsPanel::nameOf(const KeptRun& run) {
+    return exampleTitle(run.name).simplified();
+}
+
+QAction* RunsPanel::makeAction(const char* name, const char16_t* icon, const QKeySequence& keys) {
+    auto* action = new QAction(themeIcon(icon), QString(), this);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    return action;
+}
+
+void RunsPanel::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(metrics::tight);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(metrics::hair);
+    for (QAction* action : {m_keep, m_restore, m_rename, m_delete}) {
+        row->addWidget(PlotTools::button(action, this));
+    }
+    row->addStretch(1);
+    column->addLayout(row);
+    column->addWidget(m_list, 1);
+    m_list->setObjectName(QStringLiteral("compareRuns"));
+    m_list->setModel(m_runs);
+    m_list->setItemDelegate(new RunDelegate(m_list));
+    m_list->setIconSize(RunsModel::sample);
+    m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setTextElideMode(Qt::ElideRight);
+    m_list->setMinimumWidth(130);
+    m_list->addActions({m_restore, m_rename, m_delete});
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void RunsPanel::connectParts() {
+    connect(m_runs, &RunsModel::chosen, &m_kept, &KeptRuns::choose);
+    connect(m_runs, &RunsModel::renamed, &m_kept, &KeptRuns::rename);
+    connect(m_rename, &QAction::triggered, this, [this] { m_list->edit(m_list->currentIndex()); });
+    connect(m_delete, &QAction::triggered, this, [this] {
+        if (const int run = selected(); run >= 0) {
+            m_kept.remove(run);
+        }
+    });
+    connect(m_restore, &QAction::triggered, this, [this] {
+        if (const int run = selected(); run >= 0) {
+            m_kept.restore(run);
+        }
+    });
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &RunsPanel::enableActions);
+}
+
+int RunsPanel::selected() const {
+    const int run = m_list->currentIndex().row() - 1; // below the present one
+    return run >= 0 && run < m_kept.count() ? run : -1;
+}
+
+void RunsPanel::enableActions() {
+    const int run = selected();
+    m_restore->setEnabled(run >= 0 && m_kept.inputs(run));
+    m_rename->setEnabled(run >= 0);
+    m_delete->setEnabled(run >= 0);
+}
+
+void RunsPanel::setRuns(const ReadSummary* present) {
+    m_present = present;
+    const int kept = selected();
+    std::vector<RunsModel::Run> rows{{tr("Present run"), detailOf(-1), toldOf(-1), lightOf(-1)}};
+    int number = 0;
+    for (int run = 0; run < m_kept.count(); ++run) {
+        const bool chosen = m_kept.isChosen(run);
+        rows.push_back({nameOf(m_kept.all()[static_cast<std::size_t>(run)]), detailOf(run),
+                        toldOf(run), lightOf(run), chosen ? ++number : -1, chosen});
+    }
+    m_runs->setRuns(std::move(rows));
+    if (!m_list->currentIndex().isValid() || kept >= m_kept.count()) {
+        m_list->setCurrentIndex(m_runs->index(m_runs->rowCount() - 1));
+    }
+    enableActions();
+}
+
+// --- what there is to say of a run --------------------------------------------------------------
+
+const ReadSummary* RunsPanel::summaryOf(int run) const {
+    return run >= 0 ? m_kept.summary(run) : m_present;
+}
+
+/// The time, and below it what there is to say.
+QString RunsPanel::detailOf(int run) const {
+    const ReadSummary* const read = summaryOf(run);
+    if (!read) {
+        return run < 0 ? tr("not computed yet") : tr("results not readable");
+    }
+    const QString time = read->missing.contains("/cycle_time_min")
+                             ? tr("no results kept")
+                             : tr("%1 min").arg(Names::significant(read->summary.cycle_time_min));
+    const RecalledRun* const now = run < 0 ? nullptr : m_kept.recalled(run);
+    return run < 0                  ? time
+           : !now                   ? time + u'\n' + tr("computing…")
+           : hasErrors(now->issues) ? time + u'\n' + tr("refused now")
+           : m_kept.isChanged(run)  ? time + u'\n' + tr("differs now")
+                                    : time;
+}
+
+std::optional<Light> RunsPanel::lightOf(int run) const {
+    const ReadSummary* const read = summaryOf(run);
+    return read && !read->missing.contains("/status") ? verdictOf(read->summary) : std::nullopt;
+}
+
+QString RunsPanel::toldOf(int run) const {
+    QStringList lines{run < 0 ? tr("Present run, always drawn")
+                              : nameOf(m_kept.all()[static_cast<std::size_t>(run)])};
+    lines << detailOf(run).split(u'\n');
+    if (const std::optional<Light> light = lightOf(run)) {
+        lines << lightName(*light);
+    }
+    if (run < 0) {
+        return lines.join(u'\n');
+    }
+    const KeptRun& kept = m_kept.all()[static_cast<std::size_t>(run)];
+    const QDateTime when = QDateTime::fromString(QString::fromStdString(kept.when), Qt::ISODate);
+    lines << tr("Kept %1 by version %2")
+                 .arg(when.isValid() ? momentText(when.toLocalTime())
+                                     : QString::fromStdString(kept.when),
+                      QString::fromStdString(kept.engine_version));
+    const RecalledRun* const now = m_kept.recalled(run);
+    if (now && now->summary && m_kept.summary(run)) {
+        lines << changesShown(*m_kept.summary(run), *now->summary);
+    }
+    return lines.join(u'\n');
+}
+
+void RunsPanel::retranslate() {
+    m_list->setAccessibleName(tr("Runs; a check mark lays one over the present run"));
+    const auto name = [](QAction* action, const QString& text, const QString& tip) {
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        action->setText(text);
+        action->setToolTip(keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys));
+    };
+    name(m_keep, tr("Keep the present run"),
+         tr("Keep the present run: its inputs and results, for comparison"));
+    name(m_restore, tr("Restore the inputs"),
+         tr("Take the inputs of the selected run in place of the present ones; the kept runs "
+            "stay"));
+    name(m_rename, tr("Rename"), tr("Rename the selected run"));
+    name(m_delete, tr("Delete"), tr("Delete the selected run"));
+}
+
+} // namespace sparkout

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simulation/feed_curves.h"
+#include "core/study/outcome.h"
+#include "ui/plot/legend_drawing.h"
+#include "ui/plot/read_curves.h"
+#include "ui/tables/csv_table.h"
+
+#include <QCoreApplication>
+
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace sparkout {
+
+/// The feeds of a run as they are drawn, read and tabulated: some of its zones or sections, over
+/// one of the axes, within the times in sight.
+class FeedsChart {
+    Q_DECLARE_TR_FUNCTIONS(FeedsChart)
+public:
+    /// What a point of the curves stands for, by how much is in sight.
+    enum class Detail { stroke, pass, radius };
+    using Steps = std::vector<std::pair<Zone, Step>>;
+    static constexpr int spreadKey = 100; ///< of the legend; below: a Quantity
+
+    void setRun(OutcomePtr outcome, const std::vector<int>& shown);
+    void setAxis(CycleAxis axis);
+    void setTimes(double from_s, double to_s); ///< in sight; after setRun()
+
+    [[nodiscard]] bool isEmpty() const { return m_columns.empty(); } ///< of no run
+    [[nodiscard]] const FeedSeries& series() const;
+    [[nodiscard]] std::size_t columnCount() const { return m_columns.size(); }
+    [[nodiscard]] const FeedColumn& source(std::size_t column) const;
+    [[nodiscard]] const FeedPoints& points(std::size_t column) const; ///< within the times
+    [[nodiscard]] const CycleScale& scale() const { return m_scale; }
+    [[nodiscard]] double from_s() const { return m_from_s; }
+    [[nodiscard]] double to_s() const { return m_to_s; }
+    [[nodiscard]] Detail detail() const { return m_detail; }
+    [[nodiscard]] bool showsSteps() const;                       ///< else the stages are told
+    [[nodiscard]] const Steps& steps() const { return m_steps; } ///< in sight, each kind once
+    [[nodiscard]] std::vector<StepSpan> stepsOf(std::size_t column) const;
+    [[nodiscard]] bool countsStrokes() const { return series().operation->countsStrokes; }
+    [[nodiscard]] bool hasAxialFeed() const { return series().operation->axial() != nullptr; }
+    [[nodiscard]] QString timeLabel() const; ///< "Time, min"
+
+    [[nodiscard]] static bool hasSpread(Quantity quantity);
+    /// A feed and its sum are one entry of the legend.
+    [[nodiscard]] static int keyOf(Quantity quantity);
+    /// A curve as it is drawn; radii have no spread.
+    [[nodiscard]] std::vector<XY> line(std::size_t column, Quantity quantity, Edge edge) const;
+    /// Extremes of those of the quantities that the user did not hide; (0, 0): of none.
+    [[nodiscard]] std::pair<double, double> extremes(std::initializer_list<Quantity> quantities,
+                                                     const CurveChoice& choice) const;
+    /// A curve that can be read, also where it is out of sight.
+    [[nodiscard]] ReadCurve readCurve(std::size_t column, Quantity quantity) const;
+    [[nodiscard]] CsvTable table(const CurveChoice& choice) const;
+
+private:
+    struct Column {
+        std::size_t index = 0; ///< of its zone or section in the series
+        FeedPoints points;     ///< what is drawn now …
+        FeedPoints passes;     ///< … of the sums, where the points are radii
+    };
+    [[nodiscard]] double strokesInSight() const {
+        return m_strokes.at(m_to_s) - m_strokes.at(m_from_s);
+    }
+    [[nodiscard]] Detail detailInSight() const;
+    [[nodiscard]] Steps stepsInSight() const;
+    /// Each radius has its own Σa: joined, they would saw. Their mean and spread grow by passes.
+    [[nodiscard]] bool goesByPasses(Quantity quantity) const {
+        return m_detail == Detail::radius && quantity == Quantity::actualSum;
+    }
+    [[nodiscard]] FeedPoints pointsOf(const FeedColumn& column, Detail detail, double from_s,
+                                      double to_s) const;
+    [[nodiscard]] std::vector<CsvCell> place(const FeedColumn& zone, const FeedPoint& point) const;
+
+    OutcomePtr m_outcome;
+    CycleAxis m_axis = CycleAxis::minutes;
+    CycleScale m_scale;
+    CycleScale m_strokes; ///< counts the double strokes in sight
+    std::vector<Column> m_columns;
+    double m_from_s = 0, m_to_s = 0;
+    Detail m_detail = Detail::stroke;
+    Steps m_steps;
+};
+
+} // namespace sparkout

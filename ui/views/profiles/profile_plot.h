@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/charts/profiles_look.h"
+#include "ui/plot/view_plot.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// A plot of the zone profiles: the user hides a line in all of them at once.
+class ProfilePlot : public ViewPlot {
+    Q_OBJECT
+public:
+    using ViewPlot::ViewPlot;
+
+    void setHidden(ProfileLines hidden);
+    [[nodiscard]] virtual std::vector<ProfileLine> lines() const = 0; ///< as the legend has them
+    [[nodiscard]] LegendEntries entriesOf(const std::vector<ProfileLine>& lines) const;
+    [[nodiscard]] LegendEntries legendEntries() const override { return entriesOf(lines()); }
+
+protected:
+    [[nodiscard]] const ProfileLines& hidden() const { return m_hidden; }
+    [[nodiscard]] bool visible(ProfileLine line) const { return !m_hidden.contains(line); }
+
+private:
+    ProfileLines m_hidden;
+};
+
+} // namespace sparkout
