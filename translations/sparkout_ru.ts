@@ -6881,6 +6881,22 @@ Reloading takes that version; your changes stay in Undo.</source>
             <source>1/h</source>
             <translation>1/ч</translation>
         </message>
+        <message>
+            <source>°C</source>
+            <translation>°C</translation>
+        </message>
+        <message>
+            <source>kg/m³</source>
+            <translation>кг/м³</translation>
+        </message>
+        <message>
+            <source>°C, W/(m·K)</source>
+            <translation>°C, Вт/(м·К)</translation>
+        </message>
+        <message>
+            <source>°C, J/(kg·K)</source>
+            <translation>°C, Дж/(кг·К)</translation>
+        </message>
     </context>
     <context>
         <name>VerdictText</name>

@@ -269,7 +269,8 @@ LegendEntries ComparePlot::legendEntries() const {
     }
     for (const ComparedFeeds& run : runs()) {
         const int key = runKey + run.number;
-        entries.push_back({palette().color(QPalette::Text), Qt::SolidLine, run.name, key,
+        // Of no quantity's colour: here the dash is meant.
+        entries.push_back({palette().color(QPalette::PlaceholderText), Qt::SolidLine, run.name, key,
                            shows(key), runDash(run.number)});
     }
     return entries;
