@@ -2,6 +2,7 @@
 #include "ui/views/profiles/profiles_plot.h"
 
 #include "ui/plot/plot_style.h"
+#include "ui/text/names.h"
 #include "ui/views/profiles/profiles_layers.h"
 #include "ui/views/profiles/profiles_table.h"
 #include "ui/views/profiles/profiles_text.h"
@@ -17,16 +18,15 @@ constexpr double leastReach = 1.15; ///< of the base circle
 constexpr double mostField = 2;     ///< a field that reaches further is cut off
 constexpr double border = 1.12;     ///< room for the names of the angles inside the rim
 constexpr double edge = 3;          ///< around the drawing [px]
-constexpr int leastCirclePoints = 180;
-constexpr int mostMarkers = 36; ///< more radii are not marked one by one
+constexpr int numberLines = 2;      ///< and one of the roundness
+constexpr int besideLetters = 26;   ///< room for numbers beside a cell
 
-QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
-    QVector<QCPCurveData> data;
-    data.reserve(static_cast<qsizetype>(line.size()));
-    for (const ProfilePoint& p : line) {
-        data.push_back({static_cast<double>(data.size()), p.x, p.y});
+int widthOf(const QString& lines, const QFontMetrics& metrics) {
+    int width = 0;
+    for (const QString& line : lines.split(u'\n')) {
+        width = std::max(width, metrics.horizontalAdvance(line));
     }
-    return data;
+    return width;
 }
 
 } // namespace
@@ -79,6 +79,80 @@ void ProfilesPlot::fit() {
     setTexts();
 }
 
+// --- the cells ----------------------------------------------------------------------------------
+
+/// The arrangement with the largest circles.
+ProfilesPlot::Arrangement ProfilesPlot::arrangement() const {
+    const QFontMetrics metrics(font());
+    const int line = metrics.height();
+    const int beside = metrics.averageCharWidth() * besideLetters;
+    const int count = std::max(static_cast<int>(m_shown.size()), 1);
+    const int lines = numberLines + (m_circles == ReferenceCircles::none ? 0 : 1);
+    Arrangement best;
+    int largest = 0;
+    for (int columns = count; columns >= 1; --columns) {
+        const int rows = (count + columns - 1) / columns;
+        const int width = this->width() / columns;
+        const int height = (this->height() - line) / rows - line;
+        const int below = std::min(width, height - lines * line);
+        const int aside = std::min(width - beside, height);
+        if (below > largest) {
+            largest = below;
+            best = {columns, false};
+        }
+        if (aside > largest * 1.1) {
+            largest = aside;
+            best = {columns, true};
+        }
+    }
+    return best;
+}
+
+void ProfilesPlot::clearCells() {
+    for (ProfileCell& cell : m_cells) {
+        cell.removeLayers();
+    }
+    m_cells.clear();
+    clearPlottables();
+    plotLayout()->clear();
+    m_caption = nullptr;
+}
+
+void ProfilesPlot::rebuild() {
+    clearCells();
+    m_arrangement = arrangement();
+    if (m_shown.empty()) {
+        return;
+    }
+    auto* cells = new QCPLayoutGrid;
+    cells->setRowSpacing(0);
+    cells->setColumnSpacing(0);
+    plotLayout()->setRowSpacing(0);
+    plotLayout()->addElement(0, 0, cells);
+    for (std::size_t i = 0; i < m_shown.size(); ++i) {
+        auto* grid = new QCPLayoutGrid;
+        grid->setRowSpacing(0);
+        grid->setColumnSpacing(0);
+        const int index = static_cast<int>(i);
+        cells->addElement(index / m_arrangement.columns, index % m_arrangement.columns, grid);
+        buildCell(*grid);
+    }
+    m_caption = new QCPTextElement(this);
+    plotLayout()->addElement(1, 0, m_caption);
+    plotLayout()->setRowStretchFactor(1, 0.001);
+    restyle();
+    fill();
+    retranslate();
+}
+
+void ProfilesPlot::buildCell(QCPLayoutGrid& into) {
+    const ProfileCell& cell = m_cells.emplace_back(*this, into, m_arrangement.beside);
+    for (QCPAxis* axis : cell.rect()->axes()) {
+        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+                [this, rect = cell.rect()] { onRangeChanged(rect); });
+    }
+}
+
 // --- contents -----------------------------------------------------------------------------------
 
 std::vector<double> ProfilesPlot::magnifications() const {
@@ -114,78 +188,28 @@ void ProfilesPlot::fill() {
     }
     m_reach *= border;
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        fillCell(i);
+        m_cells[i].fill(m_series, profile(i),
+                        polarScale(m_series, profile(i), m_reference, m_magnification), m_reach,
+                        hidden(), m_circles);
     }
     if (m_pointedRadius >= 0) {
         pointAt(m_pointedCell, m_pointedRadius);
     }
 }
 
-void ProfilesPlot::fillCell(std::size_t index) {
-    const Profile& p = profile(index);
-    Cell& cell = m_cells[index];
-    const PolarScale scale = polarScale(m_series, p, m_reference, m_magnification);
-    cell.field->setRing(scale.at(m_series.lowerLimit_mm), scale.at(m_series.upperLimit_mm),
-                        m_reach);
-    cell.target->setRadius(std::max(scale.at(m_series.target_mm), 0.0));
-    cell.polar->setScale(scale, m_reach);
-    cell.profile->data()->set(toData(closedLine(p.radii_mm, scale)), true);
-    cell.blank->data()->set(toData(closedLine(m_series.blank_mm, scale)), true);
-    fillCircles(cell, p, scale);
-    const bool marked = m_series.radii() <= mostMarkers;
-    cell.profile->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
-                                         : QCPScatterStyle());
-    cell.blank->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssCross, 4)
-                                       : QCPScatterStyle());
-    cell.field->setVisible(visible(ProfileLine::field));
-    cell.target->setVisible(visible(ProfileLine::target)
-                            && scale.at(m_series.target_mm) <= m_reach);
-    cell.profile->setVisible(visible(ProfileLine::profile));
-    cell.blank->setVisible(visible(ProfileLine::blank));
-}
-
-/// The circles go through the angles of the samples, so that they are seen to touch.
-void ProfilesPlot::fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale) {
-    const int radii = m_series.radii();
-    const int points = radii * std::max(leastCirclePoints / radii, 1);
-    const RoundnessZone &square = p.leastSquares, &zone = p.minimumZone;
-    const auto line = [&](const RoundnessZone& about, double radius) {
-        return toData(circleLine({about.x_mm, about.y_mm, radius}, scale, points));
-    };
-    cell.leastSquares->data()->set(line(square, square.reference_mm), true);
-    cell.inner->data()->set(line(zone, zone.inner_mm), true);
-    cell.outer->data()->set(line(zone, zone.outer_mm), true);
-    std::vector<ProfilePoint> touching;
-    const std::vector<ProfilePoint> samples = closedLine(p.radii_mm, scale);
-    for (const std::size_t k : zone.contacts) {
-        touching.push_back(samples[k]);
-    }
-    cell.contacts->data()->set(toData(touching), true);
-    const bool zones = m_circles == ReferenceCircles::minimumZone;
-    const bool squares = m_circles == ReferenceCircles::leastSquares;
-    cell.centre->data()->set(toData({centrePoint(zones ? zone : square, scale)}), true);
-    const bool seesZone = zones && visible(ProfileLine::minimumZone);
-    for (QCPCurve* curve : {cell.inner, cell.outer, cell.contacts}) {
-        curve->setVisible(seesZone);
-    }
-    const bool seesSquare = squares && visible(ProfileLine::leastSquares);
-    cell.leastSquares->setVisible(seesSquare);
-    cell.centre->setVisible(seesZone || seesSquare);
-}
-
 QCPCurve* ProfilesPlot::curve(int index, ProfileLine line) const {
-    const Cell& cell = at(index);
+    const ProfileCell& cell = at(index);
     switch (line) {
-    case ProfileLine::profile: return cell.profile;
-    case ProfileLine::blank: return cell.blank;
-    case ProfileLine::leastSquares: return cell.leastSquares;
-    case ProfileLine::minimumZone: return cell.outer;
+    case ProfileLine::profile: return cell.profile();
+    case ProfileLine::blank: return cell.blank();
+    case ProfileLine::leastSquares: return cell.leastSquares();
+    case ProfileLine::minimumZone: return cell.outerCircle();
     default: return nullptr;
     }
 }
 
 QString ProfilesPlot::numbers(int index) const {
-    return at(index).numbers->text();
+    return at(index).numbers()->text();
 }
 
 std::vector<ProfileLine> ProfilesPlot::lines() const {
@@ -236,8 +260,8 @@ void ProfilesPlot::setSight(const PlotHistory::State& sight) {
 
 void ProfilesPlot::keepScales() {
     double unitsPerPixel = 0;
-    for (const Cell& cell : m_cells) {
-        const QSizeF area(cell.rect->size());
+    for (const ProfileCell& cell : m_cells) {
+        const QSizeF area(cell.rect()->size());
         const double half = std::max(std::min(area.width(), area.height()) / 2 - edge, 10.0);
         unitsPerPixel = std::max(
             unitsPerPixel, m_sight ? std::max(m_sight->width() / std::max(area.width(), 1.0),
@@ -246,11 +270,12 @@ void ProfilesPlot::keepScales() {
     }
     const QPointF centre = m_sight ? m_sight->center() : QPointF();
     m_linking = true;
-    for (const Cell& cell : m_cells) {
-        const double dx = cell.rect->width() * unitsPerPixel / 2;
-        const double dy = cell.rect->height() * unitsPerPixel / 2;
-        style::setSafeRange(*cell.rect->axis(QCPAxis::atBottom), centre.x() - dx, centre.x() + dx);
-        style::setSafeRange(*cell.rect->axis(QCPAxis::atLeft), centre.y() - dy, centre.y() + dy);
+    for (const ProfileCell& cell : m_cells) {
+        const double dx = cell.rect()->width() * unitsPerPixel / 2;
+        const double dy = cell.rect()->height() * unitsPerPixel / 2;
+        style::setSafeRange(*cell.rect()->axis(QCPAxis::atBottom), centre.x() - dx,
+                            centre.x() + dx);
+        style::setSafeRange(*cell.rect()->axis(QCPAxis::atLeft), centre.y() - dy, centre.y() + dy);
     }
     m_linking = false;
 }
@@ -262,7 +287,7 @@ void ProfilesPlot::onMouse(QMouseEvent* event) {
         return;
     }
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
-        const QCPAxisRect* rect = m_cells[i].rect;
+        const QCPAxisRect* rect = m_cells[i].rect();
         if (rect->rect().contains(event->pos())) {
             const double x = rect->axis(QCPAxis::atBottom)->pixelToCoord(event->pos().x());
             const double y = rect->axis(QCPAxis::atLeft)->pixelToCoord(event->pos().y());
@@ -280,10 +305,7 @@ void ProfilesPlot::pointAt(int cell, int k) {
     for (std::size_t i = 0; i < m_cells.size(); ++i) {
         const Profile& p = profile(i);
         const PolarScale scale = polarScale(m_series, p, m_reference, m_magnification);
-        const auto here = static_cast<std::size_t>(m_pointedRadius);
-        const std::size_t across = (here + p.radii_mm.size() / 2) % p.radii_mm.size();
-        m_cells[i].pointer->point(angleOf(m_pointedRadius, radii), scale.at(p.radii_mm[here]),
-                                  scale.at(p.radii_mm[across]));
+        m_cells[i].point(m_series, p, scale, m_pointedRadius);
     }
     layer(QStringLiteral("overlay"))->replot();
     emit pointed(ProfilesText::sample(m_series, profile(static_cast<std::size_t>(m_pointedCell)),
@@ -295,8 +317,8 @@ void ProfilesPlot::pointAway() {
         return;
     }
     m_pointedRadius = -1;
-    for (const Cell& cell : m_cells) {
-        cell.pointer->clear();
+    for (const ProfileCell& cell : m_cells) {
+        cell.pointer()->clear();
     }
     layer(QStringLiteral("overlay"))->replot();
     emit pointed({});
@@ -319,6 +341,102 @@ void ProfilesPlot::keyPressEvent(QKeyEvent* event) {
     } else {
         pointAt(m_pointedCell + (key == Qt::Key_PageDown ? 1 : -1), m_pointedRadius);
     }
+}
+
+// --- look and words -----------------------------------------------------------------------------
+
+void ProfilesPlot::setTexts() {
+    const QFontMetrics metrics(font());
+    const int room = width() / std::max(m_arrangement.columns, 1) - 16;
+    const int numbersRoom =
+        m_arrangement.beside ? metrics.averageCharWidth() * besideLetters : room;
+    bool brief = false; // all alike
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        brief = brief || widthOf(numbersOf(profile(i), false), metrics) > numbersRoom;
+    }
+    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+        const Profile& p = profile(i);
+        const ProfileCell& cell = m_cells[i];
+        cell.header()->setText(headerOf(p, room));
+        cell.numbers()->setText(numbersOf(p, brief));
+        const QString name = Names::zone(p.zone, p.section);
+        cell.profile()->setName(tr("%1: profile").arg(name));
+        cell.blank()->setName(tr("%1: blank").arg(name));
+        cell.leastSquares()->setName(tr("%1: least-squares circle").arg(name));
+        cell.innerCircle()->setName(tr("%1: inner circle of the minimum zone").arg(name));
+        cell.outerCircle()->setName(tr("%1: outer circle of the minimum zone").arg(name));
+    }
+    if (m_caption) {
+        QString text = caption();
+        if (metrics.horizontalAdvance(text) > width() - 8) {
+            text.replace(QStringLiteral("; "), QStringLiteral(";\n"));
+        }
+        m_caption->setText(text);
+    }
+}
+
+QString ProfilesPlot::numbersOf(const Profile& p, bool brief) const {
+    const QString numbers = ProfilesText::numbers(m_series, p, brief);
+    switch (m_series.isWhole ? m_circles : ReferenceCircles::none) {
+    case ReferenceCircles::leastSquares:
+        return numbers + u'\n' + ProfilesText::roundness(p.leastSquares, brief);
+    case ReferenceCircles::minimumZone:
+        return numbers + u'\n' + ProfilesText::roundness(p.minimumZone, brief);
+    case ReferenceCircles::none: break;
+    }
+    return numbers;
+}
+
+/// The longest of the names that fits.
+QString ProfilesPlot::headerOf(const Profile& p, int room) const {
+    const QString full = Names::zoneFull(p.zone, p.section);
+    const QFontMetrics metrics(font());
+    const QString withGauge = p.gauge ? tr("%1 (gauge)").arg(full) : full;
+    for (const QString& name : {withGauge, full}) {
+        if (metrics.horizontalAdvance(name) <= room) {
+            return name;
+        }
+    }
+    return Names::zone(p.zone, p.section);
+}
+
+QString ProfilesPlot::caption() const {
+    const QString times = ProfilesText::magnification(m_magnification);
+    const QString scale =
+        m_reference == RadiusReference::target
+            ? tr("Deviations from the target radius drawn %1, scale in µm").arg(times)
+            : tr("Deviations from each one's mean radius drawn %1, scale in µm").arg(times);
+    return tr("%1; straight lines between the %2 radii").arg(scale).arg(m_series.radii());
+}
+
+void ProfilesPlot::takeLook(bool font) {
+    if (font && !m_cells.empty()) {
+        rebuild();
+    } else {
+        restyle();
+    }
+}
+
+void ProfilesPlot::restyle() {
+    setBackground(palette().brush(QPalette::Base));
+    for (ProfileCell& cell : m_cells) {
+        cell.restyle(font(), palette(), isDimmed());
+    }
+    if (m_caption) {
+        m_caption->setFont(font());
+        m_caption->setTextColor(palette().color(QPalette::Text));
+    }
+}
+
+void ProfilesPlot::resizeEvent(QResizeEvent* event) {
+    if (!m_cells.empty()) {
+        if (arrangement() != m_arrangement) {
+            rebuild();
+        } else {
+            setTexts();
+        }
+    }
+    QCustomPlot::resizeEvent(event);
 }
 
 } // namespace sparkout

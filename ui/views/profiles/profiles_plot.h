@@ -2,17 +2,13 @@
 #pragma once
 
 #include "ui/charts/profiles_series.h"
+#include "ui/views/profiles/profile_cell.h"
 #include "ui/views/profiles/profile_plot.h"
 
 #include <optional>
 #include <vector>
 
 namespace sparkout {
-
-class PolarCircle;
-class PolarGrid;
-class PolarPointer;
-class PolarRing;
 
 /// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
 /// scale and magnification and moved together. Samples are joined by straight lines.
@@ -40,17 +36,17 @@ public:
     [[nodiscard]] std::vector<ProfileLine> lines() const override;
     [[nodiscard]] CsvTable table() const override;
 
-    [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect; }
+    [[nodiscard]] QCPAxisRect* cell(int index) const { return at(index).rect(); }
     /// Of the minimum zone the outer circle.
     [[nodiscard]] QCPCurve* curve(int index, ProfileLine line) const;
-    [[nodiscard]] QCPCurve* innerCircle(int index) const { return at(index).inner; }
-    [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centre; }
-    [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts; }
+    [[nodiscard]] QCPCurve* innerCircle(int index) const { return at(index).innerCircle(); }
+    [[nodiscard]] QCPCurve* centreMark(int index) const { return at(index).centreMark(); }
+    [[nodiscard]] QCPCurve* contacts(int index) const { return at(index).contacts(); }
     [[nodiscard]] ReferenceCircles circles() const { return m_circles; }
-    [[nodiscard]] PolarRing* field(int index) const { return at(index).field; }
-    [[nodiscard]] PolarCircle* target(int index) const { return at(index).target; }
-    [[nodiscard]] PolarGrid* grid(int index) const { return at(index).polar; }
-    [[nodiscard]] PolarPointer* pointer(int index) const { return at(index).pointer; }
+    [[nodiscard]] PolarRing* field(int index) const { return at(index).field(); }
+    [[nodiscard]] PolarCircle* target(int index) const { return at(index).target(); }
+    [[nodiscard]] PolarGrid* grid(int index) const { return at(index).grid(); }
+    [[nodiscard]] PolarPointer* pointer(int index) const { return at(index).pointer(); }
     [[nodiscard]] QString numbers(int index) const;
 
 protected:
@@ -63,22 +59,6 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    struct Cell {
-        QCPTextElement* header = nullptr;
-        QCPTextElement* numbers = nullptr;
-        QCPAxisRect* rect = nullptr;
-        PolarRing* field = nullptr;
-        PolarCircle* target = nullptr;
-        PolarGrid* polar = nullptr;
-        PolarPointer* pointer = nullptr;
-        QCPCurve* blank = nullptr;
-        QCPCurve* leastSquares = nullptr;
-        QCPCurve* inner = nullptr; ///< circles of the minimum zone
-        QCPCurve* outer = nullptr;
-        QCPCurve* centre = nullptr; ///< of the circles shown
-        QCPCurve* profile = nullptr;
-        QCPCurve* contacts = nullptr; ///< where the minimum zone touches
-    };
     /// How many cells stand in a row, and whether their numbers stand beside them.
     struct Arrangement {
         int columns = 1;
@@ -86,7 +66,7 @@ private:
         bool operator==(const Arrangement&) const = default;
     };
 
-    [[nodiscard]] const Cell& at(int index) const {
+    [[nodiscard]] const ProfileCell& at(int index) const {
         return m_cells.at(static_cast<std::size_t>(index));
     }
     [[nodiscard]] const Profile& profile(std::size_t cell) const {
@@ -95,13 +75,10 @@ private:
     [[nodiscard]] Arrangement arrangement() const;
     void rebuild();
     void clearCells();
-    void buildCell(Cell& cell, QCPLayoutGrid* into);
-    void addCurves(Cell& cell);
+    void buildCell(QCPLayoutGrid& into);
     void addZones(); ///< where they are shown
     void chooseMagnification();
     void fill();
-    void fillCell(std::size_t index);
-    void fillCircles(const Cell& cell, const Profile& p, const PolarScale& scale);
     [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
     [[nodiscard]] QString headerOf(const Profile& p, int room) const;
     void keepScales();
@@ -110,7 +87,7 @@ private:
 
     ProfileSeries m_series;
     std::vector<int> m_shown;
-    std::vector<Cell> m_cells;
+    std::vector<ProfileCell> m_cells;
     QCPTextElement* m_caption = nullptr;
     Arrangement m_arrangement;
     RadiusReference m_reference = RadiusReference::target;

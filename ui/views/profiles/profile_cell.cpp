@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/views/profiles/profile_cell.h"
+
+#include "ui/plot/view_plot.h"
+#include "ui/views/profiles/profiles_layers.h"
+
+#include <algorithm>
+
+namespace sparkout {
+
+namespace {
+
+constexpr int leastCirclePoints = 180;
+constexpr int mostMarkers = 36; ///< more radii are not marked one by one
+constexpr double markSize_px = 8;
+constexpr int tallest = 100'000;
+
+QVector<QCPCurveData> toData(const std::vector<ProfilePoint>& line) {
+    QVector<QCPCurveData> data;
+    data.reserve(static_cast<qsizetype>(line.size()));
+    for (const ProfilePoint& p : line) {
+        data.push_back({static_cast<double>(data.size()), p.x, p.y});
+    }
+    return data;
+}
+
+} // namespace
+
+ProfileCell::ProfileCell(QCustomPlot& plot, QCPLayoutGrid& into, bool numbersBeside)
+    : m_header(new QCPTextElement(&plot))
+    , m_numbers(new QCPTextElement(&plot))
+    , m_rect(new QCPAxisRect(&plot, true)) {
+    arrange(into, numbersBeside);
+    for (QCPAxis* axis : m_rect->axes()) {
+        axis->setVisible(false);
+        axis->grid()->setVisible(false);
+    }
+    m_field = new PolarRing(m_rect, QStringLiteral("bands"));
+    m_grid = new PolarGrid(m_rect, QStringLiteral("grid"));
+    m_target = new PolarCircle(m_rect, QStringLiteral("main"));
+    m_pointer = new PolarPointer(m_rect);
+    for (QCPCurve** curve :
+         {&m_blank, &m_leastSquares, &m_inner, &m_outer, &m_centre, &m_profile, &m_contacts}) {
+        *curve = ViewPlot::addCurve(*m_rect);
+    }
+    m_centre->setLineStyle(QCPCurve::lsNone);
+    m_contacts->setLineStyle(QCPCurve::lsNone);
+}
+
+void ProfileCell::arrange(QCPLayoutGrid& into, bool numbersBeside) const {
+    into.addElement(0, 0, m_header);
+    into.addElement(1, 0, m_rect);
+    into.setRowStretchFactor(0, 0.001);
+    if (numbersBeside) {
+        into.addElement(1, 1, m_numbers);
+        into.setColumnStretchFactor(1, 0.001);
+        m_numbers->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+        m_numbers->setMaximumSize(tallest, tallest); // else its lines are the row's height
+    } else {
+        into.addElement(2, 0, m_numbers);
+        into.setRowStretchFactor(2, 0.001);
+        m_numbers->setTextFlags(Qt::AlignHCenter | Qt::AlignTop);
+    }
+    m_header->setMargins(QMargins(2, 2, 2, 0));
+    m_numbers->setMargins(QMargins(2, 0, 4, 2));
+    m_rect->setAutoMargins(QCP::msNone);
+    m_rect->setMargins(QMargins(2, 0, 2, 0));
+}
+
+void ProfileCell::removeLayers() {
+    delete m_field;
+    delete m_target;
+    delete m_grid;
+    delete m_pointer;
+}
+
+void ProfileCell::fill(const ProfileSeries& series, const Profile& profile, const PolarScale& scale,
+                       double reach, const ProfileLines& hidden, ReferenceCircles circles) {
+    m_field->setRing(scale.at(series.lowerLimit_mm), scale.at(series.upperLimit_mm), reach);
+    m_target->setRadius(std::max(scale.at(series.target_mm), 0.0));
+    m_grid->setScale(scale, reach);
+    m_profile->data()->set(toData(closedLine(profile.radii_mm, scale)), true);
+    m_blank->data()->set(toData(closedLine(series.blank_mm, scale)), true);
+    fillCircles(series.radii(), profile, scale, hidden, circles);
+    const bool marked = series.radii() <= mostMarkers;
+    m_profile->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssDisc, 4)
+                                      : QCPScatterStyle());
+    m_blank->setScatterStyle(marked ? QCPScatterStyle(QCPScatterStyle::ssCross, 4)
+                                    : QCPScatterStyle());
+    m_field->setVisible(!hidden.contains(ProfileLine::field));
+    m_target->setVisible(!hidden.contains(ProfileLine::target)
+                         && scale.at(series.target_mm) <= reach);
+    m_profile->setVisible(!hidden.contains(ProfileLine::profile));
+    m_blank->setVisible(!hidden.contains(ProfileLine::blank));
+}
+
+/// The circles go through the angles of the samples, so that they are seen to touch.
+void ProfileCell::fillCircles(int radii, const Profile& profile, const PolarScale& scale,
+                              const ProfileLines& hidden, ReferenceCircles circles) {
+    const int points = radii * std::max(leastCirclePoints / radii, 1);
+    const RoundnessZone &square = profile.leastSquares, &zone = profile.minimumZone;
+    const auto line = [&](const RoundnessZone& about, double radius) {
+        return toData(circleLine({about.x_mm, about.y_mm, radius}, scale, points));
+    };
+    m_leastSquares->data()->set(line(square, square.reference_mm), true);
+    m_inner->data()->set(line(zone, zone.inner_mm), true);
+    m_outer->data()->set(line(zone, zone.outer_mm), true);
+    std::vector<ProfilePoint> touching;
+    const std::vector<ProfilePoint> samples = closedLine(profile.radii_mm, scale);
+    for (const std::size_t k : zone.contacts) {
+        touching.push_back(samples[k]);
+    }
+    m_contacts->data()->set(toData(touching), true);
+    const bool zones = circles == ReferenceCircles::minimumZone;
+    const bool squares = circles == ReferenceCircles::leastSquares;
+    m_centre->data()->set(toData({centrePoint(zones ? zone : square, scale)}), true);
+    const bool seesZone = zones && !hidden.contains(ProfileLine::minimumZone);
+    for (QCPCurve* curve : {m_inner, m_outer, m_contacts}) {
+        curve->setVisible(seesZone);
+    }
+    const bool seesSquare = squares && !hidden.contains(ProfileLine::leastSquares);
+    m_leastSquares->setVisible(seesSquare);
+    m_centre->setVisible(seesZone || seesSquare);
+}
+
+void ProfileCell::restyle(const QFont& font, const QPalette& palette, bool dim) {
+    for (QCPTextElement* element : {m_header, m_numbers}) {
+        element->setFont(font);
+        element->setTextColor(palette.color(QPalette::Text));
+    }
+    const auto pen = [&](ProfileLine line) { return ProfileLook::pen(line, palette, dim); };
+    m_field->setLook(pen(ProfileLine::field), ProfileLook::fill(ProfileLine::field, palette, dim));
+    m_target->setPen(pen(ProfileLine::target));
+    m_blank->setPen(pen(ProfileLine::blank));
+    m_leastSquares->setPen(pen(ProfileLine::leastSquares));
+    const QPen circle = pen(ProfileLine::minimumZone);
+    m_inner->setPen(circle);
+    m_outer->setPen(circle);
+    const QPen mark(circle.color(), 1.6);
+    m_centre->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssPlus, mark, Qt::NoBrush, markSize_px));
+    m_contacts->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCircle, mark, Qt::NoBrush, markSize_px));
+    m_profile->setPen(pen(ProfileLine::profile));
+}
+
+void ProfileCell::point(const ProfileSeries& series, const Profile& profile,
+                        const PolarScale& scale, int k) {
+    const auto here = static_cast<std::size_t>(k);
+    const std::size_t across = (here + profile.radii_mm.size() / 2) % profile.radii_mm.size();
+    m_pointer->point(angleOf(k, series.radii()), scale.at(profile.radii_mm[here]),
+                     scale.at(profile.radii_mm[across]));
+}
+
+} // namespace sparkout
