@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/exit_status.h"
 #include "core/files/safe_file.h"
 #include "core/issue.h"
 #include "core/project/project.h"
@@ -10,17 +11,6 @@
 #include <string>
 
 namespace sparkout::cli {
-
-/// Exit status of the program. `interrupted` is 130 or 143, as a shell tells Ctrl+C and SIGTERM.
-enum Exit {
-    done = 0,
-    refused = 1,
-    usage = 2,
-    cannotReachSize = 3,
-    requirementFails = 4,
-    nothingFeasible = 5,
-    interrupted = 128
-};
 
 void print(std::FILE* stream, const std::string& text);
 

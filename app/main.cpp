@@ -4,7 +4,7 @@
 #include "app/report_command.h"
 #include "app/window_io.h"
 #include "core/printable.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "core/version.h"
 #include "ui/files/recovery_store.h"
 #include "ui/kit/font_size.h"

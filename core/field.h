@@ -52,7 +52,7 @@ enum class Page { part, material, wheel, machine, gauge, cycle, batch, search, n
 // --- value types a member may have beside double, int, bool, string, enum, lists and structs ----
 
 /// A whole number, one of a few words, or neither (null in the file): any type with these members.
-/// Readers, writers and forms ask it for them and know nothing else of it.
+/// Readers, writers and the reference ask it for them and know nothing else of it.
 template <class T>
 concept CountOrWord = requires(T value, std::size_t word, int number) {
     requires std::is_same_v<decltype(T::words()), std::span<const Choice>>;

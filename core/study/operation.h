@@ -8,9 +8,6 @@
 /// Edits that must change several inputs together.
 namespace sparkout {
 
-/// A small complete cycle of each operation, to start from.
-[[nodiscard]] Project newProject(Operation operation = {});
-
 /// The project under another operation: feeds, compliance, wheel and gauge get values the new
 /// operation can run with; what it does not read is cleared. A search gets levels for the feeds of
 /// the new operation.

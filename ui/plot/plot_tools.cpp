@@ -186,9 +186,6 @@ auto PlotTools::inLightLook(Draw draw) const {
     QCPLayer* hairLine = m_plot.layer(HairLine::layerName());
     const auto look = [this, hairLine](const QPalette& palette, bool line) {
         m_plot.setPalette(palette);
-        if (m_subject.restyle) {
-            m_subject.restyle();
-        }
         if (hairLine) {
             hairLine->setVisible(line);
         }

@@ -27,9 +27,7 @@ struct PlotSubject {
     std::function<QString()> name; ///< where a view has several plots: of its export button …
     QStringView icon = u"export";  ///< … and its icon
     std::function<LegendEntries()> legend;
-    std::function<CsvTable()> table; ///< the visible curves within the visible range
-    /// Colours the plot by its palette; not needed by a plot that follows its palette itself.
-    std::function<void()> restyle;
+    std::function<CsvTable()> table;  ///< the visible curves within the visible range
     PlotNavigation::Hooks navigation; ///< how wheel, drag and keys move it
     QList<QAction*> own = {};         ///< the view's own, first in the context menu
 };

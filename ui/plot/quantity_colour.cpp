@@ -76,8 +76,8 @@ constexpr bool isWhole() {
 }
 static_assert(isWhole(), "a row for each thing that is drawn, in the order of the enumeration");
 
-constexpr std::array series{Tone::blue, Tone::orange, Tone::green,    Tone::purple,
-                            Tone::sky,  Tone::yellow, Tone::vermilion};
+constexpr std::array series{Tone::blue, Tone::orange,    Tone::green, Tone::purple,
+                            Tone::sky,  Tone::vermilion, Tone::yellow};
 constexpr std::array depthLimits{Tone::vermilion, Tone::orange, Tone::green, Tone::sky,
                                  Tone::purple};
 constexpr std::array steps{Tone::orange, Tone::green, Tone::sky, Tone::purple,
@@ -99,12 +99,8 @@ Drawn drawnAs(Quantity quantity) {
     return Drawn::force;
 }
 
-std::optional<Tone> toneOf(Drawn what) {
-    return table[static_cast<std::size_t>(what)].tone;
-}
-
 QColor colour(Drawn what, const QPalette& palette) {
-    const std::optional<Tone> own = toneOf(what);
+    const std::optional<Tone> own = table[static_cast<std::size_t>(what)].tone;
     return own ? tone(*own, palette) : palette.color(QPalette::Text);
 }
 

@@ -71,8 +71,6 @@ enum class Drawn {
 };
 
 [[nodiscard]] Drawn drawnAs(Quantity quantity);
-/// Nothing: the colour of texts.
-[[nodiscard]] std::optional<Tone> toneOf(Drawn what);
 [[nodiscard]] QColor colour(Drawn what, const QPalette& palette);
 
 /// Of several alike, such as sections, stages or results, the one at an index; they repeat.

@@ -67,12 +67,14 @@ void RunBar::showProgress(double share, const QString& text) {
 
 void RunBar::showRunning(bool runs, bool mayRun) {
     m_progress->setVisible(runs);
-    if (m_turns) { // the one that comes takes the keyboard from the one that goes
-        m_stop->setVisible(runs);
-        m_run->setVisible(!runs);
-    }
     m_run->setEnabled(mayRun && !runs);
     m_stop->setEnabled(runs || m_turns);
+    if (m_turns) { // the one that comes is there before the other goes, and takes the keyboard
+        QPushButton* const coming = runs ? m_stop : m_run;
+        QPushButton* const going = runs ? m_run : m_stop;
+        coming->show();
+        going->hide();
+    }
     m_state->setVisible(!runs);
 }
 

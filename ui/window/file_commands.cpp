@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/file_commands.h"
 
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/dialogs/faults_dialog.h"
 #include "ui/dialogs/watched_work.h"
 #include "ui/session/document.h"

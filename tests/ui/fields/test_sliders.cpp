@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/value_slider.h"
 #include "ui/inputs/forms/row_sliders.h"

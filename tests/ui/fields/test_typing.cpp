@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens while one types: in the cells of the stages, in the forms, and when it is undone.
 #include "core/study/evaluate.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/hint_strip.h"
 #include "ui/inputs/forms/form_row.h"

@@ -2,7 +2,7 @@
 // Check 9: windows are killed at random moments while they are edited; what was typed must be
 // offered, and no damage of the recovery files may stop a start. The windows are processes of
 // their own: this program, started with --edit.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/window/file_commands.h"

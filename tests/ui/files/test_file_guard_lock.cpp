@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lock beside a project: who has it, who may take it over, and how it follows the document.
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/file_guard_bench.h"
 

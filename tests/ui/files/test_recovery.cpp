@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/tries.h"
 #include "tests/ui/support/file_trouble.h"

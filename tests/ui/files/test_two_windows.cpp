@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Check 10: two windows, one file. The other window is a process of its own: this program, started
 // with --hold.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/window/file_commands.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/forms/stage_table.h"
 #include "ui/session/document.h"

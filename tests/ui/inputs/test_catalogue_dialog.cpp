@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The dialog of a catalogue as a user meets it on the pages of the inputs.
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/catalogue_bench.h"
 #include "tests/ui/support/dialog_answers.h"

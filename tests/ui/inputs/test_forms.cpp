@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/fields/number_field.h"
 #include "ui/inputs/editors/choice_editor.h"

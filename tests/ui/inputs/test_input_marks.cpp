@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the inputs say of themselves: hints, marks of changes, refused texts and undo.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/reset_mark.h"
 #include "ui/inputs/forms/form_row.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reports from the window: preview, printing into a file, export, and none without a result.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/text_checks.h"

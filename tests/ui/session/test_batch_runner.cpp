@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch_state.h"
 #include "core/study/batch_edits.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/core/support/batch_fixtures.h"
 #include "tests/registry.h"
 #include "ui/session/batch_runner.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/difference.h"
+#include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "ui/session/document.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/format/project_file.h"
 #include "core/study/evaluate.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 
 #include <QSignalSpy>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Switching the operation and back.
 #include "core/study/evaluate.h"
+#include "core/study/new_project.h"
 #include "core/study/operation.h"
 #include "core/study/operation_return.h"
 #include "ui/session/document.h"

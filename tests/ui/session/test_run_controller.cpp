@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session/run_controller.h"
 
+#include "core/study/new_project.h"
 #include "core/study/operation.h"
 
 #include "tests/registry.h"

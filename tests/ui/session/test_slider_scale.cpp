@@ -3,7 +3,7 @@
 
 #include "core/project/member.h"
 #include "core/project/validate.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 
 #include "tests/registry.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/ui/support/window_bench.h"
 #include "ui/files/catalogue_store.h"
 #include "ui/inputs/inputs_panel.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/format/project_file.h"
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/ui/support/dialog_answers.h"
 #include "tests/ui/support/file_trouble.h"
 #include "ui/window/file_commands.h"

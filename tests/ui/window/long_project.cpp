@@ -3,6 +3,7 @@
 
 #include "core/format/project_file.h"
 #include "core/study/evaluate.h"
+#include "core/study/new_project.h"
 #include "core/study/operation.h"
 
 #include <chrono>

@@ -15,7 +15,7 @@
 #include "tests/ui/support/window_bench.h"
 #include "tests/ui/window/long_project.h"
 
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/session/project_io.h"
 #include "ui/session/run_controller.h"
 #include "ui/window/file_commands.h"

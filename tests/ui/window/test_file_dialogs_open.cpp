@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ways into the window: recent files, a dropped one, faulty and large ones.
+#include "core/study/new_project.h"
 #include "tests/check_line.h"
 #include "tests/registry.h"
 #include "tests/tries.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work of a crash, work that was discarded and earlier versions, offered by the window.
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/window/file_dialogs_bench.h"
 #include "ui/window/notice_bar.h"

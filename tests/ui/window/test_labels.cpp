@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every text of the window has room on a small screen, and in a Russian window all are Russian.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "tests/registry.h"
 #include "tests/ui/support/text_checks.h"
 #include "tests/ui/support/window_bench.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast the window answers. Prints its figures; fails only at four times the target, so that a
 // busy machine does not turn it red.
-#include "core/study/operation.h"
+#include "core/study/new_project.h"
 #include "ui/fields/number_field.h"
 #include "ui/fields/value_slider.h"
 #include "ui/inputs/forms/stage_table.h"

@@ -99,6 +99,7 @@ QWidget* BatchView::buildTools() {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         row->addWidget(box);
     }
+    setTabOrder(m_name->previousInFocusChain(), content()); // made after it
     row->addStretch(1);
     addPageButtons(*row);
     return bar;

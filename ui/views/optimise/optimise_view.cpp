@@ -78,6 +78,7 @@ QWidget* OptimiseView::buildTools() {
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         row->addWidget(box);
     }
+    setTabOrder(m_zone->previousInFocusChain(), content()); // made after it
     row->addStretch(1);
     addPageButtons(*row);
     return bar;
@@ -170,7 +171,7 @@ void OptimiseView::takeOutcome(const OutcomePtr& before) {
     m_before = mayCompare ? m_own : good();
     m_found->setBefore(before_s());
     m_times->setSearch(m_search, before_s());
-    showCurves();
+    fillCurves(); // the view shows them with the rest
 }
 
 void OptimiseView::noteStale() {
@@ -277,7 +278,7 @@ void OptimiseView::fillZones() {
     }
 }
 
-void OptimiseView::showCurves() {
+void OptimiseView::fillCurves() {
     std::vector<ComparedFeeds> runs;
     if (m_before && m_wanted < m_before->feeds.columns.size()) {
         runs.push_back({tr("Your cycle"), {m_before, &m_before->feeds}, m_wanted});
@@ -286,6 +287,10 @@ void OptimiseView::showCurves() {
         }
     }
     m_curves->setRuns(std::move(runs));
+}
+
+void OptimiseView::showCurves() {
+    fillCurves();
     showState();
     replotAll();
 }

@@ -82,6 +82,7 @@ private:
     [[nodiscard]] bool isTaken() const;
 
     void showSearch();
+    void fillCurves();
     void showCurves();
     [[nodiscard]] bool isGiven() const;   ///< what is to be searched
     [[nodiscard]] bool isFound() const;   ///< a cycle

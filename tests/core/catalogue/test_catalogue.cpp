@@ -2,7 +2,7 @@
 // Catalogues: read strictly, used in a project, saved as one's own.
 #include "core/catalogue/catalogue.h"
 
-#include "tests/core/project/shipped_catalogues.h"
+#include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 #include "words/issue_words.h"

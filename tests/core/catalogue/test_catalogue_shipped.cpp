@@ -2,7 +2,7 @@
 // What is shipped: whole, sourced, told in both languages, and good for a project.
 #include "core/project/validate.h"
 #include "core/project/wheel_marking.h"
-#include "tests/core/project/shipped_catalogues.h"
+#include "tests/core/catalogue/shipped_catalogues.h"
 #include "tests/core/support/project_fixtures.h"
 #include "tests/registry.h"
 #include "words/issue_words.h"
