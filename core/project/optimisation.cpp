@@ -65,6 +65,25 @@ const StructInfo& tableOf<Cost>() {
     return info;
 }
 
+namespace {
+
+Field unfedSteps() {
+    return makeField<&Optimisation::unfed_steps>(
+        "spark_out",
+        Row{.label = SPARKOUT_NOOP("Input", "Spark-outs at the end"),
+            .hard = {0, 10000},
+            .nullMeaning = SPARKOUT_NOOP("Input", "none"),
+            .whole = true,
+            .page = Page::search,
+            .hint = SPARKOUT_NOOP("Input",
+                                  "Double strokes or revolutions of one more stage that feeds "
+                                  "nothing and takes the last stock: a list, or from, to and step; "
+                                  "0 is no such stage."),
+            .source = "MODEL-7"});
+}
+
+} // namespace
+
 template <>
 const StructInfo& tableOf<Optimisation>() {
     static const std::array rows{
@@ -135,18 +154,7 @@ const StructInfo& tableOf<Optimisation>() {
             .hint =
                 SPARKOUT_NOOP("Input", "One for the whole cycle: a list, or from, to and step."),
             .source = "MODEL-8"),
-        makeField<&Optimisation::unfed_steps>(
-            "spark_out",
-            Row{.label = SPARKOUT_NOOP("Input", "Spark-outs at the end"),
-                .hard = {0, 10000},
-                .nullMeaning = SPARKOUT_NOOP("Input", "none"),
-                .whole = true,
-                .page = Page::search,
-                .hint = SPARKOUT_NOOP(
-                    "Input", "Double strokes or revolutions of one more stage that feeds "
-                             "nothing and takes the last stock: a list, or from, to and step; "
-                             "0 is no such stage."),
-                .source = "MODEL-7"}),
+        unfedSteps(),
         SPARKOUT_FIELD(Optimisation, stage_radial_feed_mm,
                        .label = SPARKOUT_NOOP("Input", "Radial feed by stage"),
                        .unit = "mm/dbl stroke", .hard = {0, 1},
