@@ -39,6 +39,7 @@ std::string filled(const std::string& sentence, const std::string& value,
 
 } // namespace
 
+// A case for each code, nothing else. NOLINTNEXTLINE(readability-function-size)
 IssueWords wordsOf(IssueCode code) {
     switch (code) {
     case IssueCode::empty: return {"empty", SPARKOUT_NOOP("Issue", "the file is empty")};
