@@ -4318,6 +4318,10 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Требования для номинальной детали</translation>
         </message>
         <message>
+            <source>Requirements of the settings</source>
+            <translation>Требования к настройке</translation>
+        </message>
+        <message>
             <source>Recomputing</source>
             <translation>Как повторить расчёт</translation>
         </message>
@@ -4607,8 +4611,8 @@ Reloading takes that version; your changes stay in Undo.</source>
             <translation>Заключение</translation>
         </message>
         <message>
-            <source>a setting</source>
-            <translation>настройка</translation>
+            <source>Stage or cycle</source>
+            <translation>Ступень или цикл</translation>
         </message>
         <message>
             <source>at the end</source>

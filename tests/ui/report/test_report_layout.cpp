@@ -210,6 +210,16 @@ private slots:
                              qPrintable(text));
                 }
             }
+            std::map<int, double> ends; // of the pages
+            for (const Box& box : boxes) {
+                ends[box.page] = std::max(ends[box.page], box.y + box.height);
+            }
+            for (const auto& [page, end] : ends) {
+                QVERIFY2(page + 1 == pages.count() || end > area.height() / 3,
+                         qPrintable(QStringLiteral("%1: page %2 is nearly empty")
+                                        .arg(QLatin1StringView(kind.key))
+                                        .arg(page + 1)));
+            }
             QString heading;
             for (std::size_t block = 0; block < made.blocks.size(); ++block) {
                 if (const auto* of = std::get_if<report::Heading>(&made.blocks[block])) {
@@ -236,21 +246,13 @@ private slots:
     void theCapabilityOfFourSectionsTakesALineEach() {
         QFETCH(QString, language);
         m_language.apply(language);
-        const report::Report made = report::passport(
-            passport_bench::subjectOf(passport_bench::example("plunge-shaft-two-stage")));
-        const Pages pages(made, area);
-        int rows = 0;
-        for (const Box& box : pages.boxes()) {
-            const auto* table =
-                box.kind == Box::Kind::row ? std::get_if<Table>(&made.blocks[box.block]) : nullptr;
-            if (table && table->head.contains(QStringLiteral("Ppk"))) {
-                ++rows;
-                for (const TextBox& cell : box.cells) {
-                    QVERIFY2(cell.lines() == 1, qPrintable(cell.texts().join(u'|')));
-                }
-            }
-        }
-        QVERIFY(rows > 4 * 6);
+        QVERIFY(rowsOfALineEach("plunge-shaft-two-stage", QStringLiteral("Ppk")) > 4 * 6);
+    }
+
+    void theRequirementsTakeALineEach() {
+        m_language.apply(QStringLiteral("ru"));
+        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Место в цикле")) >= 3 * 5 + 2);
+        QVERIFY(rowsOfALineEach("slender-shaft", QStringLiteral("Ступень или цикл")) >= 8);
     }
 
     void aSizeIsWrittenAsOnADrawing_data() {
@@ -368,6 +370,28 @@ private slots:
     }
 
 private:
+    /// Rows in a passport of an example, of tables with the head given: each cell is one line.
+    static int rowsOfALineEach(const char* example, const QString& head) {
+        const report::Report made =
+            report::passport(passport_bench::subjectOf(passport_bench::example(example)));
+        const Pages pages(made, area);
+        int rows = 0;
+        for (const Box& box : pages.boxes()) {
+            const auto* table =
+                box.kind == Box::Kind::row ? std::get_if<Table>(&made.blocks[box.block]) : nullptr;
+            if (table && table->head.contains(head)) {
+                ++rows;
+                for (const TextBox& cell : box.cells) {
+                    if (cell.lines() != 1) {
+                        qWarning("%s", qPrintable(cell.texts().join(u'|')));
+                        return 0;
+                    }
+                }
+            }
+        }
+        return rows;
+    }
+
     report::Subject subjectOf(const QString& path) {
         Document document;
         (void)document.openCopy(ExamplesDialog::textOf(path));

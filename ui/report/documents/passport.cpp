@@ -48,10 +48,8 @@ public:
         if (m_subject.batch) {
             section(tr("Worst part of the batch"), PassportPrediction::worst(m_subject));
         }
-        if (!m_outcome.constraints.empty()) {
-            heading(tr("Requirements of the nominal part"));
-            add(PassportPrediction::requirements(m_outcome));
-        }
+        rows(tr("Requirements of the nominal part"), PassportPrediction::requirements(m_outcome));
+        rows(tr("Requirements of the settings"), PassportPrediction::settings(m_outcome));
         addTexts();
         section(tr("Recomputing"), PassportInputs::recomputing(m_subject));
         heading(tr("Appendix: all inputs"));
@@ -71,6 +69,13 @@ private:
     void section(const QString& name, std::vector<Block> blocks) {
         heading(name);
         std::ranges::move(blocks, std::back_inserter(m_report.blocks));
+    }
+
+    void rows(const QString& name, Table table) {
+        if (!table.rows.empty()) {
+            heading(name);
+            add(std::move(table));
+        }
     }
 
     void lines(const QString& name, const QStringList& texts) {

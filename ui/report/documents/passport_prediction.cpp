@@ -53,15 +53,16 @@ QString unparted(QString text) {
     return text.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
 }
 
-/// The requirements of one part, the worst of each kind, without the settings.
+/// The requirements of one part, the worst of each kind.
 Table worstRequirements(const Outcome& outcome) {
     Outcome worst;
     worst.result = outcome.result;
     worst.constraints = worstByKind(outcome.constraints);
-    std::erase_if(worst.constraints, [](const ConstraintResult& c) {
-        return requirementOf(c.kind).scope == ConstraintScope::setting;
-    });
     return PassportPrediction::requirements(worst);
+}
+
+bool isSetting(const ConstraintResult& constraint) {
+    return requirementOf(constraint.kind).scope == ConstraintScope::setting;
 }
 
 } // namespace
@@ -179,13 +180,28 @@ Table PassportPrediction::requirements(const Outcome& outcome) {
                   tr("Verdict")};
     table.texts = {true, true, false, false, false, true, true, true};
     for (const ConstraintResult& c : outcome.constraints) {
-        table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
-                              Names::limit(c), Names::margin(c), requirementUnit(c.kind),
-                              c.at ? Names::moment(*c.at, outcome.result.project.operation)
-                              : requirementOf(c.kind).scope == ConstraintScope::setting
-                                  ? tr("a setting")
-                                  : tr("at the end"),
-                              lightName(c)});
+        if (!isSetting(c)) {
+            table.rows.push_back(
+                {Names::where(c), Names::constraint(c.kind), Names::value(c), Names::limit(c),
+                 Names::margin(c), requirementUnit(c.kind),
+                 c.at ? Names::moment(*c.at, outcome.result.project.operation) : tr("at the end"),
+                 lightName(c)});
+        }
+    }
+    return table;
+}
+
+Table PassportPrediction::settings(const Outcome& outcome) {
+    Table table;
+    table.head = {tr("Stage or cycle"), tr("Requirement"), tr("Value"),  tr("Limit"),
+                  tr("Margin"),         tr("Unit"),        tr("Verdict")};
+    table.texts = {true, true, false, false, false, true, true};
+    for (const ConstraintResult& c : outcome.constraints) {
+        if (isSetting(c)) {
+            table.rows.push_back({Names::where(c), Names::constraint(c.kind), Names::value(c),
+                                  Names::limit(c), Names::margin(c), requirementUnit(c.kind),
+                                  lightName(c)});
+        }
     }
     return table;
 }

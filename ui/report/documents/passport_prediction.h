@@ -16,7 +16,9 @@ public:
     static Table capability(const BatchSummary& summary);
     static Table percentiles(const BatchSummary& summary);
     static std::vector<Block> worst(const Subject& subject);
-    static Table requirements(const Outcome& outcome); ///< of one part, with margins and place
+    /// What the drawing and the process ask of one part, with margins and place.
+    static Table requirements(const Outcome& outcome);
+    static Table settings(const Outcome& outcome); ///< what is asked of the settings
 };
 
 } // namespace sparkout::report

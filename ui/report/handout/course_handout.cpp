@@ -42,19 +42,20 @@ public:
         add(partSketch(m_outcome));
         heading(tr("Stages of the cycle"));
         add(OperationSetup::stages(*m_outcome));
-        heading(tr("Inputs of the formulas"));
         Citations citations;
         const StepBlocks worked =
             step ? WorkedStep::formulas(*m_outcome, *step, citations) : StepBlocks();
-        add(HandoutTask::inputs(*m_outcome, step, worked.symbols, citations));
+        Table inputs = HandoutTask::inputs(*m_outcome, step, worked.symbols, citations);
+        heading(tr("Sources"));
+        add(citations.table());
+        heading(tr("Inputs of the formulas"));
+        add(std::move(inputs));
         addStep(step, worked.blocks);
         addFigures(step);
         if (!exercises.empty()) {
             heading(tr("Questions"));
             add(ExerciseSheet::questions(exercises));
         }
-        heading(tr("Sources"));
-        add(citations.table());
         if (m_options.answers && !exercises.empty()) {
             add(PageBreak{});
             heading(tr("Answers"));
