@@ -65,7 +65,7 @@ QString valueText(const Field& field, const void* owner) {
     if (!value) {
         return inputText(field.nullMeaning);
     }
-    const QString number = showNumber(*value, QLocale()).replace(u'-', u'−');
+    const QString number = printedNumber(*value);
     return *field.unit ? number + u'\u00a0' + unitText(field.unit) : number;
 }
 

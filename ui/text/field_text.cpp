@@ -6,7 +6,6 @@
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace sparkout {
 
@@ -19,7 +18,7 @@ struct FieldText {
 QString joined(const std::vector<double>& numbers) {
     QStringList parts;
     for (const double number : numbers) {
-        parts << showNumber(number, QLocale());
+        parts << printedNumber(number);
     }
     return parts.join(QStringLiteral("; "));
 }
@@ -46,8 +45,8 @@ QString complianceShown(const GivenCompliance& compliance, const Field& field) {
 QString levelsShown(const Levels& levels, const Field& field) {
     if (const auto* stepped = std::get_if<SteppedLevels>(&levels)) {
         return FieldText::tr("%1…%2 in steps of %3")
-            .arg(showNumber(stepped->from, QLocale()), showNumber(stepped->to, QLocale()),
-                 showNumber(stepped->step, QLocale()));
+            .arg(printedNumber(stepped->from), printedNumber(stepped->to),
+                 printedNumber(stepped->step));
     }
     const auto* list = std::get_if<std::vector<double>>(&levels);
     return list ? joined(*list) : inputText(field.nullMeaning);

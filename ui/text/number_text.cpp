@@ -75,6 +75,10 @@ QString showNumber(double value, const QLocale& locale) {
     return text.replace(padding, QStringLiteral("e\\1\\2")).replace(u'.', locale.decimalPoint());
 }
 
+QString printedNumber(double value) {
+    return showNumber(value, QLocale()).replace(u'-', u'−');
+}
+
 QString stepNumber(const QString& text, int steps, bool zeroAllowed) {
     if (!parseNumber(text)) {
         return text;

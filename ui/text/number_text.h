@@ -18,6 +18,9 @@ namespace sparkout {
 /// plain decimals from 1e-7 to 1e15, an exponent beyond.
 [[nodiscard]] QString showNumber(double value, const QLocale& locale);
 
+/// The same in the present locale with a typographic minus: for what is read, not typed.
+[[nodiscard]] QString printedNumber(double value);
+
 /// The number of a text one step of its last digit higher (steps > 0) or lower, written as the
 /// text is. A step to zero that the caller refuses goes one digit finer.
 [[nodiscard]] QString stepNumber(const QString& text, int steps, bool zeroAllowed);

@@ -19,7 +19,7 @@ QString sizeWords(const char* text) {
 }
 
 QString signedNumber(double value_um) {
-    const QString digits = showNumber(value_um, QLocale()).replace(u'-', u'−');
+    const QString digits = printedNumber(value_um);
     return value_um > 0 ? u'+' + digits : digits;
 }
 

@@ -134,8 +134,8 @@ QString zoneText(const char* key) {
 QString rangeShown(const Range& range, const char* unit) {
     const bool below = std::isfinite(range.low);
     const bool above = std::isfinite(range.high);
-    const QString low = showNumber(range.low, QLocale()).replace(u'-', u'−');
-    const QString high = showNumber(range.high, QLocale()).replace(u'-', u'−');
+    const QString low = printedNumber(range.low);
+    const QString high = printedNumber(range.high);
     QString text;
     if (below && above) {
         text = range.lowOpen ? QCoreApplication::translate("Range", "above %1, up to %2")
@@ -151,9 +151,7 @@ QString rangeShown(const Range& range, const char* unit) {
 }
 
 QString rangeBrief(const Range& range, const char* unit) {
-    const auto number = [](double value) {
-        return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
-    };
+    const auto number = [](double value) { return printedNumber(value); };
     QString text;
     if (std::isfinite(range.low)) {
         text = (range.lowOpen ? QStringLiteral(">") : QString()) + number(range.low);

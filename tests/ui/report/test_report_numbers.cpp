@@ -10,6 +10,7 @@
 #include "ui/report/parts/cell_text.h"
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/views/batch/batch_text.h"
 
 #include <memory>
@@ -87,8 +88,8 @@ private slots:
         QCOMPARE(report::drawnSize(part), QStringLiteral("⌀30 (+0") + point
                                               + QStringLiteral("018; ") + minus + u'0' + point
                                               + QStringLiteral("016)"));
-        QCOMPARE(report::plainNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
-        QCOMPARE(report::plainNumber(2.5), QStringLiteral("2") + point + u'5');
+        QCOMPARE(report::printedNumber(-2.5), minus + QStringLiteral("2") + point + u'5');
+        QCOMPARE(report::printedNumber(2.5), QStringLiteral("2") + point + u'5');
     }
 
     void theCardGivesEachZoneItsOwnDeviationsAndRoughness() {
@@ -178,11 +179,11 @@ private slots:
         for (std::size_t i = 0; i < all.size(); ++i) {
             const QString& shown = table.rows[i][2];
             if (all[i].low && all[i].high) {
-                QCOMPARE(shown, report::plainNumber(*all[i].low) + QStringLiteral("…")
-                                    + report::plainNumber(*all[i].high));
+                QCOMPARE(shown, report::printedNumber(*all[i].low) + QStringLiteral("…")
+                                    + report::printedNumber(*all[i].high));
                 ++between;
             } else if (all[i].high) {
-                QCOMPARE(shown, QStringLiteral("≤ ") + report::plainNumber(*all[i].high));
+                QCOMPARE(shown, QStringLiteral("≤ ") + report::printedNumber(*all[i].high));
                 ++above;
             }
         }

@@ -46,6 +46,15 @@ private slots:
         }
     }
 
+    void aPrintedNumberHasAMinusAndTheLocalesSign() {
+        const QLocale before;
+        QLocale::setDefault(locales[1]);
+        const QString printed = printedNumber(-12.5);
+        QLocale::setDefault(before);
+        QCOMPARE(printed, QStringLiteral("−12,5"));
+        QCOMPARE(parseNumber(printed).value(), -12.5);
+    }
+
     void smallNumbersAreShownInPlainDecimals_data() {
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("text");

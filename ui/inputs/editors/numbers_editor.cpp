@@ -121,8 +121,7 @@ QString NumbersEditor::fault(const Levels& levels) const {
         std::ranges::find_if(values, [&range](double value) { return !range.contains(value); });
     if (outside != values.end()) {
         return tr("%1: allowed is %2")
-            .arg(showNumber(*outside, QLocale()).replace(u'-', u'−'),
-                 rangeShown(range, field().unit));
+            .arg(printedNumber(*outside), rangeShown(range, field().unit));
     }
     return fits([this, &levels](void* to) { put(levels, to); })
                ? QString()

@@ -92,9 +92,7 @@ QString RadiiEditor::summary() const {
         return inputText(field().nullMeaning);
     }
     const auto [low, high] = std::minmax_element(radii->begin(), radii->end());
-    const auto number = [](double value) {
-        return showNumber(value, QLocale()).replace(u'-', u'−');
-    };
+    const auto number = [](double value) { return printedNumber(value); };
     return tr("%n values, %1…%2 %3", nullptr, static_cast<int>(radii->size()))
         .arg(number(*low), number(*high), unitText(field().unit));
 }

@@ -22,7 +22,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -223,8 +222,7 @@ QString FactorBox::measuredText(const Factor& law) const {
     }
     const auto [low, high] = std::ranges::minmax_element(*law.measured);
     return tr("%n values, %1…%2 %3", nullptr, static_cast<int>(law.measured->size()))
-        .arg(showNumber(*low, QLocale()).replace(u'-', u'−'),
-             showNumber(*high, QLocale()).replace(u'-', u'−'), unitText(m_field.unit))
+        .arg(printedNumber(*low), printedNumber(*high), unitText(m_field.unit))
         .trimmed();
 }
 

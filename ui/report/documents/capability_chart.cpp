@@ -3,6 +3,7 @@
 
 #include "ui/report/format/plot_figure.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/text/number_text.h"
 #include "ui/views/batch/batch_text.h"
 
 #include <QPainter>
@@ -64,7 +65,7 @@ void CapabilityChart::paintScale(QPainter& painter) const {
         const bool mark = value == customaryPpk || value == 1;
         painter.setPen(QPen(mark ? chartMark : chartGrid, 1, mark ? Qt::DashLine : Qt::SolidLine));
         painter.drawLine(QPointF(x(value), top), QPointF(x(value), end));
-        const QString name = plainNumber(value);
+        const QString name = printedNumber(value);
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(name);
         constexpr double reach = 3; // the two marks stand close: their numbers keep apart
         const double from = value == 1              ? x(value) + reach - width
@@ -119,7 +120,7 @@ std::optional<Figure> CapabilityChart::figure(const BatchSummary& summary) {
     }
     const CapabilityChart chart(std::move(rows));
     return Figure{tr("Ppk with its 95 % bounds, the least first; dashed: 1 and %1")
-                      .arg(plainNumber(customaryPpk)),
+                      .arg(printedNumber(customaryPpk)),
                   values.join(QStringLiteral("; ")), chart.size(),
                   [chart](QPainter& painter) { chart.paint(painter); }};
 }

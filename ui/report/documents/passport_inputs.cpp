@@ -10,6 +10,7 @@
 #include "ui/report/parts/input_fact.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_text.h"
 
@@ -29,7 +30,7 @@ QString factorUnit(FactorKind kind) {
 }
 
 QString rangeText(double low, double high) {
-    return plainNumber(low) + u'…' + plainNumber(high);
+    return printedNumber(low) + u'…' + printedNumber(high);
 }
 
 /// Smallest and largest value of each factor over the parts.
@@ -58,7 +59,7 @@ Table correlations(const std::vector<GivenFactor>& factors,
         table.head << BatchText::factor(factors[i].kind);
         QStringList row{BatchText::factor(factors[i].kind)};
         for (std::size_t j = 0; j < factors.size(); ++j) {
-            row << plainNumber(matrix.at(i).at(j));
+            row << printedNumber(matrix.at(i).at(j));
         }
         table.rows.push_back(row);
     }
@@ -95,13 +96,13 @@ Facts PassportInputs::drawing(const Project& project) {
 QString PassportInputs::law(const GivenFactor& factor) {
     const Factor& law = factor.law;
     switch (formOf(law)) {
-    case FactorForm::constant: return tr("constant %1").arg(plainNumber(law.uniform->front()));
+    case FactorForm::constant: return tr("constant %1").arg(printedNumber(law.uniform->front()));
     case FactorForm::uniform:
         return tr("uniform, %1").arg(rangeText(law.uniform->front(), law.uniform->back()));
     case FactorForm::normal: {
         const QString normal =
             tr("normal, mean %1, standard deviation %2")
-                .arg(plainNumber(law.normal->front()), plainNumber(law.normal->back()));
+                .arg(printedNumber(law.normal->front()), printedNumber(law.normal->back()));
         return law.within ? tr("%1, truncated to %2", "normal distribution")
                                 .arg(normal, rangeText(law.within->front(), law.within->back()))
                           : normal;
@@ -109,7 +110,7 @@ QString PassportInputs::law(const GivenFactor& factor) {
     case FactorForm::triangular:
         return tr("triangular, %1, most frequent %2")
             .arg(rangeText(law.triangular->front(), law.triangular->back()),
-                 plainNumber(law.triangular->at(1)));
+                 printedNumber(law.triangular->at(1)));
     case FactorForm::measured:
         return tr("as measured, %n value(s), %1", nullptr, static_cast<int>(law.measured->size()))
             .arg(rangeText(*std::ranges::min_element(*law.measured),
@@ -117,7 +118,7 @@ QString PassportInputs::law(const GivenFactor& factor) {
     case FactorForm::grows: {
         const QString grows =
             tr("grows part by part from %1 to %2")
-                .arg(plainNumber(law.grows->front()), plainNumber(law.grows->back()));
+                .arg(printedNumber(law.grows->front()), printedNumber(law.grows->back()));
         return law.parts_between_dressings
                    ? tr("%1, %n part(s) between dressings", nullptr, *law.parts_between_dressings)
                          .arg(grows)
@@ -192,7 +193,7 @@ Table PassportInputs::inputs(const Project& project) {
         if (isOtherForm(leaf, number.has_value())) {
             continue;
         }
-        const QString value = number ? plainNumber(*number)
+        const QString value = number ? printedNumber(*number)
                               : field.kind == sparkout::Kind::text
                                   ? oneLine(field.as<std::string>(leaf.owner))
                                   : fieldText(field, leaf.owner);

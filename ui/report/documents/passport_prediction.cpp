@@ -4,6 +4,7 @@
 #include "core/batch/scenario_source.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/batch/batch_figures.h"
 #include "ui/views/batch/batch_text.h"
@@ -22,10 +23,10 @@ constexpr int factorDigits = 6;
 
 QString limitsText(const Characteristic& of) {
     if (of.low && of.high) {
-        return plainNumber(*of.low) + u'…' + plainNumber(*of.high);
+        return printedNumber(*of.low) + u'…' + printedNumber(*of.high);
     }
-    return of.high  ? QStringLiteral("≤ ") + plainNumber(*of.high)
-           : of.low ? QStringLiteral("≥ ") + plainNumber(*of.low)
+    return of.high  ? QStringLiteral("≤ ") + printedNumber(*of.high)
+           : of.low ? QStringLiteral("≥ ") + printedNumber(*of.low)
                     : cell({});
 }
 

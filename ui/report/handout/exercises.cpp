@@ -4,6 +4,7 @@
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
 #include <QCoreApplication>
@@ -54,16 +55,17 @@ const char* unitOf(Asked asked) {
 }
 
 QString mm(double value) {
-    return withUnit(plainNumber(value), "mm");
+    return withUnit(printedNumber(value), "mm");
 }
 
 ChangeWords duller(const Project& project, const ExerciseRun& run) {
-    return {ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
-                .arg(plainNumber(project.wheel.dullness), plainNumber(run.changed.wheel.dullness)),
-            {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
-             {Asked::stepForce_n, true,
-              ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
-            true};
+    return {
+        ExerciseText::tr("The wheel has become dull: η rises from %1 to %2.")
+            .arg(printedNumber(project.wheel.dullness), printedNumber(run.changed.wheel.dullness)),
+        {{Asked::stepFeed_um, false, ExerciseText::tr("at the same lag less is cut")},
+         {Asked::stepForce_n, true,
+          ExerciseText::tr("the friction of the wear flats, kr·√a, grows with η")}},
+        true};
 }
 
 ChangeWords softer(const Project& project, const ExerciseRun&) {
@@ -77,7 +79,7 @@ ChangeWords softer(const Project& project, const ExerciseRun&) {
             ? ExerciseText::tr("The technological system is %1 times as compliant in every zone.")
             : ExerciseText::tr("The technological system is %1 times as compliant in every "
                                "section.");
-    return {statement.arg(plainNumber(softerBy)),
+    return {statement.arg(printedNumber(softerBy)),
             {{Asked::spread_um, true,
               ExerciseText::tr("a place differs in diameter from the one with the gauge by "
                                "twice the difference of their deflections γ·Py at the end")},
@@ -93,8 +95,8 @@ ChangeWords slower(const Project& project, const ExerciseRun& run) {
         return (of.cycle.stages[run.stage].*radial.value).value_or(0);
     };
     return {ExerciseText::tr("The radial feed of stage %1 is halved, from %2 to %3.")
-                .arg(QString::number(run.stage + 1), plainNumber(feedOf(project)),
-                     withUnit(plainNumber(feedOf(run.changed)),
+                .arg(QString::number(run.stage + 1), printedNumber(feedOf(project)),
+                     withUnit(printedNumber(feedOf(run.changed)),
                               tableOf<Stage>().find(radial.key)->unit)),
             {{Asked::spread_um, false,
               ExerciseText::tr("the force at the end is that of a smaller feed, so the "

@@ -11,6 +11,7 @@
 #include "ui/text/field_text.h"
 #include "ui/text/formula_text.h"
 #include "ui/text/names.h"
+#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 #include "ui/views/verdict/verdict_text.h"
 
@@ -63,8 +64,8 @@ QString HandoutTask::task(const Outcome& outcome) {
                  "stock per side and a runout of %4 mm.")
             : tr("A bore of %1 is ground over a length of %2 mm. Its blank has at least %3 mm of "
                  "stock per side and a runout of %4 mm.");
-    return ground.arg(drawnSize(part), plainNumber(part.length_mm), plainNumber(part.stock_mm),
-                      plainNumber(part.initial_runout_mm))
+    return ground.arg(drawnSize(part), printedNumber(part.length_mm), printedNumber(part.stock_mm),
+                      printedNumber(part.initial_runout_mm))
            + u' '
            + tr("By the model the cycle takes %1. Follow one step of it, formula by formula, and "
                 "find what limits the feed there.")
@@ -94,7 +95,7 @@ Table HandoutTask::inputs(const Outcome& outcome, const std::optional<HandoutSte
                                ? singleNumberIn(field, leaf.owner)
                                : std::nullopt;
         if (value) {
-            add(field.symbol, plainNumber(*value), field.unit, inputText(field.label),
+            add(field.symbol, printedNumber(*value), field.unit, inputText(field.label),
                 QString::fromLatin1(field.source));
         }
     }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/parts/cell_text.h"
 
-#include "ui/text/number_text.h"
 #include "ui/text/texts.h"
-
-#include <QLocale>
 
 namespace sparkout::report {
 
@@ -30,10 +27,6 @@ QString oneLine(const std::string& text) {
 
 QString cell(const QString& text) {
     return text.trimmed().isEmpty() ? QStringLiteral("–") : text;
-}
-
-QString plainNumber(double value) {
-    return showNumber(value, QLocale()).replace(u'-', QChar(0x2212));
 }
 
 QString withUnit(const QString& value, const char* unit) {

@@ -17,8 +17,6 @@ namespace sparkout::report {
 /// For a cell: never empty.
 [[nodiscard]] QString cell(const QString& text);
 
-/// An input's number with all its digits, as its form shows it.
-[[nodiscard]] QString plainNumber(double value);
 /// A value and the unit of a table, not to be parted.
 [[nodiscard]] QString withUnit(const QString& value, const char* unit);
 /// The unit of a requirement in a table: a radial feed's is that of the stages' table beside it.

@@ -5,6 +5,7 @@
 #include "core/project/member.h"
 #include "core/units.h"
 #include "ui/report/parts/cell_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/size_field.h"
 #include "ui/text/texts.h"
 
@@ -24,13 +25,13 @@ QString drawnSize(const Part& part) {
         const auto size = parseSizeDesignation(word.toStdString());
         if (field.isEmpty() && size && size->nominal_mm == part.diameter_mm
             && size->isHole() == (part.surface == Surface::internal)) {
-            field = plainNumber(size->nominal_mm) + QString::fromStdString(size->letters)
+            field = printedNumber(size->nominal_mm) + QString::fromStdString(size->letters)
                     + QString::number(size->grade);
         }
     }
     const auto limit = [](double value_um) {
         return (value_um > 0 ? QStringLiteral("+") : QString())
-               + plainNumber(std::round(value_um * nanometres) / nanometres / units::umPerMm);
+               + printedNumber(std::round(value_um * nanometres) / nanometres / units::umPerMm);
     };
     const double upper = part.upper_deviation_um, lower = part.lower_deviation_um;
     QString limits;
@@ -41,7 +42,7 @@ QString drawnSize(const Part& part) {
     } else {
         limits = limit(upper) + QStringLiteral("; ") + limit(lower);
     }
-    return u'⌀' + (field.isEmpty() ? plainNumber(part.diameter_mm) + u' ' : field) + u'(' + limits
+    return u'⌀' + (field.isEmpty() ? printedNumber(part.diameter_mm) + u' ' : field) + u'(' + limits
            + u')';
 }
 
@@ -57,8 +58,8 @@ std::pair<QString, QString> inputFact(const Project& project, const char* path) 
     }
     const std::optional<double> value = numberIn(field, member.owner);
     return {name, !value        ? cell({})
-                  : *field.unit ? withUnit(plainNumber(*value), field.unit)
-                                : plainNumber(*value)};
+                  : *field.unit ? withUnit(printedNumber(*value), field.unit)
+                                : printedNumber(*value)};
 }
 
 } // namespace sparkout::report

@@ -9,8 +9,6 @@
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
 
-#include <QLocale>
-
 #include <cmath>
 #include <numbers>
 
@@ -44,8 +42,8 @@ Facts OperationSetup::settings(const Outcome& outcome) {
     const Wheel& wheel = project.wheel;
     Facts facts{{{tr("Grinding wheel, marking"), cell(oneLine(wheel.marking))},
                  {tr("Wheel diameter × width"),
-                  withUnit(plainNumber(wheel.diameter_mm) + QStringLiteral(" × ")
-                               + plainNumber(wheel.width_mm),
+                  withUnit(printedNumber(wheel.diameter_mm) + QStringLiteral(" × ")
+                               + printedNumber(wheel.width_mm),
                            "mm")},
                  inputFact(project, "/wheel/dullness"),
                  inputFact(project, "/machine/wheel_speed_m_s"),
@@ -71,7 +69,7 @@ Facts OperationSetup::settings(const Outcome& outcome) {
         const double place = project.gauge.position_mm.value_or(at.position_mm);
         control = tr("in-process gauge: %1, %2 from the headstock end of the ground length")
                       .arg(Names::zone(at.zone, static_cast<int>(section)),
-                           withUnit(project.gauge.position_mm ? plainNumber(place)
+                           withUnit(project.gauge.position_mm ? printedNumber(place)
                                                               : Names::significant(place),
                                     "mm"));
     }
@@ -101,28 +99,28 @@ Table OperationSetup::stages(const Outcome& outcome) {
         table.rows.push_back(row);
     };
     const auto feed = [](const std::optional<double>& value) {
-        return value ? plainNumber(*value) : cell({});
+        return value ? printedNumber(*value) : cell({});
     };
     for (std::size_t z = 0; z < count; ++z) {
         const Stage& stage = project.cycle.stages[z];
         const auto steps = stage.sparkOutSteps();
         QStringList row{QString::number(z + 1),
-                        stage.feeds() ? feed(stage.*radial.value) : plainNumber(0)};
+                        stage.feeds() ? feed(stage.*radial.value) : printedNumber(0)};
         if (axial) {
             row << feed(stage.*axial->value);
         }
-        row << plainNumber(stage.stock_mm); // a spark-out removes its stock, too
+        row << printedNumber(stage.stock_mm); // a spark-out removes its stock, too
         stock += stage.stock_mm;
         rest(row, outcome.shop.stages.at(z),
              stage.feeds() ? cell({})
-             : steps       ? plainNumber(*steps)
+             : steps       ? printedNumber(*steps)
                            : tr("until size"));
     }
     QStringList sum{tr("Cycle"), cell({})};
     if (axial) {
         sum << cell({});
     }
-    sum << plainNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows
+    sum << printedNumber(std::round(stock * 1e6) / 1e6); // as exact as the rows
     rest(sum, outcome.shop.cycle, cell({}));
     table.lastIsSum = true;
     table.texts = {true};

@@ -6,8 +6,6 @@
 #include "ui/text/number_text.h"
 #include "ui/text/texts.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <cmath>
 
@@ -98,7 +96,7 @@ QString SweepText::inputAxis(const SweptInput& input) {
 }
 
 QString SweepText::inputValue(double value, const std::string& unit) {
-    return withUnit(showNumber(value, QLocale()).replace(u'-', u'−'), unit, QStringLiteral(" "));
+    return withUnit(printedNumber(value), unit, QStringLiteral(" "));
 }
 
 QString SweepText::name(const SweepQuantity& quantity) {
