@@ -255,7 +255,7 @@
         </message>
         <message>
             <source>ellipse</source>
-            <translation>эллипс</translation>
+            <translation>овальность</translation>
         </message>
         <message>
             <source>eccentric circle</source>
@@ -443,7 +443,7 @@ med, µm</source>
         </message>
         <message>
             <source>ellipse</source>
-            <translation>эллипс</translation>
+            <translation>овальность</translation>
         </message>
         <message>
             <source>eccentric</source>
@@ -751,7 +751,7 @@ med, µm</source>
         </message>
         <message>
             <source>Roundness, µm</source>
-            <translation>Некруглость, мкм</translation>
+            <translation>Отклонение от круглости, мкм</translation>
         </message>
         <message>
             <source>Ra, µm</source>
@@ -1220,7 +1220,7 @@ med, µm</source>
         </message>
         <message>
             <source>Normal force Py of the step</source>
-            <translation>Радиальная сила Py шага</translation>
+            <translation>Нормальная сила Py шага</translation>
         </message>
         <message>
             <source>Machining time</source>
@@ -1244,7 +1244,7 @@ med, µm</source>
         </message>
         <message>
             <source>Largest normal force Py</source>
-            <translation>Наибольшая радиальная сила Py</translation>
+            <translation>Наибольшая нормальная сила Py</translation>
         </message>
         <message>
             <source>Largest power</source>
@@ -1345,7 +1345,7 @@ med, µm</source>
         </message>
         <message>
             <source>normal force</source>
-            <translation>радиальная сила</translation>
+            <translation>нормальная сила</translation>
         </message>
         <message>
             <source>pass %1</source>
@@ -1696,7 +1696,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Normal force</source>
-            <translation>Радиальная составляющая силы резания</translation>
+            <translation>Нормальная составляющая силы резания</translation>
         </message>
         <message>
             <source>Tangential force</source>
@@ -1712,7 +1712,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Limiting depth of cut, burn</source>
-            <translation>Предельная фактическая подача по бесприжоговости</translation>
+            <translation>Предельная фактическая подача по прижогу</translation>
         </message>
         <message>
             <source>Elastic balance</source>
@@ -1728,7 +1728,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Limiting depth of cut, self-sharpening</source>
-            <translation>Предельная фактическая подача по осыпаемости круга</translation>
+            <translation>Предельная фактическая подача по самозатачиванию круга</translation>
         </message>
         <message>
             <source>Radial runout</source>
@@ -2171,7 +2171,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Range of the work speed</source>
-            <translation>Диапазон частоты вращения детали</translation>
+            <translation>Диапазон частоты вращения заготовки</translation>
         </message>
         <message>
             <source>Model of the grinder.</source>
@@ -2187,11 +2187,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Work speed</source>
-            <translation>Частота вращения детали</translation>
+            <translation>Частота вращения заготовки</translation>
         </message>
         <message>
             <source>Revolutions of the part; V_d = π·d·n.</source>
-            <translation>Частота вращения детали; V_d = π·d·n.</translation>
+            <translation>Частота вращения заготовки; V_d = π·d·n.</translation>
         </message>
         <message>
             <source>Plunge-in feed at reversal</source>
@@ -2275,11 +2275,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода детали</translation>
+            <translation>Мощность привода заготовки</translation>
         </message>
         <message>
             <source>Power of the work drive.</source>
-            <translation>Мощность привода вращения детали.</translation>
+            <translation>Мощность привода вращения заготовки.</translation>
         </message>
         <message>
             <source>Entry zone is at the</source>
@@ -2547,7 +2547,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Roundness</source>
-            <translation>Круглость</translation>
+            <translation>Допуск круглости</translation>
         </message>
         <message>
             <source>not required</source>
@@ -2567,7 +2567,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Cylindricity</source>
-            <translation>Цилиндричность</translation>
+            <translation>Допуск цилиндричности</translation>
         </message>
         <message>
             <source>Greatest cylindricity deviation the drawing allows.</source>
@@ -3091,7 +3091,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Out-of-roundness of the blank: ellipse R = pq/√((q·cos φ)² + (p·sin φ)²), eccentric circle, n lobes, or a measured profile. Interrupted surfaces (keyways, splines) are beyond the model: the wheel is taken to meet metal at every angle.</source>
-            <translation>Некруглость заготовки: эллипс R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
+            <translation>Отклонение заготовки от круглости: овальность R = pq/√((q·cos φ)² + (p·sin φ)²), эксцентричная окружность, огранка из n граней или измеренный профиль. Прерывистые поверхности (шпоночные пазы, шлицы) модель не описывает: считается, что круг встречает металл под любым углом.</translation>
         </message>
         <message>
             <source>Rows of force and contact stiffness, beyond the sources: 0 50; 200 80.</source>
@@ -3159,7 +3159,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Largest normal force</source>
-            <translation>Наибольшая радиальная сила</translation>
+            <translation>Наибольшая нормальная сила</translation>
         </message>
         <message>
             <source>Final radii</source>
@@ -3315,7 +3315,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Levels of the work speed</source>
-            <translation>Уровни частоты вращения детали</translation>
+            <translation>Уровни частоты вращения заготовки</translation>
         </message>
         <message>
             <source>as the machine is set</source>
@@ -3550,7 +3550,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>a dwell of {value} is made as {limit}, in whole revolutions</source>
-            <translation>выстой {value} выполняется как {limit}, целыми оборотами</translation>
+            <translation>задержка {value} выполняется как {limit}, целыми оборотами</translation>
         </message>
     </context>
     <context>
@@ -4335,7 +4335,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Corners are no sample: they tell extremes and counts, no mean and no capability.</source>
-            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не индексы воспроизводимости.</translation>
+            <translation>Угловые сценарии — не выборка: они дают крайние значения и число деталей, но не среднее и не показатели пригодности процесса.</translation>
         </message>
         <message>
             <source>Capability and share out of tolerance</source>
@@ -4672,11 +4672,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>This project describes no batch, so the passport tells the nominal part alone: no scatter, no capability, no share out of tolerance.</source>
-            <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без индексов воспроизводимости и без доли вне допуска.</translation>
+            <translation>В проекте не описана партия, поэтому паспорт содержит только расчёт номинальной детали: без рассеяния, без показателей пригодности процесса и без доли вне допуска.</translation>
         </message>
         <message>
             <source>A batch is added on the page Batch of the inputs, where each factor that scatters gets its distribution, or with “Add a usual batch” in the view Batch.</source>
-            <translation>Партию добавляют на странице «Партия» исходных данных, где каждому рассеивающемуся фактору задают распределение, или кнопкой «Добавить обычную партию» вида «Партия».</translation>
+            <translation>Партию добавляют на странице «Партия» исходных данных, где каждому рассеивающемуся фактору задают распределение, или кнопкой «Добавить типовую партию» вида «Партия».</translation>
         </message>
         <message>
             <source>Parts run</source>
@@ -5137,11 +5137,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Work drive power</source>
-            <translation>Мощность привода изделия</translation>
+            <translation>Мощность привода заготовки</translation>
         </message>
         <message>
             <source>work drive</source>
-            <translation>привод детали</translation>
+            <translation>привод заготовки</translation>
         </message>
         <message>
             <source>Radial feed in range</source>
@@ -5192,11 +5192,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Roundness</source>
-            <translation>Круглость</translation>
+            <translation>Откл. от круглости</translation>
         </message>
         <message>
             <source>Cylindricity</source>
-            <translation>Цилиндричность</translation>
+            <translation>Откл. от цилиндричности</translation>
         </message>
         <message>
             <source>Total runout</source>
@@ -5220,7 +5220,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Work power</source>
-            <translation>Привод изделия</translation>
+            <translation>Привод заготовки</translation>
         </message>
         <message>
             <source>Radial feed</source>
@@ -5547,7 +5547,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Largest normal force P_y of any pass of the stage.</source>
-            <translation>Наибольшая радиальная сила P_y по проходам ступени.</translation>
+            <translation>Наибольшая нормальная сила P_y по проходам ступени.</translation>
         </message>
         <message>
             <source>Wheel rev/min to work rev/min. Within %1 of a whole number the waves of a wheel out of true print onto one another: over ten revolutions they shift by less than half of their length.</source>
@@ -5625,7 +5625,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Wheel and work turn %1 : 1, near a whole number: waves of the wheel print onto one another. Change the work speed a little.</source>
-            <translation>Круг и деталь вращаются как %1 : 1, почти целое число: волны от круга ложатся одна на другую. Немного измените частоту вращения детали.</translation>
+            <translation>Круг и деталь вращаются как %1 : 1, почти целое число: волны от круга ложатся одна на другую. Немного измените частоту вращения заготовки.</translation>
         </message>
         <message>
             <source>Rotation ratio</source>
@@ -5831,7 +5831,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Kotz and Johnson, 1993, process capability indices</source>
-            <translation>Kotz, Johnson, 1993, индексы возможностей процесса</translation>
+            <translation>Kotz, Johnson, 1993, показатели пригодности процесса</translation>
         </message>
         <message>
             <source>Bissell, 1990, bounds of Cpk</source>
@@ -6260,7 +6260,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Largest normal force</source>
-            <translation>Наибольшая радиальная сила</translation>
+            <translation>Наибольшая нормальная сила</translation>
         </message>
         <message>
             <source>Largest power</source>
@@ -6363,11 +6363,11 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>normal force of shear, per width and depth</source>
-            <translation>радиальная сила сдвига на единицу ширины и подачи</translation>
+            <translation>нормальная сила сдвига на единицу ширины и подачи</translation>
         </message>
         <message>
             <source>normal force of the wear flats, per width and root of the depth</source>
-            <translation>радиальная сила площадок износа на единицу ширины и корня из подачи</translation>
+            <translation>нормальная сила площадок износа на единицу ширины и корня из подачи</translation>
         </message>
         <message>
             <source>tangential force of shear, per width and depth</source>
@@ -6375,7 +6375,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>normal force</source>
-            <translation>радиальная составляющая силы резания</translation>
+            <translation>нормальная составляющая силы резания</translation>
         </message>
         <message>
             <source>tangential force</source>
@@ -6957,7 +6957,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>The wheel&apos;s width times the work speed over the axial feed; 1 is reached at %1 mm/min.</source>
-            <translation>Высота круга, умноженная на частоту вращения детали и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
+            <translation>Высота круга, умноженная на частоту вращения заготовки и делённая на осевую подачу; значение 1 достигается при %1 мм/мин.</translation>
         </message>
         <message>
             <source>%1 against the gauge %2 µm</source>
@@ -6974,7 +6974,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>out of round %1 µm</source>
-            <translation>некруглость %1 мкм</translation>
+            <translation>отклонение от круглости %1 мкм</translation>
         </message>
         <message>
             <source>%1 in %2, %3 µm from nominal: %4.</source>
@@ -7632,7 +7632,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>End the batch; what was done is kept and shown</source>
-            <translation>Остановить расчёт; сделанное сохраняется и показывается</translation>
+            <translation>Остановить расчёт партии; сделанное сохраняется и показывается</translation>
         </message>
         <message>
             <source>Worst part</source>
@@ -7640,7 +7640,7 @@ Reloading takes that version; your changes stay in Undo.</source>
         </message>
         <message>
             <source>Add a usual batch</source>
-            <translation>Добавить обычную партию</translation>
+            <translation>Добавить типовую партию</translation>
         </message>
         <message>
             <source>This project describes no batch. A batch is a number of parts whose stock, runout, dullness and other factors scatter: it says which share of them keeps the drawing. Choose the factors on the page Batch of the inputs, or start with usual ones.</source>
@@ -9928,7 +9928,7 @@ target, µm</source>
         </message>
         <message>
             <source>Add a usual batch</source>
-            <translation>Добавить обычную партию</translation>
+            <translation>Добавить типовую партию</translation>
         </message>
         <message>
             <source>50 parts whose stock, runout and dullness scatter about the present inputs</source>
@@ -9944,7 +9944,7 @@ target, µm</source>
         </message>
         <message>
             <source>Add a usual search</source>
-            <translation>Добавить обычный поиск</translation>
+            <translation>Добавить типовой поиск</translation>
         </message>
         <message>
             <source>A dozen levels of each feed about the present cycle, and steps of stock</source>
@@ -10075,7 +10075,7 @@ target, µm</source>
         </message>
         <message>
             <source>Add a usual search</source>
-            <translation>Добавить обычный поиск</translation>
+            <translation>Добавить типовой поиск</translation>
         </message>
         <message>
             <source>A dozen levels of each feed about the present cycle, and steps of stock; can be undone and changed on the page Search</source>
@@ -10084,7 +10084,7 @@ target, µm</source>
         <message>
             <source>Optimise</source>
             <comment>the view&apos;s tab</comment>
-            <translation>Оптимум</translation>
+            <translation>Оптимизация</translation>
         </message>
         <message>
             <source>Between levels</source>
@@ -11250,7 +11250,7 @@ target, µm</source>
         </message>
         <message>
             <source>%1, radius %2: programmed %3 µm; lag %4 µm = cut %5 µm + yield %6 µm; normal force %7 N.</source>
-            <translation>%1, радиус %2: программная подача %3 мкм; отставание %4 мкм = срез %5 мкм + отжатие %6 мкм; радиальная сила %7 Н.</translation>
+            <translation>%1, радиус %2: программная подача %3 мкм; отставание %4 мкм = срез %5 мкм + отжатие %6 мкм; нормальная сила %7 Н.</translation>
         </message>
     </context>
     <context>
@@ -11468,7 +11468,7 @@ target, µm</source>
         </message>
         <message>
             <source>The part is the blank still. Step on or press Play below the views: the formulas of each step stand here, with its numbers.</source>
-            <translation>Деталь ещё не тронута. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
+            <translation>Деталь ещё заготовка. Сделайте шаг вперёд или нажмите «Пуск» под графиками: здесь появятся формулы каждого этапа с числами.</translation>
         </message>
         <message>
             <source>No cycle has been recorded.</source>
@@ -11656,7 +11656,7 @@ target, µm</source>
         </message>
         <message>
             <source>What does a dull wheel do, a soft tailstock, a longer dwell? Choose an input above, and see every result over a range of it: one input gives curves, two give a map. Or start with the wheel&apos;s dullness.</source>
-            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая выдержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
+            <translation>Что даёт затупленный круг, податливая задняя бабка, более долгая задержка? Выберите выше исходную величину — и увидите любой результат в зависимости от неё: одна величина даёт кривые, две — карту. Или начните с затупления круга.</translation>
         </message>
         <message>
             <source>The sweep cannot be run:</source>
@@ -11672,7 +11672,7 @@ target, µm</source>
         </message>
         <message>
             <source>This sweep takes a while: press “Run”. It can be stopped at any time and keeps what was done.</source>
-            <translation>Этот расчёт займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
+            <translation>Это варьирование займёт время: нажмите «Рассчитать». Его можно остановить в любой момент, сделанное сохраняется.</translation>
         </message>
         <message>
             <source>The cycle reaches size at no point of the range.</source>
@@ -11789,7 +11789,7 @@ target, µm</source>
         <message>
             <source>Sweep</source>
             <comment>the view&apos;s tab</comment>
-            <translation>Вариации</translation>
+            <translation>Варьирование</translation>
         </message>
     </context>
     <context>
@@ -12093,7 +12093,7 @@ target, µm</source>
         </message>
         <message>
             <source>%1: stock left %2 µm, actual feed %3 µm, width %4 mm</source>
-            <translation>%1: припуск %2 мкм, подача %3 мкм/об, ширина %4 мм</translation>
+            <translation>%1: припуск %2 мкм, фактическая подача %3 мкм/об, ширина %4 мм</translation>
         </message>
         <message>
             <source>Allowed feed, µm: %1</source>

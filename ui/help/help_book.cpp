@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/help_book.h"
 
+#include "ui/help/glossary.h"
 #include "ui/help/help_words.h"
 #include "ui/text/help_fields.h"
 #include "ui/text/source_names.h"
@@ -29,23 +30,41 @@ constexpr const char* modelPages = QT_TRANSLATE_NOOP("Help", "The model");
 constexpr const char* workPages = QT_TRANSLATE_NOOP("Help", "Working with the program");
 
 constexpr std::array helpContents{
-    HelpEntry{"start", gettingStarted},     HelpEntry{"editing", gettingStarted},
-    HelpEntry{"inputs-part", inputPages},   HelpEntry{"inputs-material", inputPages},
-    HelpEntry{"inputs-wheel", inputPages},  HelpEntry{"inputs-machine", inputPages},
-    HelpEntry{"inputs-gauge", inputPages},  HelpEntry{"inputs-cycle", inputPages},
-    HelpEntry{"stages", inputPages},        HelpEntry{"inputs-batch", inputPages},
-    HelpEntry{"inputs-search", inputPages}, HelpEntry{"inputs-file", inputPages},
-    HelpEntry{"verdict", viewPages},        HelpEntry{"feeds", viewPages},
-    HelpEntry{"profiles", viewPages},       HelpEntry{"constraints", viewPages},
-    HelpEntry{"compliance", viewPages},     HelpEntry{"layers", viewPages},
-    HelpEntry{"batch", viewPages},          HelpEntry{"sweep", viewPages},
-    HelpEntry{"optimise", viewPages},       HelpEntry{"compare", viewPages},
-    HelpEntry{"playback", viewPages},       HelpEntry{"step", viewPages},
-    HelpEntry{"messages", viewPages},       HelpEntry{"plots", viewPages},
-    HelpEntry{"model", modelPages},         HelpEntry{"limits", modelPages},
-    HelpEntry{"sources", modelPages},       HelpEntry{"shortcuts", workPages},
-    HelpEntry{"files", workPages},          HelpEntry{"reports", workPages},
-    HelpEntry{"look", workPages},           HelpEntry{"cli", workPages},
+    HelpEntry{"start", gettingStarted},
+    HelpEntry{"editing", gettingStarted},
+    HelpEntry{"inputs-part", inputPages},
+    HelpEntry{"inputs-material", inputPages},
+    HelpEntry{"inputs-wheel", inputPages},
+    HelpEntry{"inputs-machine", inputPages},
+    HelpEntry{"inputs-gauge", inputPages},
+    HelpEntry{"inputs-cycle", inputPages},
+    HelpEntry{"stages", inputPages},
+    HelpEntry{"inputs-batch", inputPages},
+    HelpEntry{"inputs-search", inputPages},
+    HelpEntry{"inputs-file", inputPages},
+    HelpEntry{"verdict", viewPages},
+    HelpEntry{"feeds", viewPages},
+    HelpEntry{"profiles", viewPages},
+    HelpEntry{"constraints", viewPages},
+    HelpEntry{"compliance", viewPages},
+    HelpEntry{"layers", viewPages},
+    HelpEntry{"batch", viewPages},
+    HelpEntry{"sweep", viewPages},
+    HelpEntry{"optimise", viewPages},
+    HelpEntry{"compare", viewPages},
+    HelpEntry{"playback", viewPages},
+    HelpEntry{"step", viewPages},
+    HelpEntry{"messages", viewPages},
+    HelpEntry{"plots", viewPages},
+    HelpEntry{"model", modelPages},
+    HelpEntry{"limits", modelPages},
+    HelpEntry{"glossary", modelPages},
+    HelpEntry{"sources", modelPages},
+    HelpEntry{"shortcuts", workPages},
+    HelpEntry{"files", workPages},
+    HelpEntry{"reports", workPages},
+    HelpEntry{"look", workPages},
+    HelpEntry{"cli", workPages},
 };
 
 constexpr std::array formPages{Page::part,    Page::material, Page::wheel,
@@ -75,7 +94,10 @@ QString madePart(const QString& id, const QString& shortcuts) {
             return fieldsHtml(page);
         }
     }
-    return id == u"shortcuts" ? shortcuts : id == u"sources" ? sourcesHtml() : QString();
+    return id == u"shortcuts"  ? shortcuts
+           : id == u"sources"  ? sourcesHtml()
+           : id == u"glossary" ? glossaryHtml()
+                               : QString();
 }
 
 QString plainOf(QString html) {
