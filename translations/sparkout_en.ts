@@ -137,6 +137,16 @@
         </message>
     </context>
     <context>
+        <name>sparkout::MessagesDock</name>
+        <message numerus="yes">
+            <source>%n message(s)</source>
+            <translation>
+                <numerusform>%n message</numerusform>
+                <numerusform>%n messages</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>sparkout::MainWindow</name>
         <message numerus="yes">
             <source>Saved; %n fields hold a refused text, their last good values were saved.</source>

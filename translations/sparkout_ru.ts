@@ -231,7 +231,7 @@
         </message>
         <message>
             <source>by wheel head position</source>
-            <translation>по перемещению шлифовальной бабки</translation>
+            <translation>по положению бабки</translation>
         </message>
         <message>
             <source>smallest diameter</source>
@@ -2332,6 +2332,10 @@ Reloading takes that version; your changes stay in Undo.</source>
         <message>
             <source>Spark-out</source>
             <translation>Выхаживание</translation>
+        </message>
+        <message>
+            <source>Sparked out</source>
+            <translation>Выхаж.</translation>
         </message>
         <message>
             <source>an ordinary stage</source>
@@ -7101,6 +7105,18 @@ Reloading takes that version; your changes stay in Undo.</source>
     <context>
         <name>sparkout::Actions</name>
         <message>
+            <source>Keep run</source>
+            <translation>Сохранить расчёт</translation>
+        </message>
+        <message>
+            <source>Cycle card</source>
+            <translation>Операционная карта</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>Примеры</translation>
+        </message>
+        <message>
             <source>&amp;Undo</source>
             <translation>&amp;Отменить</translation>
         </message>
@@ -9800,6 +9816,25 @@ target, µm</source>
         <message>
             <source>Take grain, grain share and sizes as far as the marking gives them</source>
             <translation>Взять зерно, долю зерна и размеры, насколько они указаны в маркировке</translation>
+        </message>
+    </context>
+    <context>
+        <name>sparkout::MessagesDock</name>
+        <message>
+            <source>No messages</source>
+            <translation>Сообщений нет</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n message(s)</source>
+            <translation>
+                <numerusform>%n сообщение</numerusform>
+                <numerusform>%n сообщения</numerusform>
+                <numerusform>%n сообщений</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Show or hide the messages</source>
+            <translation>Показать или скрыть сообщения</translation>
         </message>
     </context>
     <context>

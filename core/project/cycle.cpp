@@ -76,7 +76,7 @@ const StructInfo& tableOf<Stage>() {
             .hint = SPARKOUT_NOOP("Input",
                                   "The last stage may feed nothing: a number of double strokes or "
                                   "revolutions, or until size."),
-            .source = "MODEL-7"),
+            .column = SPARKOUT_NOOP("Input", "Sparked out"), .source = "MODEL-7"),
     };
     static const StructInfo info = makeTable<Stage>(SPARKOUT_NOOP("Struct", "Stage"), rows);
     return info;

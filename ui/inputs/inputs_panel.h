@@ -23,7 +23,7 @@ class InputsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr int usualWidth = 361; ///< at the usual size of type
+    static constexpr int usualWidth = 347; ///< at the usual size of type
 
     explicit InputsPanel(Document& document, QWidget* parent = nullptr,
                          Settings* settings = nullptr);

@@ -4,6 +4,8 @@
 #include "ui/kit/help_topic.h"
 #include "ui/text/texts.h"
 
+#include <algorithm>
+
 namespace sparkout {
 
 MessagesPanel::MessagesPanel(QWidget* parent) : QListWidget(parent) {
@@ -31,6 +33,7 @@ void MessagesPanel::setRefusals(std::vector<Refusal> refusals) {
 
 void MessagesPanel::fill() {
     clear();
+    m_worst = Mark::none;
     for (const Refusal& refusal : m_refusals) {
         addLine(Mark::error, refusal.path,
                 tr("%1; the last good value is used").arg(refusal.reason));
@@ -46,9 +49,23 @@ void MessagesPanel::fill() {
         auto* item = new QListWidgetItem(tr("No messages: all inputs are in order."), this);
         item->setFlags(Qt::ItemIsEnabled);
     }
+    emit messagesChanged();
+}
+
+QStringList MessagesPanel::paths() const {
+    QStringList paths;
+    for (int i = 0; m_worst != Mark::none && i < count(); ++i) {
+        paths << item(i)->data(Qt::UserRole).toString();
+    }
+    return paths;
+}
+
+Mark MessagesPanel::worst() const {
+    return m_worst;
 }
 
 void MessagesPanel::addLine(Mark mark, const std::string& path, const QString& sentence) {
+    m_worst = std::max(m_worst, mark);
     const QString where = locationText(path);
     auto* item = new QListWidgetItem(
         markIcon(mark), where.isEmpty() ? sentence : tr("%1: %2").arg(where, sentence), this);

@@ -19,8 +19,12 @@ public:
     void setOutcome(const sparkout::OutcomePtr& outcome);
     void setRefusals(std::vector<Refusal> refusals);
     void retranslate();
+    /// The inputs the lines are of, the same in any language; none while all is in order.
+    [[nodiscard]] QStringList paths() const;
+    [[nodiscard]] Mark worst() const; ///< of the lines
 
 signals:
+    void messagesChanged();
     void pathActivated(const std::string& path);
 
 private:
@@ -29,6 +33,7 @@ private:
 
     OutcomePtr m_outcome;
     std::vector<Refusal> m_refusals;
+    Mark m_worst = Mark::none;
 };
 
 } // namespace sparkout

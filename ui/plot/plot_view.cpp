@@ -126,7 +126,7 @@ void PlotView::share(QSplitter& splitter, std::initializer_list<std::pair<QWidge
 
 QVBoxLayout* PlotView::addColumn(std::initializer_list<QWidget*> parts, QWidget* main) {
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(metrics::gap, metrics::gap, metrics::gap, metrics::gap);
+    column->setContentsMargins(metrics::tight, metrics::gap, metrics::tight, metrics::gap);
     column->setSpacing(metrics::tight);
     for (QWidget* part : parts) {
         column->addWidget(part, part == main ? 1 : 0);

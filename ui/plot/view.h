@@ -25,6 +25,8 @@ public:
     void shareCycle(CycleCursor* cycle);
     virtual void retranslate() = 0;
     [[nodiscard]] virtual bool busy() const { return false; } ///< with what it computes itself
+    /// Whether it shows a moment of the cycle, which the playback moves.
+    [[nodiscard]] virtual bool showsMoment() const { return false; }
     virtual void forget() {} ///< drops what was computed on demand: another document comes
 
 signals:

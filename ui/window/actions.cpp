@@ -2,10 +2,10 @@
 #include "ui/window/actions.h"
 
 #include "ui/kit/keyboard.h"
-#include "ui/kit/metrics.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
 #include "ui/session/document.h"
+#include "ui/window/window_head.h"
 
 #include <QActionGroup>
 #include <QMainWindow>
@@ -43,7 +43,8 @@ Actions::Actions(QMainWindow& window)
     , helpShortcuts(make("helpShortcuts", u""))
     , tour(make("tour", u""))
     , log(make("log", u""))
-    , about(make("about", u"")) {
+    , about(make("about", u""))
+    , m_head(new WindowHead(&window)) {
     quit->setMenuRole(QAction::QuitRole);
     about->setMenuRole(QAction::AboutRole);
     auto* languages = new QActionGroup(this);
@@ -68,8 +69,9 @@ Actions::Actions(QMainWindow& window)
     for (const report::KindRow& row : report::kinds()) {
         reports.push_back(makeReport(row.kind));
     }
-    buildMenus(window);
-    buildToolBar(window);
+    window.setMenuWidget(m_head);
+    buildMenus(m_head->menus());
+    buildToolBar(m_head->tools());
     retranslate();
 }
 
@@ -91,7 +93,7 @@ ReportActions Actions::makeReport(report::Kind kind) {
     };
     ReportActions made{kind,
                        nullptr,
-                       of("preview", u""),
+                       of("preview", u"report"),
                        of("print", u"print"),
                        of("pdf", u"export"),
                        of("html", u""),
@@ -102,8 +104,7 @@ ReportActions Actions::makeReport(report::Kind kind) {
     return made;
 }
 
-void Actions::buildMenus(QMainWindow& window) {
-    QMenuBar& bar = *window.menuBar();
+void Actions::buildMenus(QMenuBar& bar) {
     m_file = bar.addMenu(QString());
     m_new = m_file->addMenu(themeIcon(u"new"), QString());
     m_new->addActions({newTraverse, newPlunge});
@@ -151,21 +152,18 @@ void Actions::buildViewMenu(QMenuBar& bar) {
     m_view->addAction(resetLayout);
 }
 
-void Actions::buildToolBar(QMainWindow& window) {
-    m_bar = window.addToolBar(QString());
-    m_bar->setObjectName(QStringLiteral("toolBar"));
-    m_bar->setMovable(false);
-    m_bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    m_bar->setIconSize({metrics::icon, metrics::icon});
-    m_bar->addAction(m_new->menuAction());
-    m_bar->addActions({open, save});
-    m_bar->addSeparator();
-    m_bar->addActions({undo, redo});
-    m_bar->addSeparator();
-    m_bar->addAction(keepRun);
-    m_bar->addSeparator();
-    m_bar->addAction(examples);
-    if (auto* button = qobject_cast<QToolButton*>(m_bar->widgetForAction(m_new->menuAction()))) {
+void Actions::buildToolBar(QToolBar& bar) {
+    bar.addAction(m_new->menuAction());
+    bar.addActions({open, save});
+    bar.addSeparator();
+    bar.addActions({undo, redo});
+    bar.addSeparator();
+    bar.addAction(keepRun);
+    bar.addSeparator();
+    bar.addAction(reports.front().preview); // of the cycle card
+    bar.addSeparator();
+    bar.addAction(examples);
+    if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(m_new->menuAction()))) {
         button->setPopupMode(QToolButton::InstantPopup);
     }
 }
@@ -220,7 +218,7 @@ void Actions::retranslate() {
     m_theme->setTitle(tr("&Theme"));
     m_fontSize->setTitle(tr("&Font size"));
     m_views->setTitle(tr("&Show a view"));
-    m_bar->setWindowTitle(tr("Tool bar"));
+    m_head->tools().setWindowTitle(tr("Tool bar"));
     newTraverse->setText(tr("&Traverse grinding"));
     newPlunge->setText(tr("&Plunge grinding"));
     open->setText(tr("&Open…"));
@@ -237,9 +235,12 @@ void Actions::retranslate() {
         report.html->setText(tr("Export &HTML…"));
         report.markdown->setText(tr("Export &Markdown…"));
     }
+    examples->setIconText(tr("Examples"));
     exportResults->setText(tr("Export resu&lts…"));
     quit->setText(tr("&Quit"));
     keepRun->setText(tr("&Keep the present run"));
+    keepRun->setIconText(tr("Keep run"));
+    reports.front().preview->setIconText(tr("Cycle card"));
     english->setText(QStringLiteral("English"));
     russian->setText(QStringLiteral("Русский"));
     detach->setText(tr("&Detach or attach the view"));
@@ -260,6 +261,7 @@ void Actions::retranslate() {
     tour->setText(tr("&Tour of the window"));
     log->setText(tr("&Log"));
     about->setText(tr("&About Sparkout"));
+    m_head->fitNames();
 }
 
 void Actions::showTheme(Theme theme) {

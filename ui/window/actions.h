@@ -19,6 +19,7 @@ namespace sparkout {
 
 class Document;
 class View;
+class WindowHead;
 
 /// The commands of one kind of report.
 struct ReportActions {
@@ -80,10 +81,11 @@ public:
 private:
     QAction* make(const char* name, const char16_t* icon, const QKeySequence& keys = {});
     [[nodiscard]] ReportActions makeReport(report::Kind kind);
-    void buildMenus(QMainWindow& window);
+    void buildMenus(QMenuBar& bar);
     void buildViewMenu(QMenuBar& bar);
-    void buildToolBar(QMainWindow& window);
+    void buildToolBar(QToolBar& bar);
 
+    WindowHead* m_head;
     QMenu* m_file;
     QMenu* m_edit;
     QMenu* m_view;
@@ -93,7 +95,6 @@ private:
     QMenu* m_views;
     QMenu* m_help;
     QMenu* m_new;
-    QToolBar* m_bar;
     QList<QAction*> m_showViews;
 };
 

@@ -73,7 +73,7 @@ QString shortcutsTr(const char* text) {
 
 QString shortcutsHtml(const QMainWindow& window) {
     KeyTable menus;
-    for (const QAction* top : window.menuBar()->actions()) {
+    for (const QAction* top : window.findChild<QMenuBar*>()->actions()) {
         if (const QMenu* menu = top->menu()) {
             menus.addMenu(*menu);
         }

@@ -39,10 +39,13 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace sparkout {
 
@@ -67,7 +70,10 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     setWindowIcon(QIcon(QStringLiteral(":/icons/sparkout.svg")));
     setAcceptDrops(true);
     buildViews();
+    statusBar()->addPermanentWidget(m_playback->place(), 3);
     m_status = new StatusLine(*statusBar());
+    connect(m_tabs, &ViewTabs::currentChanged, this, &MainWindow::showPlayback);
+    connect(m_tabs, &ViewTabs::detachableChanged, this, &MainWindow::showPlayback);
     m_layout = new WindowLayout(*this, {m_inputs, m_verdict, m_messages, m_sheet}, *m_tabs,
                                 *m_playback, m_settings);
     connectActions();
@@ -75,6 +81,7 @@ MainWindow::MainWindow(Settings& settings, Language& language, RunController::Ru
     retranslate();
     keepMnemonics(*this);
     m_layout->restore();
+    showPlayback();
 }
 
 MainWindow::~MainWindow() {
@@ -139,6 +146,18 @@ void MainWindow::putGauge(double position_mm) {
     m_document.endMerge();
     m_document.edit(std::move(project),
                     {"Edit", QT_TRANSLATE_NOOP("Edit", "Put the gauge in the best place")});
+}
+
+/// Where a view shows a moment of the cycle: in front, or in a window of its own.
+void MainWindow::showPlayback() {
+    const bool any = std::ranges::any_of(views(), [this](const View* view) {
+        return view->showsMoment() && (m_tabs->isDetached(view) || m_tabs->currentWidget() == view);
+    });
+    if (!any) {
+        m_playback->setPlaying(false);
+    }
+    m_playback->setVisible(any);
+    m_playback->place()->setVisible(any);
 }
 
 const std::vector<View*>& MainWindow::views() const {

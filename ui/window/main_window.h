@@ -65,6 +65,7 @@ protected:
 
 private:
     void buildViews();
+    void showPlayback();
     void putGauge(double position_mm); ///< from the headstock end of the ground length
     void connectActions();
     void connectReports();

@@ -64,7 +64,8 @@ void PlaybackBar::build() {
     m_slider->setObjectName(QStringLiteral("playSlider"));
     m_place->setObjectName(QStringLiteral("playPlace"));
     m_place->setTextFormat(Qt::PlainText);
-    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // no width of the window
+    m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // no width of the window
+    m_place->installEventFilter(this);
     m_unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     fillUnits(CursorUnit::stroke);
     for (std::size_t i = 0; i < speeds.size(); ++i) {
@@ -84,7 +85,6 @@ void PlaybackBar::build() {
     m_slider->setMinimumWidth(leastSlider);
     m_row->addWidget(m_slider, 1);
     rows->addLayout(m_row);
-    rows->addWidget(m_place);
 }
 
 void PlaybackBar::addTool(QAction* action) {
@@ -222,10 +222,11 @@ void PlaybackBar::showPlace() {
     m_slider->setAccessibleDescription(text);
 }
 
-void PlaybackBar::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    layout()->activate(); // the label has its width
-    showPlace();
+bool PlaybackBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_place && event->type() == QEvent::Resize) {
+        showPlace();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 // --- texts --------------------------------------------------------------------------------------

@@ -25,11 +25,13 @@ public:
     [[nodiscard]] bool isPlaying() const { return m_timer.isActive(); }
     [[nodiscard]] CursorUnit unit() const;
     void addTool(QAction* action); ///< at its end
+    /// Says where the cycle stands; the window puts it where there is room for a long text.
+    [[nodiscard]] QLabel* place() const { return m_place; }
     void retranslate();
 
 protected:
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QToolButton* button(const char* name, const char16_t* icon);

@@ -68,8 +68,8 @@ QRect placeOfFirstView(ViewTabs& tabs) {
 }
 
 QRect placeOfHelpMenu(const QMainWindow& window) {
-    QMenuBar* bar = window.menuBar();
-    return bar->actionGeometry(bar->actions().back()).translated(bar->pos());
+    auto* bar = window.findChild<QMenuBar*>();
+    return bar->actionGeometry(bar->actions().back()).translated(bar->mapTo(&window, QPoint()));
 }
 
 } // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/window_layout.h"
 
+#include "ui/inputs/messages_panel.h"
 #include "ui/kit/font_size.h"
 #include "ui/kit/keyboard.h"
 #include "ui/kit/sealed_state.h"
 #include "ui/kit/theme_icon.h"
 #include "ui/plot/view.h"
 #include "ui/session/settings.h"
+#include "ui/window/messages_dock.h"
 #include "ui/window/panel_widths.h"
 #include "ui/window/playback_bar.h"
 #include "ui/window/view_tabs.h"
@@ -16,6 +18,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScreen>
+#include <QStatusBar>
 
 namespace sparkout {
 
@@ -23,7 +26,7 @@ namespace {
 
 constexpr QSize usualWindow(1366, 768);
 constexpr QSize frameAllowance(8, 40);
-constexpr int verdictWidth = 327;
+constexpr int verdictWidth = 303;
 constexpr int messagesHeight = 96;
 
 /// The buttons Qt puts in by itself, which it names once and in one language, or not at all.
@@ -56,7 +59,8 @@ WindowLayout::WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& 
     , m_verdictDock(addDock(panels.verdict, QStringLiteral("verdict"), Qt::RightDockWidgetArea))
     , m_messagesDock(addDock(panels.messages, QStringLiteral("messages"), Qt::BottomDockWidgetArea))
     , m_sheetDock(addDock(panels.sheet, QStringLiteral("step"), Qt::RightDockWidgetArea))
-    , m_widths(new PanelWidths(window, {m_inputsDock, m_verdictDock})) {
+    , m_widths(new PanelWidths(window, {m_inputsDock, m_verdictDock}))
+    , m_messages(new MessagesDock(*m_messagesDock, *panels.messages, *window.statusBar())) {
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     QAction* const sheet = m_sheetDock->toggleViewAction();
@@ -97,6 +101,7 @@ void WindowLayout::reset() {
         dock->setFloating(false);
         dock->setVisible(dock != m_sheetDock);
     }
+    m_messages->showOrHide();
     m_window.addDockWidget(Qt::LeftDockWidgetArea, m_inputsDock);
     m_window.addDockWidget(Qt::RightDockWidgetArea, m_verdictDock);
     m_window.addDockWidget(Qt::BottomDockWidgetArea, m_messagesDock);
@@ -128,6 +133,7 @@ void WindowLayout::restore() {
             m_widths->takeOverWhenShown();
         }
     }
+    m_messages->showOrHide(); // none yet
 }
 
 void WindowLayout::save() const {
@@ -155,6 +161,7 @@ void WindowLayout::retranslate() {
     m_messagesDock->setWindowTitle(tr("Messages"));
     m_sheetDock->setWindowTitle(tr("Formulas of the step"));
     m_inputsDock->widget()->setAccessibleName(tr("Inputs"));
+    m_messages->retranslate();
     nameQtButtons(m_window);
 }
 

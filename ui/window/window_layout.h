@@ -10,6 +10,8 @@ class QWidget;
 
 namespace sparkout {
 
+class MessagesDock;
+class MessagesPanel;
 class PanelWidths;
 class PlaybackBar;
 class Settings;
@@ -22,7 +24,9 @@ class WindowLayout : public QObject {
 public:
     /// What stands in the panels beside the views.
     struct Panels {
-        QWidget *inputs, *verdict, *messages, *sheet;
+        QWidget *inputs, *verdict;
+        MessagesPanel* messages;
+        QWidget* sheet;
     };
     WindowLayout(QMainWindow& window, const Panels& panels, ViewTabs& tabs, PlaybackBar& playback,
                  Settings& settings);
@@ -49,6 +53,7 @@ private:
     QDockWidget* m_messagesDock;
     QDockWidget* m_sheetDock;
     PanelWidths* m_widths;
+    MessagesDock* m_messages;
 };
 
 } // namespace sparkout

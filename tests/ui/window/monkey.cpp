@@ -228,7 +228,7 @@ void Monkey::closeOldPopup(QWidget* popup) {
 
 void Monkey::useMenu() {
     QList<QAction*> usable;
-    for (QMenu* menu : m_bench.window->menuBar()->findChildren<QMenu*>()) {
+    for (QMenu* menu : m_bench.window->findChild<QMenuBar*>()->findChildren<QMenu*>()) {
         emit menu->aboutToShow();
         for (QAction* action : menu->actions()) {
             if (action->isEnabled() && !action->menu() && !action->isSeparator()) {

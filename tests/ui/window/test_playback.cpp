@@ -20,6 +20,7 @@ struct Bench {
     Bench() : bar(cursor) {
         bar.resize(900, 40);
         bar.show();
+        bar.place()->resize(900, 20); // the window's status line has it
         cursor.setOutcome(fixtures::run(fixtures::traverseProject()));
     }
     void click(const char* name) {

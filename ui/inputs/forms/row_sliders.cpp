@@ -20,7 +20,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int valueWidth = 80;
+constexpr int valueWidth = 108;
 
 } // namespace
 

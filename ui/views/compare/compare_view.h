@@ -33,6 +33,7 @@ public:
     [[nodiscard]] QListView* list() const;
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool showsMoment() const override { return true; }
 
 signals:
     void keepWanted(); ///< the present run

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] MarginModel* margins() const { return m_model; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool showsMoment() const override { return true; }
     void forget() override;
 
 signals:

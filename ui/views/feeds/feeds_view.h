@@ -28,6 +28,7 @@ public:
     [[nodiscard]] FeedsOverview* overview() const { return m_overview; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool showsMoment() const override { return true; }
     [[nodiscard]] QString brief() const override;
     void showPlace(const Place& place); ///< the double stroke or revolution, and its section
 

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] SidePlot* side() const { return m_side; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool showsMoment() const override { return true; }
 
 protected:
     [[nodiscard]] QString hint() const override;

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] SpectrumPlot* spectrum() const { return m_spectrum; }
 
     [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool showsMoment() const override { return true; }
     [[nodiscard]] QString brief() const override;
 
     /// Brings the cycle to the end of a double stroke or revolution; 0: to the blank.

@@ -26,6 +26,7 @@ namespace sparkout {
 
 namespace {
 using metrics::iconSmall;
+constexpr double smallHead = 0.85; ///< of the usual type, that the names have the room
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent, Settings* settings) : QWidget(parent) {
@@ -65,7 +66,7 @@ void VerdictPanel::build() {
     auto* page = new QWidget(area);
     area->setWidget(page);
     m_layout = new QVBoxLayout(page);
-    m_layout->setContentsMargins(metrics::gap, metrics::tight, metrics::gap, metrics::gap);
+    m_layout->setContentsMargins(0, metrics::tight, 0, metrics::gap);
     m_layout->setSpacing(metrics::gap);
     m_status = addText(m_layout, "status");
     m_off = addText(m_layout, "notChecked");
@@ -108,6 +109,7 @@ void VerdictPanel::buildTable() {
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
     QHeaderView* header = m_table->horizontalHeader();
+    setRelativeFont(*header, smallHead);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(VerdictModel::requirement, QHeaderView::Stretch);
     connect(m_table, &CopyTable::resized, this, &VerdictPanel::fitTable, Qt::QueuedConnection);

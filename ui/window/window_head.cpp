@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_head.h"
+
+#include "ui/kit/metrics.h"
+
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QToolBar>
+
+namespace sparkout {
+
+WindowHead::WindowHead(QWidget* parent)
+    : QWidget(parent), m_menus(new QMenuBar(this)), m_tools(new QToolBar(this)) {
+    m_menus->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    m_tools->setObjectName(QStringLiteral("toolBar"));
+    m_tools->setMovable(false);
+    m_tools->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_tools->setIconSize({metrics::icon, metrics::icon});
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(metrics::wide);
+    line->addWidget(m_menus, 0, Qt::AlignVCenter);
+    line->addWidget(m_tools, 1);
+}
+
+void WindowHead::fitNames() {
+    m_tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const int room = width() - m_menus->sizeHint().width() - metrics::wide;
+    if (m_tools->sizeHint().width() > room) {
+        m_tools->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+}
+
+void WindowHead::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitNames();
+}
+
+} // namespace sparkout

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QMenuBar;
+class QToolBar;
+
+namespace sparkout {
+
+/// The head of the window: the menus, and the tools in the same line. The tools have their names
+/// beside their pictures where there is room for them all.
+class WindowHead : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit WindowHead(QWidget* parent);
+
+    [[nodiscard]] QMenuBar& menus() { return *m_menus; }
+    [[nodiscard]] QToolBar& tools() { return *m_tools; }
+    void fitNames(); ///< after a change of the texts
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QMenuBar* m_menus;
+    QToolBar* m_tools;
+};
+
+} // namespace sparkout
