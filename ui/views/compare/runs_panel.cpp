@@ -93,7 +93,11 @@ void RunsPanel::build() {
 void RunsPanel::connectParts() {
     connect(m_runs, &RunsModel::chosen, &m_kept, &KeptRuns::choose);
     connect(m_runs, &RunsModel::renamed, &m_kept, &KeptRuns::rename);
-    connect(m_rename, &QAction::triggered, this, [this] { m_list->edit(m_list->currentIndex()); });
+    connect(m_rename, &QAction::triggered, this, [this] {
+        if (!m_list->isPersistentEditorOpen(m_list->currentIndex())) { // nor any other editor
+            m_list->edit(m_list->currentIndex());
+        }
+    });
     connect(m_delete, &QAction::triggered, this, [this] {
         if (const int run = selected(); run >= 0) {
             m_kept.remove(run);

@@ -127,6 +127,23 @@ private slots:
         QCOMPARE(list->model()->rowCount(), 1); // the present run
     }
 
+    void renamingTwiceGoesOnWithTheNameBeingTyped() {
+        Desk desk;
+        desk.keep();
+        auto* list = desk.view.list();
+        list->setCurrentIndex(list->model()->index(1, 0));
+        WarningCatcher warnings;
+        auto* rename = desk.view.findChild<QAction*>(QStringLiteral("compareRename"));
+        rename->trigger();
+        auto* editor = list->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QTest::keyClicks(editor, QStringLiteral("dull"));
+        rename->trigger();
+        QCOMPARE(list->findChild<QLineEdit*>(), editor);
+        QCOMPARE(editor->text(), QStringLiteral("dull"));
+        QCOMPARE(warnings.take(), QStringList());
+    }
+
     void theEmptyStateSaysWhatToDoAndDoesIt() {
         Desk desk;
         QVERIFY(desk.text("compareEmpty").contains(QStringLiteral("No run is kept yet")));
