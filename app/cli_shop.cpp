@@ -2,10 +2,11 @@
 #include "app/cli_shop.h"
 
 #include "app/cli_report.h"
+#include "core/digits.h"
+#include "core/quality/ranges.h"
 #include "core/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace sparkout::cli {
@@ -14,9 +15,7 @@ namespace {
 
 /// Four significant digits, never an exponent.
 std::string significant(double value) {
-    const double size = std::abs(value);
-    const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-    return fixed(value, std::clamp(4 - before, 0, 9));
+    return fixed(value, decimalsOf(value, 4));
 }
 
 std::string significant(const std::optional<double>& value) {

@@ -17,7 +17,7 @@ namespace {
 
 // What can be read: of any quantity so much of its value, of a form so much as a gauge shows, of a
 // count more than the phase of the gauge makes by chance.
-constexpr double leastShare = 0.02;
+constexpr double readShare = 0.02;
 constexpr double leastForm_um = 0.1;
 constexpr double leastCount = 2;
 
@@ -164,7 +164,7 @@ bool canBeRead(const Answer& answer) {
     const double moved = std::abs(answer.after - answer.before);
     const bool isForm = answer.asked == Asked::spread_um || answer.asked == Asked::runout_um;
     const double least = isForm ? leastForm_um : answer.asked == Asked::count ? leastCount : 0;
-    return moved > 0 && moved >= least && moved >= leastShare * std::abs(answer.before);
+    return moved > 0 && moved >= least && moved >= readShare * std::abs(answer.before);
 }
 
 std::vector<ExerciseRun> runExercises(const Outcome& outcome,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/run_table.h"
 
-#include "core/project/leaves.h"
-#include "core/quality/finished_surface.h"
+#include "ui/charts/verdict_model.h"
 #include "ui/text/field_text.h"
 #include "ui/text/names.h"
 #include "ui/text/number_text.h"
@@ -11,11 +10,10 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 namespace sparkout {
 
@@ -28,19 +26,22 @@ struct RunTable {
 const QString noValue = QStringLiteral("–");
 const QString levelSign = QStringLiteral(" › ");
 
-/// What one run has of a row.
-struct RunValue {
-    std::string path;
-    QString what; ///< empty: the place of the path in words
+/// A value in words.
+struct ShownValue {
+    QString what;
     QString unit;
     QString shown;
     CsvCell cell;
-    QString symbol = {};                               ///< of an input
-    std::vector<std::pair<QString, double>> list = {}; ///< of an input: its items, each with a name
 };
-using RunValues = std::vector<RunValue>;
 
-// --- inputs -------------------------------------------------------------------------------------
+QString numberShown(const Field& field, double value) {
+    const ResultDigits digits = digitsOf(field);
+    if (digits.decimals < 0) {
+        return Names::significant(value, digits.significant);
+    }
+    const bool hasSign = std::string_view(field.key).starts_with("diameter_deviation");
+    return hasSign ? Names::signedMicrometres(value) : Names::fixed(value, digits.decimals);
+}
 
 /// The items of a list, by number or zone; nothing of another input.
 std::vector<std::pair<QString, double>> itemsOf(const Field& field, const void* owner) {
@@ -70,220 +71,80 @@ std::vector<std::pair<QString, double>> itemsOf(const Field& field, const void* 
     return items;
 }
 
-RunValues inputValues(const Project& project) {
-    RunValues values;
-    for (const Leaf& leaf : leavesOf(tableOf<Project>(), &project)) {
-        const Field& field = *leaf.field;
-        const bool isRead = !field.relevant || field.relevant(project, leaf.owner);
-        if (leaf.path.starts_with("/runs") || leaf.path.starts_with("/sweep") || !isRead) {
-            continue;
-        }
-        const std::optional<double> number = singleNumberIn(field, leaf.owner);
-        const QString shown =
-            number ? showNumber(*number, QLocale()) : fieldText(field, leaf.owner);
-        values.push_back({leaf.path,
-                          {},
-                          unitText(field.unit),
-                          shown,
-                          number ? CsvCell(*number) : CsvCell(shown),
-                          QString::fromUtf8(field.symbol),
-                          itemsOf(field, leaf.owner)});
+/// "Section 2 › Roundness", "Cylindricity": a value of a summary.
+QString resultName(const std::string& path, const Leaf& leaf) {
+    const QString label = inputText(leaf.field->label);
+    const QStringList steps = QString::fromStdString(path).split(u'/', Qt::SkipEmptyParts);
+    if (steps.size() != 3 || steps[0] != u"zones") {
+        return label;
     }
-    return values;
-}
-
-// --- results ------------------------------------------------------------------------------------
-
-QString zoneName(const RunSummary& summary, std::size_t index) {
-    const std::string& zone = summary.zones.at(index).zone;
-    return zone == "section" ? Names::zone(Zone::section, static_cast<int>(index))
-                             : zoneText(zone.c_str());
-}
-
-QString numberShown(const Field& field, double value) {
-    const std::string_view unit(field.unit);
-    const std::string_view key(field.key);
-    if (unit == "µm") {
-        return key.starts_with("diameter_deviation") ? Names::signedMicrometres(value)
-                                                     : Names::micrometres(value);
-    }
-    return Names::significant(value, unit == "min" ? 4 : 3);
-}
-
-/// As the verdict has it; nothing of a requirement this version does not know.
-std::optional<ConstraintResult> constraintOf(const RequirementSummary& requirement,
-                                             bool strips = false) {
-    const Requirement* const row = requirementNamed(requirement.name);
-    if (!row) {
-        return std::nullopt;
-    }
-    ConstraintResult constraint{row->kind};
-    const QStringList where = QString::fromStdString(requirement.where).split(u' ');
-    const int number = where.value(1).toInt();
-    constraint.section = -1;
-    if (where[0] == u"section") {
-        constraint.section = number;
-    } else if (where[0] == u"stage") {
-        constraint.stage = number;
-    } else if (where[0] == u"rz1" || where[0] == u"nz" || where[0] == u"rz2") {
-        constraint.section = where[0] == u"rz1" ? 0 : where[0] == u"nz" ? 1 : 2;
-        constraint.zone = static_cast<Zone>(constraint.section);
-    }
-    constraint.limit = requirement.limit;
-    constraint.value = requirement.value;
-    constraint.margin = requirement.margin;
-    constraint.relativeMargin = requirement.relative_margin;
-    constraint.holds = requirement.ok;
-    constraint.isWhole = !strips || !row->isOfSurface();
-    return constraint;
+    const std::string& zone = static_cast<const ZoneSummary*>(leaf.owner)->zone;
+    return (zone == "section" ? Names::zone(Zone::section, steps[1].toInt())
+                              : zoneText(zone.c_str()))
+           + levelSign + label;
 }
 
 QString percentShown(double share) {
-    const QString number = Names::significant(share * 100, 2);
+    const QString number = Names::significant(share * 100, worstDigits);
     return RunTable::tr("%1 %").arg(share > 0 ? u'+' + number : number);
 }
 
-bool leftStrips(const RunSummary& summary) {
-    return std::ranges::any_of(summary.requirements, [](const RequirementSummary& requirement) {
-        return requirement.name == requirementOf(ConstraintKind::overlap).key && !requirement.ok;
-    });
+ShownValue inputShown(const RunValue& input) {
+    const auto& [path, field, owner] = std::get<Leaf>(input.value);
+    const std::optional<double> number = singleNumberIn(*field, owner);
+    const QString shown = number ? showNumber(*number, QLocale()) : fieldText(*field, owner);
+    return {locationText(path), unitText(field->unit), shown,
+            number ? CsvCell(*number) : CsvCell(shown)};
 }
 
-/// Whether a value of a summary is of the finished surface.
-bool isOfSurface(std::string_view key) {
-    return key.starts_with("diameter_deviation") || key == "radial_runout_um"
-           || key == "roundness_um" || key == "cylindricity_um" || key == "total_runout_um"
-           || key == "radii_um";
-}
+/// The words of each kind of result.
+struct ResultShown {
+    const std::string& path;
 
-void addRequirements(const RunSummary& summary, RunValues& values) {
-    const bool strips = leftStrips(summary);
-    const RequirementSummary* worst = nullptr;
-    for (const RequirementSummary& requirement : summary.requirements) {
-        const std::optional<ConstraintResult> constraint = constraintOf(requirement, strips);
-        if (!constraint || !constraint->isWhole) {
-            continue; // of a part of the surface alone
-        }
-        values.push_back({"/requirements/" + requirement.name + "/margin",
-                          RunTable::tr("Margin › %1").arg(Names::constraint(constraint->kind)),
-                          unitText(requirementOf(constraint->kind).unit),
-                          Names::amount(constraint->kind, requirement.margin, true),
-                          requirement.margin});
-        if (!worst || requirement.relative_margin < worst->relative_margin) {
-            worst = &requirement;
-        }
-    }
-    if (worst) {
-        const ConstraintResult constraint = *constraintOf(*worst, strips);
-        const QString text = RunTable::tr("%1, %2: %3")
-                                 .arg(Names::constraint(constraint.kind), Names::where(constraint),
-                                      percentShown(worst->relative_margin));
-        values.push_back({"/worst", RunTable::tr("Worst margin"), {}, text, text});
-    }
-    if (const std::optional<Light> light = verdictOf(summary)) {
-        const QString verdict = lightName(*light);
-        values.push_back({"/verdict", RunTable::tr("Verdict"), {}, verdict, verdict});
-    }
-}
-
-void addCounts(const std::vector<double>& counts, const std::string& path, RunValues& values) {
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        values.push_back({path + '/' + std::to_string(i),
-                          RunTable::tr("Stage %1 › Double strokes or revolutions").arg(i + 1),
-                          {},
-                          QString::number(counts[i]),
-                          counts[i]});
-    }
-}
-
-/// A value of the summary that is a number or a choice.
-RunValue resultValue(const RunSummary& summary, const Leaf& leaf) {
-    const Field& field = *leaf.field;
-    QString what = inputText(field.label);
-    const QStringList steps = QString::fromStdString(leaf.path).split(u'/', Qt::SkipEmptyParts);
-    if (steps.size() == 3 && steps[0] == u"zones") {
-        what.prepend(zoneName(summary, steps[1].toUInt()) + levelSign);
-    }
-    if (field.kind == Kind::integer) {
-        const int count = field.as<int>(leaf.owner);
-        return {leaf.path, what, unitText(field.unit), QString::number(count), double(count)};
-    }
-    if (field.kind == Kind::number) {
-        const double value = field.as<double>(leaf.owner);
-        return {leaf.path, what, unitText(field.unit), numberShown(field, value), value};
-    }
-    const QString shown = fieldText(field, leaf.owner);
-    return {leaf.path, what, unitText(field.unit), shown, shown};
-}
-
-RunValues resultValues(const ReadSummary& read) {
-    RunValues values;
-    const bool strips = leftStrips(read.summary);
-    for (const Leaf& leaf : leavesOf(tableOf<RunSummary>(), &read.summary)) {
+    ShownValue operator()(const Leaf& leaf) const {
         const Field& field = *leaf.field;
-        if (read.missing.contains(leaf.path) || leaf.path.starts_with("/requirements")
-            || (strips && isOfSurface(field.key))) {
-            continue;
+        ShownValue of{resultName(path, leaf), unitText(field.unit), {}, {}};
+        if (field.kind == Kind::integer) {
+            const int count = field.as<int>(leaf.owner);
+            of.shown = QString::number(count);
+            of.cell = double(count);
+        } else if (field.kind == Kind::number) {
+            const double value = field.as<double>(leaf.owner);
+            of.shown = numberShown(field, value);
+            of.cell = value;
+        } else {
+            of.shown = fieldText(field, leaf.owner);
+            of.cell = of.shown;
         }
-        if (leaf.path == "/counts_by_stage") {
-            addCounts(field.as<std::vector<double>>(leaf.owner), leaf.path, values);
-        } else if (field.kind == Kind::number || field.kind == Kind::integer
-                   || field.kind == Kind::choice) {
-            values.push_back(resultValue(read.summary, leaf));
-        }
+        return of;
     }
-    addRequirements(read.summary, values);
-    return values;
-}
+    ShownValue operator()(const StageCount& of) const {
+        return {RunTable::tr("Stage %1 › Double strokes or revolutions").arg(of.stage + 1),
+                {},
+                QString::number(of.count),
+                of.count};
+    }
+    ShownValue operator()(const RequirementMargin& of) const {
+        const ConstraintKind kind = of.requirement.kind;
+        const double margin = of.requirement.margin;
+        return {RunTable::tr("Margin › %1").arg(Names::constraint(kind)),
+                unitText(requirementOf(kind).unit), Names::amount(kind, margin, true), margin};
+    }
+    ShownValue operator()(const WorstMargin& of) const {
+        const ConstraintResult& worst = of.requirement;
+        const QString text = RunTable::tr("%1, %2: %3")
+                                 .arg(Names::constraint(worst.kind), Names::where(worst),
+                                      percentShown(worst.relativeMargin));
+        return {RunTable::tr("Worst margin"), {}, text, text};
+    }
+    ShownValue operator()(Light light) const {
+        const QString verdict = lightName(light);
+        return {RunTable::tr("Verdict"), {}, verdict, verdict};
+    }
+};
 
-// --- rows ---------------------------------------------------------------------------------------
-
-/// The rows in which the runs differ; what only one of them has stands where it has it. A run of
-/// which nothing is known differs in nothing.
-void addDiffering(const std::vector<RunValues>& runs, bool isResult, std::vector<RunRow>& rows) {
-    std::vector<std::string> order;
-    std::map<std::string, RunRow> byPath;
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-        auto at = order.begin();
-        for (const RunValue& value : runs[run]) {
-            const auto [row, isNew] = byPath.try_emplace(value.path);
-            if (isNew) {
-                at = std::next(order.insert(at, value.path));
-                row->second = {value.what, value.unit, {}, {}, isResult};
-                row->second.shown.fill(noValue, static_cast<qsizetype>(runs.size()));
-                row->second.cells.resize(runs.size());
-            } else {
-                at = std::next(std::ranges::find(order, value.path));
-            }
-            row->second.shown[static_cast<qsizetype>(run)] = value.shown;
-            row->second.cells[run] = value.cell;
-        }
-    }
-    for (const std::string& path : order) {
-        RunRow& row = byPath.at(path);
-        QStringList known;
-        for (std::size_t run = 0; run < runs.size(); ++run) {
-            if (!runs[run].empty()) {
-                known << row.shown[static_cast<qsizetype>(run)];
-            }
-        }
-        if (known.removeDuplicates(); known.size() > 1) {
-            row.what = row.what.isEmpty() ? locationText(path) : row.what;
-            rows.push_back(std::move(row));
-        }
-    }
-}
-
-/// The largest difference of two lists that are as long; nothing of others.
-std::optional<double> largestStep(const std::vector<double>& a, const std::vector<double>& b) {
-    if (a.size() != b.size()) {
-        return std::nullopt;
-    }
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::abs(a[i] - b[i]));
-    }
-    return largest;
+ShownValue resultShown(const RunValue& result) {
+    return std::visit(ResultShown{result.path}, result.value);
 }
 
 /// With all digits where the usual ones do not tell the two apart.
@@ -293,8 +154,8 @@ QString changeShown(const ChangedValue& change) {
         return RunTable::tr("no longer there");
     }
     if (field.kind == Kind::numberList) {
-        const auto step = largestStep(field.as<std::vector<double>>(change.kept.owner),
-                                      field.as<std::vector<double>>(change.now->owner));
+        const auto step = largestDifference(field.as<std::vector<double>>(change.kept.owner),
+                                            field.as<std::vector<double>>(change.now->owner));
         return step ? RunTable::tr("by up to %1").arg(Names::significant(*step, 2))
                     : RunTable::tr("another number of values");
     }
@@ -309,30 +170,39 @@ QString changeShown(const ChangedValue& change) {
     return QStringLiteral("%1 → %2").arg(from, to);
 }
 
-QString changeName(const ReadSummary& kept, const ChangedValue& change) {
+QString changeName(const ChangedValue& change) {
     const QStringList steps = QString::fromStdString(change.path).split(u'/', Qt::SkipEmptyParts);
-    const QString label = inputText(change.kept.field->label);
-    if (steps.size() < 3) {
-        return label;
-    }
-    if (steps[0] == u"zones") {
-        return zoneName(kept.summary, steps[1].toUInt()) + levelSign + label;
+    if (steps.size() < 3 || steps[0] == u"zones") {
+        return resultName(change.path, change.kept);
     }
     const auto constraint = constraintOf({steps[1].toStdString(), "part"});
-    return (constraint ? Names::constraint(constraint->kind) : steps[1]) + levelSign + label;
+    return (constraint ? Names::constraint(constraint->kind) : steps[1]) + levelSign
+           + inputText(change.kept.field->label);
 }
 
 } // namespace
 
-std::vector<RunRow> differingRows(const std::vector<ComparedValues>& runs) {
-    std::vector<RunValues> inputs, results;
-    for (const ComparedValues& run : runs) {
-        inputs.push_back(run.inputs ? inputValues(*run.inputs) : RunValues());
-        results.push_back(run.summary ? resultValues(*run.summary) : RunValues());
-    }
+std::vector<RunRow> differingRows(const std::vector<ComparedRun>& runs) {
     std::vector<RunRow> rows;
-    addDiffering(inputs, false, rows);
-    addDiffering(results, true, rows);
+    for (const ComparedRow& compared : compareRuns(runs)) {
+        RunRow row;
+        row.isResult = compared.isResult;
+        for (const std::optional<RunValue>& value : compared.runs) {
+            if (!value) {
+                row.shown << noValue;
+                row.cells.emplace_back();
+                continue;
+            }
+            const ShownValue words = compared.isResult ? resultShown(*value) : inputShown(*value);
+            if (row.what.isEmpty()) {
+                row.what = words.what;
+                row.unit = words.unit;
+            }
+            row.shown << words.shown;
+            row.cells.push_back(words.cell);
+        }
+        rows.push_back(std::move(row));
+    }
     return rows;
 }
 
@@ -340,8 +210,7 @@ QStringList changesShown(const ReadSummary& kept, const RunSummary& now) {
     QStringList lines;
     for (const ChangedValue& change : changedSince(kept, now)) {
         const QString unit = unitText(change.kept.field->unit);
-        const QString line =
-            QStringLiteral("%1: %2").arg(changeName(kept, change), changeShown(change));
+        const QString line = QStringLiteral("%1: %2").arg(changeName(change), changeShown(change));
         lines << (unit.isEmpty() || !change.now ? line : line + u'\u00a0' + unit);
     }
     return lines;
@@ -352,18 +221,22 @@ CsvTable inputTable(const Project& project) {
     table.ownUnits = true;
     table.header << RunTable::tr("Input") << RunTable::tr("Symbol") << RunTable::tr("Unit")
                  << RunTable::tr("Value") << RunTable::tr("Key in the file");
-    for (const RunValue& value : inputValues(project)) {
-        const QString what = locationText(value.path).remove(QChar::SoftHyphen);
-        const QString path = QString::fromStdString(value.path);
-        if (value.list.size() > 1) { // numbers, not a text of numbers
-            for (std::size_t i = 0; i < value.list.size(); ++i) {
-                const auto& [name, number] = value.list[i];
-                table.rows.push_back({what + levelSign + name, value.symbol, value.unit, number,
+    for (const RunValue& input : inputsRead(project)) {
+        const auto& leaf = std::get<Leaf>(input.value);
+        ShownValue words = inputShown(input);
+        words.what.remove(QChar::SoftHyphen);
+        const QString symbol = QString::fromUtf8(leaf.field->symbol);
+        const QString path = QString::fromStdString(input.path);
+        const auto list = itemsOf(*leaf.field, leaf.owner);
+        if (list.size() > 1) { // numbers, not a text of numbers
+            for (std::size_t i = 0; i < list.size(); ++i) {
+                const auto& [name, number] = list[i];
+                table.rows.push_back({words.what + levelSign + name, symbol, words.unit, number,
                                       QStringLiteral("%1/%2").arg(path).arg(i)});
             }
             continue;
         }
-        table.rows.push_back({what, value.symbol, value.unit, value.cell, path});
+        table.rows.push_back({words.what, symbol, words.unit, words.cell, path});
     }
     return table;
 }
@@ -372,28 +245,16 @@ CsvTable cycleTable(const RunSummary& summary) {
     CsvTable table;
     table.ownUnits = true;
     table.header << RunTable::tr("Quantity") << RunTable::tr("Unit") << RunTable::tr("Value");
-    for (const RunValue& value : resultValues({summary, {}})) {
+    for (const RunValue& value : resultsStated({summary, {}})) {
         const bool elsewhere = value.path.starts_with("/requirements")
                                || value.path.starts_with("/zones")
                                || value.path.starts_with("/counts_by_stage");
         if (!elsewhere) {
-            table.rows.push_back({value.what, value.unit, value.cell});
+            const ShownValue words = resultShown(value);
+            table.rows.push_back({words.what, words.unit, words.cell});
         }
     }
     return table;
-}
-
-std::optional<Light> verdictOf(const RunSummary& summary) {
-    if (summary.requirements.empty()) {
-        return std::nullopt;
-    }
-    Light light = summary.status == RunStatus::completed ? Light::holds : Light::fails;
-    for (const RequirementSummary& requirement : summary.requirements) {
-        if (const auto constraint = constraintOf(requirement)) {
-            light = std::max(light, lightOf(*constraint));
-        }
-    }
-    return light;
 }
 
 } // namespace sparkout

@@ -19,15 +19,6 @@
 
 namespace sparkout {
 
-Light lightOf(const ConstraintResult& constraint) {
-    if (!constraint.holds) {
-        return Light::fails;
-    }
-    const bool close = constraint.relativeMargin < closeMargin
-                       && requirementOf(constraint.kind).scope != ConstraintScope::setting;
-    return close ? Light::close : Light::holds;
-}
-
 QString lightName(Light light) {
     switch (light) {
     case Light::holds: return VerdictModel::tr("holds");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/light.h"
 #include "core/study/outcome.h"
 #include "ui/tables/csv_table.h"
 
@@ -12,13 +13,6 @@
 
 namespace sparkout {
 
-/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit. A
-/// setting of the machine holds up to the end of its range.
-enum class Light { holds, close, fails };
-
-inline constexpr double closeMargin = 0.1;
-
-[[nodiscard]] Light lightOf(const ConstraintResult& constraint);
 [[nodiscard]] QString lightName(Light light); ///< "holds", "close to the limit", "fails"
 /// As the light has it, or that strips are left and the value is not of the whole surface.
 [[nodiscard]] QString lightName(const ConstraintResult& constraint);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/names.h"
 
+#include "core/digits.h"
 #include "core/quality/ranges.h"
 #include "ui/text/texts.h"
 
@@ -275,9 +276,7 @@ QString Names::significant(double value, int digits) {
     if (!std::isfinite(value)) {
         return QStringLiteral("–");
     }
-    const double size = std::abs(value);
-    const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-    return fixed(value, std::clamp(digits - before, 0, 9));
+    return fixed(value, decimalsOf(value, digits));
 }
 
 } // namespace sparkout

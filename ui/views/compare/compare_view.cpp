@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compare/compare_view.h"
 
+#include "core/study/run_comparison.h"
 #include "ui/charts/compare_plot.h"
 #include "ui/charts/run_table_model.h"
 #include "ui/dialogs/copy_table.h"
@@ -26,7 +27,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -37,11 +37,6 @@ constexpr int runsWidth = 184, curvesWidth = 500;
 constexpr int curvesHeight = 330, tableHeight = 170;
 constexpr int widestValue = 120, leastName = 200; ///< columns, at the usual size of type
 constexpr int mostChanges = 3; ///< named of a run in the notice; the list's tooltip has all
-
-/// Along the ground length, from 0 to 1.
-double placeShare(const RunSummary& summary, std::size_t zone, double length_mm) {
-    return length_mm > 0 ? summary.zones[zone].position_mm / length_mm : 0;
-}
 
 } // namespace
 
@@ -202,20 +197,11 @@ std::optional<ComparedFeeds> CompareView::feedsOf(int run) const {
     if (!now || !now->feeds || now->feeds->columns.empty() || !now->summary || !inputs) {
         return std::nullopt;
     }
-    const std::vector<ZoneSummary>& zones = now->summary->zones;
+    const RunPlaces shown{good()->result.project, m_present->summary};
+    const RunPlaces kept{*inputs, *now->summary};
     ComparedFeeds feeds{RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]), now->feeds,
-                        m_wanted};
-    if (now->feeds->operation != good()->feeds.operation
-        || zones.size() != m_present->summary.zones.size()) {
-        const double wanted =
-            placeShare(m_present->summary, m_wanted, good()->result.project.part.length_mm);
-        const auto distance = [&](std::size_t zone) {
-            return std::abs(placeShare(*now->summary, zone, inputs->part.length_mm) - wanted);
-        };
-        feeds.column = 0;
-        for (std::size_t zone = 1; zone < zones.size(); ++zone) {
-            feeds.column = distance(zone) < distance(feeds.column) ? zone : feeds.column;
-        }
+                        matchingPlace(shown, m_wanted, kept)};
+    if (!haveSamePlaces(shown, kept)) {
         const FeedColumn& column = now->feeds->columns[feeds.column];
         feeds.name = tr("%1: %2").arg(feeds.name, Names::zone(column.zone, column.section));
     }
@@ -240,25 +226,25 @@ void CompareView::showCurves() {
 
 /// A run that comes out differently now stands there as it was kept and as it is computed.
 void CompareView::showTable() {
-    std::vector<ComparedValues> runs;
+    std::vector<ComparedRun> runs;
+    QStringList names;
     std::vector<ReadSummary> computed;
     const std::vector<int> chosen = chosenRuns();
     computed.reserve(chosen.size());
     if (m_present && !chosen.empty()) {
-        runs.push_back({tr("Present run"), &good()->result.project, &*m_present});
+        names << tr("Present run");
+        runs.push_back({&good()->result.project, &*m_present});
         for (const int run : chosen) {
             const QString name = RunsPanel::nameOf(m_kept.all()[static_cast<std::size_t>(run)]);
-            runs.push_back({name, m_kept.inputs(run), m_kept.summary(run)});
+            names << name;
+            runs.push_back({m_kept.inputs(run), m_kept.summary(run)});
             const RecalledRun* const now = m_kept.recalled(run);
             if (m_kept.isChanged(run) && now && now->summary) {
                 computed.push_back({*now->summary, {}});
-                runs.push_back({tr("now: %1").arg(name), m_kept.inputs(run), &computed.back()});
+                names << tr("now: %1").arg(name);
+                runs.push_back({m_kept.inputs(run), &computed.back()});
             }
         }
-    }
-    QStringList names;
-    for (const ComparedValues& run : runs) {
-        names << run.name;
     }
     m_tableModel->setRows(differingRows(runs), names);
 }

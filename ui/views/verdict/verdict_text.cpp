@@ -61,13 +61,7 @@ QString status(const SimulationResult& result) {
 }
 
 Light overallLight(const Outcome& outcome) {
-    const ConstraintResult* c = worst(outcome);
-    if (outcome.result.status != RunStatus::completed || (c && !c->holds)) {
-        return Light::fails;
-    }
-    const bool close = std::ranges::any_of(
-        outcome.constraints, [](const ConstraintResult& r) { return lightOf(r) == Light::close; });
-    return close ? Light::close : Light::holds;
+    return verdictOf(outcome.result.status, outcome.constraints);
 }
 
 QString overall(const Outcome& outcome) {

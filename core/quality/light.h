@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/quality/constraints.h"
+#include "core/simulation/result.h"
+
+#include <vector>
+
+namespace sparkout {
+
+/// How a requirement stands; close: it holds with a margin below a tenth of the field or limit. A
+/// setting of the machine holds up to the end of its range.
+enum class Light { holds, close, fails };
+
+inline constexpr double closeMargin = 0.1;
+
+[[nodiscard]] Light lightOf(const ConstraintResult& constraint);
+
+/// Of a run as a whole: the worst of its requirements; one that does not end by itself fails.
+[[nodiscard]] Light verdictOf(RunStatus status, const std::vector<ConstraintResult>& constraints);
+
+} // namespace sparkout
