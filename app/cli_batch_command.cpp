@@ -7,17 +7,17 @@
 #include "app/stop_signals.h"
 #include "core/batch/batch_check.h"
 #include "core/batch/batch_state_reader.h"
-#include "core/batch/part_table.h"
 #include "core/files/safe_file_writer.h"
 #include "core/format/blanks_csv.h"
 #include "core/format/project_file.h"
 #include "core/format/strict_json.h"
 #include "core/printable.h"
+#include "core/study/part_rows_file.h"
 #include "words/issue_words.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -96,37 +96,15 @@ std::int64_t partsToRun(const ScenarioSource& source, const Options& options, Pa
     return range.end - range.first + options.sensitivity.value_or(0) * (factors + 2);
 }
 
-/// The file of --rows while the batch runs.
-class RowsFile {
-public:
-    explicit RowsFile(const Options& options)
-        : m_file(options.rows, options.force ? SafeFileWriter::Existing::replaced
-                                             : SafeFileWriter::Existing::refused) {}
-
-    /// What runBatch() tells the parts to; nothing when the file cannot be written.
-    PartSink begin(const ScenarioSource& source, const std::stop_token& stop) {
-        PartColumns columns = PartColumns::of(source, stop);
-        const auto keys = PartTable::keys(columns);
-        m_table = std::make_unique<PartTable>(std::move(columns), PartTable::Dialect{});
-        m_file.write(m_table->head(keys));
-        return [this](const PartRecord& record) { return m_file.write(m_table->line(record)); };
+/// Says why the file of --rows failed, if it did.
+bool failed(const PartRowsFile& rows) {
+    if (const auto& error = rows.error()) {
+        print(stderr, error->systemError == EEXIST
+                          ? printable(error->path) + ": there already; --force replaces it\n"
+                          : describe(*error));
     }
-    bool finish() { return m_file.finish(); }
-
-    /// Says why it failed, if it did.
-    bool failed() const {
-        if (const auto& error = m_file.error()) {
-            print(stderr, error->systemError == EEXIST
-                              ? printable(error->path) + ": there already; --force replaces it\n"
-                              : describe(*error));
-        }
-        return m_file.error().has_value();
-    }
-
-private:
-    SafeFileWriter m_file;
-    std::unique_ptr<PartTable> m_table;
-};
+    return rows.error().has_value();
+}
 
 } // namespace
 
@@ -144,10 +122,13 @@ int runBatchCommand(const Options& options) {
     const auto [shard, shards] = options.shard.value_or(std::pair(1, 1));
     BatchResult result;
     std::optional<SobolIndices> indices;
-    std::unique_ptr<RowsFile> rows;
+    std::optional<PartRowsFile> rows;
     if (!options.rows.empty()) {
-        rows = std::make_unique<RowsFile>(options);
-        if (rows->failed()) {
+        rows.emplace(options.rows,
+                     options.force ? SafeFileWriter::Existing::replaced
+                                   : SafeFileWriter::Existing::refused,
+                     PartRowsFile::Form{});
+        if (failed(*rows)) {
             return refused;
         }
     }
@@ -167,7 +148,7 @@ int runBatchCommand(const Options& options) {
             indices = sobolIndices(*project, *options.sensitivity, run);
         }
     }
-    if (rows && (rows->failed() || (caughtSignal() == 0 && !rows->finish() && rows->failed()))) {
+    if (rows && (failed(*rows) || (caughtSignal() == 0 && !rows->finish() && failed(*rows)))) {
         return refused;
     }
     int status = done;

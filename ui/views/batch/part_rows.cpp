@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/batch/part_rows.h"
 
-#include "core/batch/batch_run.h"
-#include "core/batch/part_table.h"
-#include "core/files/safe_file_writer.h"
+#include "core/study/part_rows_file.h"
 #include "ui/dialogs/save_dialog.h"
 #include "ui/text/example_texts.h"
 #include "ui/text/names.h"
@@ -57,23 +55,12 @@ std::vector<std::string> headOfParts(const PartColumns& columns) {
 bool writeRows(const Project& project, TableFormat format, const std::string& path,
                const KeepGoing& keepGoing, const std::stop_token& stop,
                std::optional<FileError>& error) {
-    SafeFileWriter file(path, SafeFileWriter::Existing::replaced); // the dialog has asked
-    const ScenarioSource source(project);
-    PartColumns columns = PartColumns::of(source, stop);
-    const std::vector<std::string> head = headOfParts(columns);
-    const PartTable table(std::move(columns), dialectOfParts(format));
-    file.write(table.head(head));
-    std::int64_t done = 0;
-    const auto all = static_cast<double>(source.parts());
+    PartRowsFile file(path, SafeFileWriter::Existing::replaced, // the dialog has asked
+                      {dialectOfParts(format), headOfParts});
     BatchOptions options;
     options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
     options.stop = stop;
-    options.sink = [&](const PartRecord& record) {
-        return keepGoing(static_cast<double>(++done) / all) && file.write(table.line(record));
-    };
-    const bool written = !file.error()
-                         && runBatch(project, options).status == BatchStatus::completed
-                         && file.finish();
+    const bool written = file.runBatch(project, options, keepGoing);
     error = file.error();
     return written;
 }
