@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/longitudinal_series.h"
+#include "core/study/length_lines.h"
 
 #include <qcustomplot.h>
 

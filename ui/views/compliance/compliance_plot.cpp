@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/compliance/compliance_plot.h"
 
+#include "core/study/length_lines.h"
 #include "ui/charts/longitudinal_layers.h"
-#include "ui/charts/longitudinal_series.h"
 #include "ui/plot/band_layer.h"
 #include "ui/text/names.h"
 #include "ui/views/compliance/compliance_curves.h"

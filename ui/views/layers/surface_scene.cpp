@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/layers/surface_scene.h"
 
-#include "ui/charts/profiles_series.h"
+#include "ui/charts/magnified_profile.h"
 #include "ui/views/layers/layers_surface.h"
 
 #include <QLocale>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/charts/magnified_profile.h"
 #include "ui/charts/profiles_look.h"
-#include "ui/charts/profiles_series.h"
 
 #include <QFont>
 #include <QPalette>

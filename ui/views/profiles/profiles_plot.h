@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/profiles_series.h"
+#include "ui/charts/magnified_profile.h"
 #include "ui/views/profiles/profile_cell.h"
 #include "ui/views/profiles/profile_plot.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/profiles/profiles_text.h"
 
+#include "core/study/length_lines.h"
 #include "core/units.h"
-#include "ui/charts/longitudinal_series.h"
 #include "ui/text/names.h"
 
 #include <QStringList>

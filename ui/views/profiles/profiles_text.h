@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/profiles_series.h"
+#include "core/study/profile_series.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/form/harmonics.h"
-#include "ui/charts/profiles_series.h"
+#include "core/study/profile_series.h"
 #include "ui/views/profiles/profile_plot.h"
 
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The requirements in the verdict panel: chosen, explained, led to their input.
 #include "core/format/project_file.h"
+#include "core/study/profile_series.h"
 #include "tests/registry.h"
 #include "tests/ui/views/verdict/verdict_bench.h"
-#include "ui/charts/profiles_series.h"
 #include "ui/charts/result_tables.h"
 #include "ui/charts/verdict_model.h"
 #include "ui/charts/verdict_why.h"

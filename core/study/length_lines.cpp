@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/longitudinal_series.h"
+#include "core/study/length_lines.h"
 
 #include "core/units.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The magnified drawing of a profile, held against geometry.
 #include "core/process/profile.h"
+#include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-#include "tests/ui/views/profiles/profile_series_bench.h"
+#include "ui/charts/magnified_profile.h"
 
 #include <QTest>
 
@@ -10,12 +11,12 @@
 #include <cmath>
 #include <numbers>
 
-namespace test_profiles_magnified {
+namespace test_magnified_profile {
 
 using namespace sparkout;
 using namespace profile_series_bench;
 
-class TestProfilesMagnified : public QObject {
+class TestMagnifiedProfile : public QObject {
     Q_OBJECT
 
 private slots:
@@ -35,14 +36,14 @@ private slots:
     void theNearestSampleIsFoundAtAnyAngle();
 };
 
-void TestProfilesMagnified::theDrawnLineIsClosedAndPassesOnlyThroughSamples_data() {
+void TestMagnifiedProfile::theDrawnLineIsClosedAndPassesOnlyThroughSamples_data() {
     QTest::addColumn<int>("radii");
     for (const int radii : {4, 36, 360}) {
         QTest::addRow("%d radii", radii) << radii;
     }
 }
 
-void TestProfilesMagnified::theDrawnLineIsClosedAndPassesOnlyThroughSamples() {
+void TestMagnifiedProfile::theDrawnLineIsClosedAndPassesOnlyThroughSamples() {
     QFETCH(int, radii);
     Project p = plungeProject(1);
     p.part.radii_per_section = radii;
@@ -62,7 +63,7 @@ void TestProfilesMagnified::theDrawnLineIsClosedAndPassesOnlyThroughSamples() {
     }
 }
 
-void TestProfilesMagnified::theTargetCircleIsDrawnAtDeviationZero() {
+void TestMagnifiedProfile::theTargetCircleIsDrawnAtDeviationZero() {
     const ProfileSeries s = series(traverseProject());
     for (const double times : {1.0, 2000.0, 1e6}) {
         const PolarScale scale = polarScale(s, s.profiles[1], RadiusReference::target, times);
@@ -72,7 +73,7 @@ void TestProfilesMagnified::theTargetCircleIsDrawnAtDeviationZero() {
     }
 }
 
-void TestProfilesMagnified::magnificationOneIsTheTrueShape() {
+void TestMagnifiedProfile::magnificationOneIsTheTrueShape() {
     const ProfileSeries s = series(plungeProject(1), 3);
     const PolarScale scale = polarScale(s, s.profiles[0], RadiusReference::target, 1);
     const std::vector<ProfilePoint> line = closedLine(s.profiles[0].radii_mm, scale);
@@ -81,13 +82,13 @@ void TestProfilesMagnified::magnificationOneIsTheTrueShape() {
     }
 }
 
-void TestProfilesMagnified::deviationsGrowWithTheMagnification() {
+void TestMagnifiedProfile::deviationsGrowWithTheMagnification() {
     const PolarScale once{15, 15, 100}, twice{15, 15, 200};
     QVERIFY(close(twice.at(15.01) - 15, 2 * (once.at(15.01) - 15)));
     QVERIFY(close(twice.radiusAt(twice.at(14.99)), 14.99));
 }
 
-void TestProfilesMagnified::theChordOfAnEllipseIsStraight() {
+void TestMagnifiedProfile::theChordOfAnEllipseIsStraight() {
     // Four samples of an ellipse: the line between them is the chord, well inside the ellipse.
     Project p = plungeProject(1);
     p.part.radii_per_section = 4;
@@ -101,7 +102,7 @@ void TestProfilesMagnified::theChordOfAnEllipseIsStraight() {
     QVERIFY(distance(middle) < 16 * 15 * std::numbers::sqrt2 / std::hypot(16.0, 15.0) - 4);
 }
 
-void TestProfilesMagnified::theOwnMeanTakesTheSizeAway() {
+void TestMagnifiedProfile::theOwnMeanTakesTheSizeAway() {
     ProfileSeries s = series(plungeProject(2), 5);
     Profile larger = s.profiles[0];
     for (double& radius : larger.radii_mm) {
@@ -120,7 +121,7 @@ void TestProfilesMagnified::theOwnMeanTakesTheSizeAway() {
     QVERIFY(close(mean, s.target_mm, 1e-9)); // drawn about the base circle
 }
 
-void TestProfilesMagnified::circlesAreDrawnAboutTheirCentres() {
+void TestMagnifiedProfile::circlesAreDrawnAboutTheirCentres() {
     // R(φ) = e·cos(φ − φ0) + √(r² − e²·sin²(φ − φ0)): a circle of radius r about a point at e.
     const double r = 15, e = 0.4, at = 0.7;
     const FittedCircle circle{e * std::cos(at), e * std::sin(at), r};
@@ -135,7 +136,7 @@ void TestProfilesMagnified::circlesAreDrawnAboutTheirCentres() {
     }
 }
 
-void TestProfilesMagnified::aLobedSectionHasItsReferenceCircles() {
+void TestMagnifiedProfile::aLobedSectionHasItsReferenceCircles() {
     for (const int lobes : {2, 3, 5}) {
         Project project = plungeProject(1);
         project.part.profile = ProfileForm::lobes;
@@ -152,7 +153,7 @@ void TestProfilesMagnified::aLobedSectionHasItsReferenceCircles() {
     }
 }
 
-void TestProfilesMagnified::magnificationsAreOneTwoFive_data() {
+void TestMagnifiedProfile::magnificationsAreOneTwoFive_data() {
     QTest::addColumn<double>("value");
     QTest::addColumn<double>("down");
     QTest::addColumn<double>("up");
@@ -166,7 +167,7 @@ void TestProfilesMagnified::magnificationsAreOneTwoFive_data() {
     QTest::newRow("0.03") << 0.03 << 0.02 << 0.05;
 }
 
-void TestProfilesMagnified::magnificationsAreOneTwoFive() {
+void TestMagnifiedProfile::magnificationsAreOneTwoFive() {
     QFETCH(double, value);
     QFETCH(double, down);
     QFETCH(double, up);
@@ -174,7 +175,7 @@ void TestProfilesMagnified::magnificationsAreOneTwoFive() {
     QVERIFY(close(roundUp125(value), up, up * 1e-9));
 }
 
-void TestProfilesMagnified::theChosenMagnificationIsTheLargestThatFits() {
+void TestMagnifiedProfile::theChosenMagnificationIsTheLargestThatFits() {
     // Inwards 4 µm of 15 mm: 0.6·15/0.004 = 2250, so 2000.
     QCOMPARE(suitableMagnification({0.004, 0.001}, 15), 2000.0);
     // A blank 170 µm above the target: 15/0.17 = 88, so 50.
@@ -183,7 +184,7 @@ void TestProfilesMagnified::theChosenMagnificationIsTheLargestThatFits() {
     QCOMPARE(suitableMagnification({14, 0}, 15), 1.0);
 }
 
-void TestProfilesMagnified::noSampleIsEverDrawnThroughTheCentre() {
+void TestMagnifiedProfile::noSampleIsEverDrawnThroughTheCentre() {
     for (int stroke : {0, 1, 20, 69}) {
         for (const Surface surface : {Surface::external, Surface::internal}) {
             Project p = plungeProject(3);
@@ -206,7 +207,7 @@ void TestProfilesMagnified::noSampleIsEverDrawnThroughTheCentre() {
     }
 }
 
-void TestProfilesMagnified::theNearestSampleIsFoundAtAnyAngle() {
+void TestMagnifiedProfile::theNearestSampleIsFoundAtAnyAngle() {
     QCOMPARE(nearestRadius(0, 36), 0);
     QCOMPARE(nearestRadius(angleOf(5, 36) + 0.08, 36), 5); // half a step is 0.087
     QCOMPARE(nearestRadius(-angleOf(1, 36), 36), 35);
@@ -214,7 +215,7 @@ void TestProfilesMagnified::theNearestSampleIsFoundAtAnyAngle() {
     QCOMPARE(nearestRadius(-std::numbers::pi / 2, 4), 3);
 }
 
-} // namespace test_profiles_magnified
+} // namespace test_magnified_profile
 
-SPARKOUT_TEST(test_profiles_magnified, TestProfilesMagnified)
-#include "test_profiles_magnified.moc"
+SPARKOUT_TEST(test_magnified_profile, TestMagnifiedProfile)
+#include "test_magnified_profile.moc"

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles along the axis: zones, sections, limits and the shaft at their places.
+#include "core/study/length_lines.h"
+#include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-#include "tests/ui/views/profiles/profile_series_bench.h"
-#include "ui/charts/longitudinal_series.h"
 
 #include <QTest>
 
 #include <algorithm>
 
-namespace test_profiles_along {
+namespace test_length_lines {
 
 using namespace sparkout;
 using namespace profile_series_bench;
 
-class TestProfilesAlong : public QObject {
+class TestLengthLines : public QObject {
     Q_OBJECT
 
 private slots:
@@ -26,7 +26,7 @@ private slots:
     void theShaftBeginsBeforeItsGroundLength();
 };
 
-void TestProfilesAlong::zonesStandAtTheirLengths() {
+void TestLengthLines::zonesStandAtTheirLengths() {
     Project p = traverseProject(); // B = 50, L = 92, o1 = o2 = 12 by default
     p.machine.overrun_exit_mm = 20;
     const ProfileSeries s = series(p);
@@ -37,7 +37,7 @@ void TestProfilesAlong::zonesStandAtTheirLengths() {
     QVERIFY(close(s.gauge_mm, (rz1 + 92 - rz2) / 2));
 }
 
-void TestProfilesAlong::theEntryAtTheTailstockMirrorsTheZones() {
+void TestLengthLines::theEntryAtTheTailstockMirrorsTheZones() {
     Project p = traverseProject();
     p.machine.overrun_exit_mm = 20;
     const ProfileSeries left = series(p);
@@ -59,7 +59,7 @@ void TestProfilesAlong::theEntryAtTheTailstockMirrorsTheZones() {
     }
 }
 
-void TestProfilesAlong::zonesAreStepsAndSectionsAreJoined() {
+void TestLengthLines::zonesAreStepsAndSectionsAreJoined() {
     const ProfileSeries zones = series(traverseProject());
     const auto steps = lengthLine(zones, LengthLine::max, LengthQuantity::radius_um);
     QCOMPARE(steps.size(), std::size_t{6});
@@ -74,7 +74,7 @@ void TestProfilesAlong::zonesAreStepsAndSectionsAreJoined() {
     QVERIFY(close(line[3].x, 40 * 3.5 / 20)); // at the sections' middles
 }
 
-void TestProfilesAlong::limitsAndTargetAreTheDrawings() {
+void TestLengthLines::limitsAndTargetAreTheDrawings() {
     const ProfileSeries s = series(traverseProject()); // 30 −0.016…0
     const auto at = [&](LengthLine line, LengthQuantity quantity) {
         return lengthLine(s, line, quantity).front().y;
@@ -88,7 +88,7 @@ void TestProfilesAlong::limitsAndTargetAreTheDrawings() {
     QCOMPARE(lengthLine(s, LengthLine::upperLimit, LengthQuantity::radius_um).back().x, 92.0);
 }
 
-void TestProfilesAlong::diametersAndRadiiTellTheSameSize() {
+void TestLengthLines::diametersAndRadiiTellTheSameSize() {
     const ProfileSeries s = series(plungeProject(3), 12);
     for (const Profile& p : s.profiles) {
         const LengthSpread radius = spreadOf(p.radii_mm, s, LengthQuantity::radius_um);
@@ -101,7 +101,7 @@ void TestProfilesAlong::diametersAndRadiiTellTheSameSize() {
     }
 }
 
-void TestProfilesAlong::aPlaceBelongsToItsZoneOrNearestSection() {
+void TestLengthLines::aPlaceBelongsToItsZoneOrNearestSection() {
     const ProfileSeries zones = series(traverseProject());
     QCOMPARE(profileAt(zones, 1), 0);
     QCOMPARE(profileAt(zones, 46), 1);
@@ -113,7 +113,7 @@ void TestProfilesAlong::aPlaceBelongsToItsZoneOrNearestSection() {
     QCOMPARE(profileAt(ProfileSeries{}, 1), -1);
 }
 
-void TestProfilesAlong::theShaftBeginsBeforeItsGroundLength() {
+void TestLengthLines::theShaftBeginsBeforeItsGroundLength() {
     Project p = traverseProject();
     QVERIFY(shaftSteps(p).empty());
     p.part.shaft.segments = {{25, 20}, {100, 30}, {30, 18}};
@@ -128,7 +128,7 @@ void TestProfilesAlong::theShaftBeginsBeforeItsGroundLength() {
     QVERIFY(shaftSteps(p).empty());
 }
 
-} // namespace test_profiles_along
+} // namespace test_length_lines
 
-SPARKOUT_TEST(test_profiles_along, TestProfilesAlong)
-#include "test_profiles_along.moc"
+SPARKOUT_TEST(test_length_lines, TestLengthLines)
+#include "test_length_lines.moc"

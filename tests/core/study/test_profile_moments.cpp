@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The profiles of a moment of the cycle, held against its visits.
+#include "core/study/length_lines.h"
+#include "tests/core/study/profile_series_bench.h"
 #include "tests/registry.h"
-#include "tests/ui/views/profiles/profile_series_bench.h"
-#include "ui/charts/longitudinal_series.h"
 
 #include <QTest>
 
 #include <algorithm>
 
-namespace test_profiles_moments {
+namespace test_profile_moments {
 
 using namespace sparkout;
 using namespace profile_series_bench;
 
-class TestProfilesMoments : public QObject {
+class TestProfileMoments : public QObject {
     Q_OBJECT
 
 private slots:
@@ -29,7 +29,7 @@ private slots:
     void outOfFieldIsTheVerdictsRule();
 };
 
-void TestProfilesMoments::theEndOfTheCycleIsTheResult() {
+void TestProfileMoments::theEndOfTheCycleIsTheResult() {
     const Ran ran = run(traverseProject());
     const ProfileSeries s = makeProfileSeries(ran.result, ran.trajectory);
     QCOMPARE(s.profiles.size(), ran.result.sections.size());
@@ -42,13 +42,13 @@ void TestProfilesMoments::theEndOfTheCycleIsTheResult() {
     QCOMPARE(s.time_s, ran.result.time_s);
 }
 
-void TestProfilesMoments::theLastStrokeOfTheTrajectoryIsTheEnd_data() {
+void TestProfileMoments::theLastStrokeOfTheTrajectoryIsTheEnd_data() {
     QTest::addColumn<bool>("plunge");
     QTest::newRow("traverse") << false;
     QTest::newRow("plunge") << true;
 }
 
-void TestProfilesMoments::theLastStrokeOfTheTrajectoryIsTheEnd() {
+void TestProfileMoments::theLastStrokeOfTheTrajectoryIsTheEnd() {
     QFETCH(bool, plunge);
     const Ran ran = run(plunge ? plungeProject(5) : traverseProject());
     // A result that claims one stroke more makes the last recorded one be read back.
@@ -69,7 +69,7 @@ void TestProfilesMoments::theLastStrokeOfTheTrajectoryIsTheEnd() {
     QVERIFY(close(read.time_s, end.time_s, 1e-9));
 }
 
-void TestProfilesMoments::everyStrokeShowsItsOwnLastVisits() {
+void TestProfileMoments::everyStrokeShowsItsOwnLastVisits() {
     const Ran ran = run(traverseProject());
     const int stroke = ran.result.cycleCount / 2;
     const ProfileSeries s =
@@ -89,7 +89,7 @@ void TestProfilesMoments::everyStrokeShowsItsOwnLastVisits() {
     }
 }
 
-void TestProfilesMoments::beforeTheFirstStrokeStandsTheBlank() {
+void TestProfileMoments::beforeTheFirstStrokeStandsTheBlank() {
     for (const Surface surface : {Surface::external, Surface::internal}) {
         Project p = plungeProject(3);
         p.part.surface = surface;
@@ -106,13 +106,13 @@ void TestProfilesMoments::beforeTheFirstStrokeStandsTheBlank() {
     }
 }
 
-void TestProfilesMoments::radiiNeverGrowOutwardsFromStrokeToStroke_data() {
+void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke_data() {
     QTest::addColumn<bool>("internal");
     QTest::newRow("external") << false;
     QTest::newRow("internal") << true;
 }
 
-void TestProfilesMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
+void TestProfileMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
     QFETCH(bool, internal);
     Project p = plungeProject(2);
     p.part.surface = internal ? Surface::internal : Surface::external;
@@ -131,7 +131,7 @@ void TestProfilesMoments::radiiNeverGrowOutwardsFromStrokeToStroke() {
     }
 }
 
-void TestProfilesMoments::internalGrindingBeginsInsideItsEnd() {
+void TestProfileMoments::internalGrindingBeginsInsideItsEnd() {
     Project p = plungeProject(2);
     p.part.surface = Surface::internal;
     p.wheel.diameter_mm = 20;
@@ -149,14 +149,14 @@ void TestProfilesMoments::internalGrindingBeginsInsideItsEnd() {
     QVERIFY(blank.y < end.y);
 }
 
-void TestProfilesMoments::withoutATrajectoryOnlyTheEndIsThere() {
+void TestProfileMoments::withoutATrajectoryOnlyTheEndIsThere() {
     const Ran ran = run(traverseProject());
     const ProfileSeries s = makeProfileSeries(ran.result, Trajectory{}, Progress{});
     QVERIFY(s.atEnd());
     QCOMPARE(s.profiles[0].radii_mm, ran.result.sections[0].radii_mm);
 }
 
-void TestProfilesMoments::outOfFieldIsTheVerdictsRule() {
+void TestProfileMoments::outOfFieldIsTheVerdictsRule() {
     ProfileSeries s = series(traverseProject());
     Profile p = s.profiles[0];
     p.diameterMin_mm = -0.016;
@@ -171,7 +171,7 @@ void TestProfilesMoments::outOfFieldIsTheVerdictsRule() {
     QVERIFY(outOfField(s, p));
 }
 
-} // namespace test_profiles_moments
+} // namespace test_profile_moments
 
-SPARKOUT_TEST(test_profiles_moments, TestProfilesMoments)
-#include "test_profiles_moments.moc"
+SPARKOUT_TEST(test_profile_moments, TestProfileMoments)
+#include "test_profile_moments.moc"

@@ -3,13 +3,13 @@
 
 #include "core/project/validate.h"
 #include "core/simulation/simulate.h"
+#include "core/study/profile_series.h"
 #include "tests/two_stage_projects.h"
-#include "ui/charts/profiles_series.h"
 
 #include <cmath>
 #include <optional>
 
-/// What the view "Zone profiles" computes, from cycles run for it.
+/// The profiles of cycles run for it.
 namespace profile_series_bench {
 
 using namespace sparkout;

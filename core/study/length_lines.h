@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/charts/profiles_series.h"
+#include "core/study/profile_series.h"
 
 #include <vector>
 
-/// What the view "Zone profiles" draws along the axis; no Qt.
+/// The profile of a run along the axis: its lines over the ground length.
 namespace sparkout {
 
 /// The value drawn over the length.
