@@ -120,7 +120,7 @@ QString CompareChart::valuesAt(std::size_t run, double x) const {
     for (std::size_t row = 0; row < rowCount; ++row) {
         if (const Quantity q = m_second[row]; q != secondQuantities[row][0]) {
             chosen += QStringLiteral("; %1 %2").arg(
-                quantityWithUnit(q), told(valueOf(*p, q, Edge::mean), quantityDigits(q)));
+                quantityWithUnit(q), stated(valueOf(*p, q, Edge::mean), quantityDigits(q)));
         }
     }
     return tr("%1, %2: feed %3, accumulated %4, radius %5 µm; force %6 N")

@@ -22,7 +22,7 @@ struct ComparedFeeds {
 };
 
 /// The feeds of several runs over one horizontal axis, the present run first, in two plots with a
-/// quantity to the left and one to the right: as they are drawn, told and tabulated.
+/// quantity to the left and one to the right: as they are drawn, read and tabulated.
 class CompareChart {
     Q_DECLARE_TR_FUNCTIONS(CompareChart)
 public:

@@ -83,17 +83,17 @@ QCPAxis* ComparePlot::axisOf(Quantity quantity) const {
 }
 
 void ComparePlot::setSecond(std::size_t row, Quantity quantity) {
-    const bool all = sight() == m_fitted;
+    const bool all = visibleRange() == m_fitted;
     m_chart.setSecond(row, quantity);
     fill();
     fitValues(quantity);
-    m_fitted = all ? sight() : m_fitted;
+    m_fitted = all ? visibleRange() : m_fitted;
     setTexts();
     emit contentChanged();
 }
 
 void ComparePlot::setRuns(std::vector<ComparedFeeds> runs) {
-    const bool all = m_fitted.empty() || sight() == m_fitted;
+    const bool all = m_fitted.empty() || visibleRange() == m_fitted;
     m_chart.setRuns(std::move(runs));
     fill();
     if (all) {
@@ -153,7 +153,7 @@ void ComparePlot::setMoment(std::optional<double> time_s) {
                                                   : std::nullopt);
 }
 
-// --- what is in sight ---------------------------------------------------------------------------
+// --- what is visible ---------------------------------------------------------------------------
 
 void ComparePlot::fitValues(Quantity quantity) {
     double low = 0, high = 0;
@@ -175,7 +175,7 @@ void ComparePlot::fit() {
     for (const Quantity quantity : quantities()) {
         fitValues(quantity);
     }
-    m_fitted = sight();
+    m_fitted = visibleRange();
 }
 
 QList<QCPAxis*> ComparePlot::movedAxes(QCPAxisRect& rect) const {
@@ -300,9 +300,9 @@ CursorSubject ComparePlot::cursorSubject() {
 }
 
 CsvTable ComparePlot::table() const {
-    const QCPRange inSight = m_rects[0]->axis(QCPAxis::atBottom)->range();
+    const QCPRange visible = m_rects[0]->axis(QCPAxis::atBottom)->range();
     return m_chart.table(
-        inSight.lower, inSight.upper,
+        visible.lower, visible.upper,
         [this](const ComparedFeeds& run) { return shows(runKey + run.number); },
         [this](Quantity quantity) { return shows(static_cast<int>(quantity)); });
 }

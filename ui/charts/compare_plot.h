@@ -22,7 +22,7 @@ public:
 
     explicit ComparePlot(QWidget* parent = nullptr);
 
-    /// The present run first; what is in sight stays unless all was. No replot.
+    /// The present run first; what is visible stays unless all was. No replot.
     void setRuns(std::vector<ComparedFeeds> runs);
     void setAxis(CycleAxis axis); ///< shows all
     /// On the right-hand axis of a row, in its place; shows all of its values.
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] ReadCurves readCurves() const override; ///< the shown ones, run by run
     [[nodiscard]] QCPRange readSpan() const override { return {0, m_chart.end()}; }
     [[nodiscard]] CursorSubject cursorSubject() override;
-    [[nodiscard]] CsvTable table() const override; ///< the shown points in sight
+    [[nodiscard]] CsvTable table() const override; ///< the shown points within the visible range
 
 signals:
     void timeClicked(double time_s); ///< of the present run

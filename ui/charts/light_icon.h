@@ -11,7 +11,7 @@ namespace sparkout {
 
 [[nodiscard]] QColor lightColour(Light light, const QPalette& palette);
 
-/// Circle, triangle or square in the light's colour of the present theme, told apart without
+/// Circle, triangle or square in the light's colour of the present theme, distinct without
 /// colour too.
 [[nodiscard]] QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey);
 

@@ -79,13 +79,6 @@ void MarginModel::setIcons(const std::array<QIcon, 3>& icons) {
     retranslate();
 }
 
-void MarginModel::retranslate() {
-    if (!m_rows.empty()) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
-    }
-    emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
-}
-
 void MarginModel::fill() {
     beginResetModel();
     m_rows.clear();
@@ -108,14 +101,6 @@ int MarginModel::rowOf(const ConstraintResult& wanted) const {
     return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
-int MarginModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int MarginModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : columnCount_;
-}
-
 QString MarginModel::text(const ConstraintResult& c, int column) {
     switch (column) {
     case requirement:
@@ -132,21 +117,15 @@ QString MarginModel::text(const ConstraintResult& c, int column) {
     }
 }
 
-QVariant MarginModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const ConstraintResult& c = at(index.row());
-    const int column = index.column();
+QVariant MarginModel::cell(int row, int column, int role) const {
+    const ConstraintResult& c = at(row);
     const Light light = lightOf(c);
     switch (role) {
     case Qt::DisplayRole: return text(c, column);
     case Qt::DecorationRole:
         return column == requirement ? QVariant(m_icons[static_cast<std::size_t>(light)])
                                      : QVariant();
-    case Qt::TextAlignmentRole:
-        return static_cast<int>((column == value ? Qt::AlignRight : Qt::AlignLeft)
-                                | Qt::AlignVCenter);
+    case Qt::TextAlignmentRole: return aligned(column == value);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return (Names::isRange(c.kind) ? tr("%1, %2, %3: %4") : tr("%1, %2 used, %3: %4"))
@@ -162,18 +141,14 @@ QVariant MarginModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant MarginModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return {};
-    }
+QVariant MarginModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return static_cast<int>((section == value ? Qt::AlignRight : Qt::AlignLeft)
-                                | Qt::AlignVCenter);
+        return aligned(column == value);
     }
     if (role != Qt::DisplayRole) {
         return {};
     }
-    switch (section) {
+    switch (column) {
     case requirement: return tr("Requirement");
     case usage: return tr("Used up");
     case value: return tr("Value / limit");

@@ -3,8 +3,8 @@
 
 #include "core/study/outcome.h"
 #include "ui/tables/csv_table.h"
+#include "ui/tables/table_model.h"
 
-#include <QAbstractTableModel>
 #include <QIcon>
 #include <QStyledItemDelegate>
 
@@ -27,7 +27,7 @@ namespace sparkout {
 
 /// The requirements by how much of their limit they use up, the most first and settings of the
 /// machine last: of each kind the worst, or all.
-class MarginModel : public QAbstractTableModel {
+class MarginModel : public TableModel {
     Q_OBJECT
 public:
     enum Column { requirement, usage, value, columnCount_ };
@@ -35,12 +35,11 @@ public:
     static constexpr int lightRole = Qt::UserRole + 1; ///< Light
     static constexpr int placeRole = Qt::UserRole + 2; ///< double, of a range; else nothing
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using TableModel::TableModel;
 
     void setOutcome(OutcomePtr outcome);
     void setAllPlaces(bool all);
     void setIcons(const std::array<QIcon, 3>& icons);
-    void retranslate();
 
     [[nodiscard]] const ConstraintResult& at(int row) const {
         return m_rows[static_cast<std::size_t>(row)];
@@ -50,13 +49,11 @@ public:
     [[nodiscard]] QString asTsv() const;
     [[nodiscard]] CsvTable table() const; ///< with all digits
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
-
 private:
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int columnsShown() const override { return columnCount_; }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
     void fill();
     [[nodiscard]] static QString text(const ConstraintResult& c, int column);
 

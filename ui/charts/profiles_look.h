@@ -23,7 +23,7 @@ enum class ProfileLine {
 };
 using ProfileLines = std::set<ProfileLine>;
 
-/// The reference circles of the roundness that are drawn and told.
+/// The reference circles of the roundness that are drawn and stated.
 enum class ReferenceCircles { leastSquares, minimumZone, none };
 
 /// Colours, dashes and names of those lines.

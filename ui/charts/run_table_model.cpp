@@ -35,14 +35,6 @@ const RunRow* RunTableModel::rowAt(int row) const {
     return line < 0 ? nullptr : &m_rows[static_cast<std::size_t>(line)];
 }
 
-int RunTableModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
-}
-
-int RunTableModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() || m_lines.empty() ? 0 : 1 + static_cast<int>(m_runs.size());
-}
-
 QString RunTableModel::text(int row, int column) const {
     const RunRow* const of = rowAt(row);
     if (!of) {
@@ -55,39 +47,30 @@ QString RunTableModel::text(int row, int column) const {
     return of->unit.isEmpty() ? of->what : QStringLiteral("%1, %2").arg(of->what, of->unit);
 }
 
-QVariant RunTableModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const QString whole = text(index.row(), index.column());
+QVariant RunTableModel::cell(int row, int column, int role) const {
+    const QString whole = text(row, column);
     switch (role) {
-    case Qt::DisplayRole: return index.column() > 0 ? briefly(whole, longestCell) : whole;
+    case Qt::DisplayRole: return column > 0 ? briefly(whole, longestCell) : whole;
     case Qt::AccessibleTextRole: return whole;
-    case Qt::ToolTipRole:
-        return index.column() > 0 && whole.size() > longestCell ? whole : QVariant();
-    case Qt::TextAlignmentRole:
-        return static_cast<int>((index.column() > 0 ? Qt::AlignRight : Qt::AlignLeft)
-                                | Qt::AlignVCenter);
+    case Qt::ToolTipRole: return column > 0 && whole.size() > longestCell ? whole : QVariant();
+    case Qt::TextAlignmentRole: return aligned(column > 0);
     case Qt::FontRole: {
         QFont font;
         font.setBold(true);
-        return rowAt(index.row()) ? QVariant() : font;
+        return rowAt(row) ? QVariant() : font;
     }
     default: return {};
     }
 }
 
-QVariant RunTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return {};
-    }
+QVariant RunTableModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return static_cast<int>((section > 0 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return aligned(column > 0);
     }
     if (role != Qt::DisplayRole && role != Qt::ToolTipRole) {
         return {};
     }
-    const QString name = section == 0 ? tr("What differs") : m_runs.value(section - 1);
+    const QString name = column == 0 ? tr("What differs") : m_runs.value(column - 1);
     return role == Qt::DisplayRole ? briefly(name, longestHead) : name;
 }
 

@@ -65,8 +65,8 @@ QVariant RunsModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case Qt::DisplayRole: return run.name + u'\n' + run.detail;
     case Qt::EditRole: return run.name;
-    case Qt::ToolTipRole: return run.told;
-    case Qt::AccessibleTextRole: return run.told;
+    case Qt::ToolTipRole: return run.description;
+    case Qt::AccessibleTextRole: return run.description;
     case Qt::DecorationRole: {
         const QPalette palette = QGuiApplication::palette();
         QIcon marks(markOf(run, palette.color(QPalette::Text)));

@@ -20,8 +20,8 @@ class RunsModel : public QAbstractListModel {
 public:
     struct Run {
         QString name;
-        QString detail; ///< the lines below
-        QString told;   ///< for the tooltip
+        QString detail;      ///< the lines below
+        QString description; ///< for the tooltip
         std::optional<Light> light;
         int number = 0; ///< of its dash; below 0: it is not drawn
         bool chosen = true;

@@ -51,8 +51,6 @@ QString requirementName(const ConstraintResult& c, const QString& name, const QS
 
 } // namespace
 
-VerdictModel::VerdictModel(QObject* parent) : QAbstractTableModel(parent) {}
-
 void VerdictModel::setOutcome(OutcomePtr outcome) {
     beginResetModel();
     m_outcome = std::move(outcome);
@@ -121,14 +119,6 @@ const ConstraintResult* VerdictModel::constraintAt(int row) const {
     return m_rows.at(static_cast<std::size_t>(row)).constraint;
 }
 
-int VerdictModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int VerdictModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : columnCount_;
-}
-
 QString VerdictModel::text(const ConstraintResult& c, int column) const {
     switch (column) {
     case requirement: return requirementName(c, Names::constraint(c.kind), Names::where(c));
@@ -139,12 +129,9 @@ QString VerdictModel::text(const ConstraintResult& c, int column) const {
     }
 }
 
-QVariant VerdictModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const Row& row = m_rows.at(static_cast<std::size_t>(index.row()));
-    const bool first = index.column() == requirement;
+QVariant VerdictModel::cell(int line, int column, int role) const {
+    const Row& row = m_rows.at(static_cast<std::size_t>(line));
+    const bool first = column == requirement;
     if (role == Qt::ForegroundRole && m_grey) {
         return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
     }
@@ -154,7 +141,7 @@ QVariant VerdictModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole) {
         return static_cast<int>(Qt::AlignLeft | Qt::AlignTop);
     }
-    return row.constraint ? requirementData(row, index.column(), role) : zoneData(row, first, role);
+    return row.constraint ? requirementData(row, column, role) : zoneData(row, first, role);
 }
 
 QVariant VerdictModel::zoneData(const Row& row, bool first, int role) const {
@@ -187,15 +174,15 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
         return first ? QVariant(m_icons[static_cast<std::size_t>(light)]) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: {
-        const QString told =
+        const QString stated =
             QStringLiteral("%1, %2: %3")
                 .arg(Names::where(*row.constraint), Names::constraint(row.constraint->kind),
                      first ? lightName(*row.constraint) : shown);
         if (role == Qt::AccessibleTextRole) {
-            return told;
+            return stated;
         }
         const char* const by = requirementOf(kind).measuredBy;
-        QStringList lines{told, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
+        QStringList lines{stated, Names::isRange(kind) ? rangeText(*row.constraint) : QString(),
                           by ? requirementText(by) : QString(), EstimateNames::behind(kind),
                           guessed ? tr("Without a calibration of the wheel Ra comes out too small.")
                                   : QString()};
@@ -206,18 +193,14 @@ QVariant VerdictModel::requirementData(const Row& row, int column, int role) con
     }
 }
 
-QVariant VerdictModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return {};
-    }
+QVariant VerdictModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return static_cast<int>((section == requirement ? Qt::AlignLeft : Qt::AlignRight)
-                                | Qt::AlignVCenter);
+        return aligned(column != requirement);
     }
     if (role != Qt::DisplayRole) {
         return {};
     }
-    switch (section) {
+    switch (column) {
     case requirement: return tr("Requirement");
     case value: return tr("Value");
     case limit: return tr("Limit");
@@ -232,12 +215,11 @@ Qt::ItemFlags VerdictModel::flags(const QModelIndex& index) const {
 
 QString VerdictModel::asTsv() const {
     QStringList lines;
-    QStringList head{tr("Zone or section")};
+    QStringList heads{tr("Zone or section")};
     for (int c = 0; c < columnCount_; ++c) {
-        const QString name = headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
-        head << name;
+        heads << head(c, Qt::DisplayRole).toString();
     }
-    lines << (head << tr("Unit") << tr("Verdict")).join(QLatin1Char('\t'));
+    lines << (heads << tr("Unit") << tr("Verdict")).join(QLatin1Char('\t'));
     for (const Row& row : m_rows) {
         if (!row.constraint) {
             continue;

@@ -4,8 +4,8 @@
 #include "core/quality/light.h"
 #include "core/study/outcome.h"
 #include "ui/tables/csv_table.h"
+#include "ui/tables/table_model.h"
 
-#include <QAbstractTableModel>
 #include <QIcon>
 
 #include <array>
@@ -19,17 +19,16 @@ namespace sparkout {
 
 /// The requirements, zone by zone, then those of the part, of the passes and of the settings: a row
 /// a requirement under a row that names the group.
-class VerdictModel : public QAbstractTableModel {
+class VerdictModel : public TableModel {
     Q_OBJECT
 public:
     enum Column { requirement, value, limit, margin, columnCount_ };
-
-    explicit VerdictModel(QObject* parent = nullptr);
+    using TableModel::TableModel;
 
     void setOutcome(OutcomePtr outcome);
     void setGreyed(bool grey); ///< the numbers are of inputs that are no longer those shown
     void setIcons(const std::array<QIcon, 3>& icons);
-    void retranslate();
+    void retranslate() override;
 
     [[nodiscard]] bool isZoneRow(int row) const;
     /// Null for a row that names a zone. Valid as long as the outcome is shown.
@@ -39,14 +38,13 @@ public:
     [[nodiscard]] QString asTsv() const;
     [[nodiscard]] CsvTable table() const; ///< with all digits
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int columnsShown() const override { return columnCount_; }
+    [[nodiscard]] QVariant cell(int line, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
     struct Row {
         const ConstraintResult* constraint; ///< null: the row names the group of the next one
         Zone zone;

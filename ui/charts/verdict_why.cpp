@@ -28,7 +28,7 @@ public:
     static QString place(const Outcome& outcome, const ConstraintResult& c);
 };
 
-/// The ratio is told from here on; below it is not what makes the difference.
+/// The ratio is stated from here on; below it is not what makes the difference.
 constexpr double tellingRatio = 0.05;
 
 QString VerdictWhy::diameter(const Outcome& outcome, const ConstraintResult& c) {

@@ -12,7 +12,7 @@ constexpr double namePad = 2;   ///< of a name's coloured box, to both sides
 constexpr double leastBand = 2; ///< narrower bands are not named [px]
 } // namespace
 
-/// A band in sight and the room its name takes.
+/// A visible band and the room its name takes.
 struct BandLayer::Name {
     double from, to;  ///< the band's pixels
     double width;     ///< of the box

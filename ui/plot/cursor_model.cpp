@@ -48,9 +48,7 @@ void CursorModel::show(const QString& axis, const Places& places, const ReadCurv
     const bool same = groups == m_groups && rows.size() == m_rows.size();
     if (same) {
         m_rows = std::move(rows);
-        if (rowCount() > 0) {
-            emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-        }
+        cellsChanged();
         return;
     }
     beginResetModel();
@@ -59,42 +57,28 @@ void CursorModel::show(const QString& axis, const Places& places, const ReadCurv
     endResetModel();
 }
 
-int CursorModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || m_rows.empty() ? 0 : static_cast<int>(m_rows.size()) - 1;
-}
-
-int CursorModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : 1 + perGroup * static_cast<int>(m_groups.size());
-}
-
-QString CursorModel::cell(const Row& row, int column) const {
+QString CursorModel::valueText(const Row& row, int column) const {
     const std::optional<double>& value = row.values[static_cast<std::size_t>(column)];
     if (!value) {
         return QStringLiteral("–");
     }
     const bool difference = column % perGroup == perGroup - 1;
     if (row.place) {
-        return toldPlace(*value);
+        return statedPlace(*value);
     }
     if (!difference) {
-        return told(*value, row.digits);
+        return stated(*value, row.digits);
     }
     const std::optional<double>& beside = row.values[static_cast<std::size_t>(column) - 1];
-    return toldDifference(*value, row.digits, beside.value_or(*value));
+    return statedDifference(*value, row.digits, beside.value_or(*value));
 }
 
-QVariant CursorModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const Row& row = m_rows[static_cast<std::size_t>(index.row()) + 1]; // the places stand above
+QVariant CursorModel::cell(int line, int column, int role) const {
+    const Row& row = m_rows[static_cast<std::size_t>(line) + 1]; // the places stand above
     if (role == Qt::DisplayRole) {
-        return index.column() == 0 ? row.name : cell(row, index.column() - 1);
+        return column == 0 ? row.name : valueText(row, column - 1);
     }
-    if (role == Qt::TextAlignmentRole && index.column() > 0) {
-        return int(Qt::AlignRight | Qt::AlignVCenter);
-    }
-    return {};
+    return role == Qt::TextAlignmentRole && column > 0 ? aligned(true) : QVariant();
 }
 
 QString CursorModel::header(int section, QChar between) const {
@@ -109,9 +93,9 @@ QString CursorModel::header(int section, QChar between) const {
     return group.isEmpty() ? place : group + between + place;
 }
 
-QVariant CursorModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    const bool known = orientation == Qt::Horizontal && section >= 0 && section < columnCount();
-    return known && role == Qt::DisplayRole ? header(section, u'\n') : QVariant();
+QVariant CursorModel::head(int column, int role) const {
+    const bool known = column >= 0 && column < columnsShown();
+    return known && role == Qt::DisplayRole ? header(column, u'\n') : QVariant();
 }
 
 CsvTable CursorModel::table() const {

@@ -3,8 +3,7 @@
 
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
-
-#include <QAbstractTableModel>
+#include "ui/tables/table_model.h"
 
 #include <array>
 
@@ -12,23 +11,25 @@ namespace sparkout {
 
 /// What the two cursors of a plot read: a row a curve, below their places; at A, at B and B − A,
 /// for each zone, section or run.
-class CursorModel : public QAbstractTableModel {
+class CursorModel : public TableModel {
     Q_OBJECT
 public:
     using Places = std::array<std::optional<double>, 2>;
-    using QAbstractTableModel::QAbstractTableModel;
+    using TableModel::TableModel;
 
     void show(const QString& axis, const Places& places, const ReadCurves& curves);
     [[nodiscard]] QString asTsv() const; ///< with all digits
     [[nodiscard]] CsvTable table() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
-
 private:
+    [[nodiscard]] int rowsShown() const override {
+        return m_rows.empty() ? 0 : static_cast<int>(m_rows.size()) - 1;
+    }
+    [[nodiscard]] int columnsShown() const override {
+        return 1 + perGroup * static_cast<int>(m_groups.size());
+    }
+    [[nodiscard]] QVariant cell(int line, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
     static constexpr int perGroup = 3; ///< A, B and the difference
 
     struct Row {
@@ -38,7 +39,7 @@ private:
         std::vector<std::optional<double>> values;
     };
     [[nodiscard]] QString header(int section, QChar between) const;
-    [[nodiscard]] QString cell(const Row& row, int column) const;
+    [[nodiscard]] QString valueText(const Row& row, int column) const;
 
     QStringList m_groups;
     std::vector<Row> m_rows;

@@ -22,7 +22,7 @@ namespace sparkout {
 
 namespace {
 
-constexpr int mostRows = 8, leastRows = 1; ///< in sight
+constexpr int mostRows = 8, leastRows = 1; ///< visible
 
 /// As high as its rows, up to some; the others are scrolled to.
 class ReadingTable : public CopyTable {
@@ -141,7 +141,7 @@ void CursorStrip::fill() {
     const int before = m_table->sizeHint().height();
     m_axis->setText(subject.axis());
     const bool both = places[0] && places[1];
-    m_difference->setToolTip(both ? tr("B − A = %1").arg(toldPlace(*places[1] - *places[0]))
+    m_difference->setToolTip(both ? tr("B − A = %1").arg(statedPlace(*places[1] - *places[0]))
                                   : QString());
     showDifference();
     m_model->show(subject.axis(), places, subject.curves());

@@ -13,7 +13,7 @@ namespace sparkout {
 /// The same with its unit: "actual feed, µm".
 [[nodiscard]] QString quantityWithUnit(Quantity quantity);
 
-/// How its values are told.
+/// How its values are stated.
 [[nodiscard]] Digits quantityDigits(Quantity quantity);
 
 /// The values at a time as two lines of plain text: where in the cycle, and the numbers. Empty when

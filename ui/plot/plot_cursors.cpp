@@ -80,15 +80,15 @@ void PlotCursors::moveTo(std::size_t cursor, double x) {
     emit moved();
 }
 
-/// The first time within what is in sight.
+/// The first time within the visible range.
 void PlotCursors::showThem(bool on) {
     const std::vector<QCPAxisRect*> all = rects();
     const bool first = on && !m_kept.front() && !all.empty();
     if (first) {
-        const QCPRange sight = all.front()->axis(QCPAxis::atBottom)->range();
+        const QCPRange visible = all.front()->axis(QCPAxis::atBottom)->range();
         const QCPRange span = m_subject.span();
-        const double low = std::max(sight.lower, span.lower);
-        const double high = std::max(std::min(sight.upper, span.upper), low);
+        const double low = std::max(visible.lower, span.lower);
+        const double high = std::max(std::min(visible.upper, span.upper), low);
         for (std::size_t cursor = 0; cursor < count; ++cursor) {
             moveTo(cursor, rounded(low + firstPlaces[cursor] * (high - low)));
         }
@@ -246,18 +246,18 @@ bool PlotCursors::onKey(const QKeyEvent& event) {
     return cursor.has_value();
 }
 
-/// To the right as it is seen; from out of sight to its edge.
+/// To the right as it is seen; from outside the visible range to its edge.
 void PlotCursors::step(std::size_t cursor, int steps) {
     const std::vector<QCPAxisRect*> all = rects();
     if (all.empty() || !at(cursor)) {
         return;
     }
     const QCPAxis* axis = all.front()->axis(QCPAxis::atBottom);
-    const QCPRange sight = axis->range(), span = m_subject.span();
+    const QCPRange visible = axis->range(), span = m_subject.span();
     const double side = axis->rangeReversed() ? -steps : steps;
-    const double x = std::clamp(*at(cursor), sight.lower, sight.upper);
+    const double x = std::clamp(*at(cursor), visible.lower, visible.upper);
     moveTo(cursor,
-           std::clamp(rounded(x + side * stepShare * sight.size()), span.lower, span.upper));
+           std::clamp(rounded(x + side * stepShare * visible.size()), span.lower, span.upper));
 }
 
 bool PlotCursors::eventFilter(QObject* watched, QEvent* event) {

@@ -6,19 +6,19 @@
 
 namespace sparkout {
 
-/// What was in sight before, for Back and Forward.
+/// What was visible before, for Back and Forward.
 class PlotHistory {
 public:
-    /// What is in sight, as numbers of the plot's own meaning (usually ranges of axes).
+    /// What is visible, as numbers of the plot's own meaning (usually ranges of axes).
     using State = std::vector<double>;
     static constexpr std::size_t mostStates = 100;
 
     /// Forgets all, and starts from a state.
     void restart(State state);
-    /// Something else came into sight. Steps of one gesture (a number above 0) are one entry; a
-    /// state that is in sight already is none.
+    /// Something else became visible. Steps of one gesture (a number above 0) are one entry; a
+    /// state that is visible already is none.
     void visit(State state, int gesture = 0);
-    /// What is in sight is replaced without a way back, as by a new result.
+    /// What is visible is replaced without a way back, as by a new result.
     void amend(State state);
 
     [[nodiscard]] bool canGoBack() const { return m_at > 0; }
@@ -29,8 +29,8 @@ public:
 
 private:
     std::vector<State> m_states{State{}};
-    std::size_t m_at = 0; ///< index of what is in sight
-    int m_gesture = 0;    ///< that made the entry in sight
+    std::size_t m_at = 0; ///< index of what is visible
+    int m_gesture = 0;    ///< that made the visible entry
 };
 
 } // namespace sparkout

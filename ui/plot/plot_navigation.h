@@ -28,7 +28,7 @@ public:
     /// What the plot does differently from the defaults in brackets.
     struct Hooks {
         std::function<void()> fit;                 ///< show everything [the axes' data]
-        std::function<PlotHistory::State()> state; ///< what is in sight [ranges of all axes]
+        std::function<PlotHistory::State()> state; ///< what is visible [ranges of all axes]
         std::function<void(const PlotHistory::State&)> setState; ///< no replot needed
         /// Axes that wheel, drag and keys move within an axis rect [bottom and left].
         std::function<QList<QCPAxis*>(QCPAxisRect&)> axes;
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] bool canGoBack() const { return m_history.canGoBack(); }
     [[nodiscard]] bool canGoForward() const { return m_history.canGoForward(); }
 
-    /// For the owner of the plot: other tools changed what is in sight (an entry of the history) …
+    /// For the owner of the plot: other tools changed what is visible (an entry of the history) …
     void noteView(int gesture = 0);
     void amendView();   ///< … a new result did, which cannot be taken back …
     void forgetViews(); ///< … or the plot was built anew.
@@ -84,7 +84,7 @@ private:
     PlotHistory m_history;
     QPointer<QCPAxisRect> m_current; ///< last pointed at
     QElapsedTimer m_sinceStep;
-    PlotHistory::State m_pressed; ///< what was in sight when the drag began
+    PlotHistory::State m_pressed; ///< what was visible when the drag began
     int m_kind = 0;
     int m_gesture = 0;
 };

@@ -83,7 +83,7 @@ std::optional<double> valueAt(const QCPCurve& curve, double x) {
     return value;
 }
 
-QString told(double value, Digits digits) {
+QString stated(double value, Digits digits) {
     switch (digits) {
     case Digits::hundredths: return Names::micrometres(value);
     case Digits::signedHundredths: return Names::signedMicrometres(value);
@@ -94,11 +94,11 @@ QString told(double value, Digits digits) {
     return Names::significant(value);
 }
 
-QString toldDifference(double value, Digits digits, double beside) {
+QString statedDifference(double value, Digits digits, double beside) {
     if (digits == Digits::hundredths || digits == Digits::signedHundredths) {
         return Names::signedMicrometres(value);
     }
-    const QString other = told(beside, digits);
+    const QString other = stated(beside, digits);
     const auto point = other.lastIndexOf(QLocale().decimalPoint());
     const auto decimals = point < 0 ? 0 : other.size() - point - QLocale().decimalPoint().size();
     const bool rises = value >= 0.5 * std::pow(10.0, -static_cast<double>(decimals));
@@ -110,7 +110,7 @@ double plainPlace(double x) {
     return QString::number(x, 'g', sureDigits).toDouble();
 }
 
-QString toldPlace(double x) {
+QString statedPlace(double x) {
     return showNumber(plainPlace(x), QLocale());
 }
 

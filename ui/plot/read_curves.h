@@ -15,7 +15,7 @@ class QCPGraph;
 /// Curves as the two cursors of a plot read them: the value of what is drawn at a place.
 namespace sparkout {
 
-/// How the numbers of a curve are told: as the view tells its others.
+/// How the numbers of a curve are stated: as the view states its others.
 enum class Digits { hundredths, signedHundredths, thousandths, tenThousandths, significant };
 
 /// A curve that can be read. Curves of one name stand in one row of the cursors' table, those of
@@ -35,12 +35,12 @@ using ReadCurves = std::vector<ReadCurve>;
 /// Where a curve passes a place more than once, its last value there.
 [[nodiscard]] std::optional<double> valueAt(const QCPCurve& curve, double x);
 
-[[nodiscard]] QString told(double value, Digits digits);
-/// With its sign; as far as the value it is a difference of is told.
-[[nodiscard]] QString toldDifference(double value, Digits digits, double beside);
+[[nodiscard]] QString stated(double value, Digits digits);
+/// With its sign; as far as the value it is a difference of is stated.
+[[nodiscard]] QString statedDifference(double value, Digits digits, double beside);
 
 /// A place on the axis with no more digits than a double holds for sure.
 [[nodiscard]] double plainPlace(double x);
-[[nodiscard]] QString toldPlace(double x);
+[[nodiscard]] QString statedPlace(double x);
 
 } // namespace sparkout

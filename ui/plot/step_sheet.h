@@ -27,7 +27,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void follow(); ///< only while it is in sight
+    void follow(); ///< only while it is visible
     void fillZones();
     void showSheet();
 

@@ -125,8 +125,8 @@ PlotTools& ViewPlot::addTools(PlotSubject subject, Settings* settings) {
     if (!hooks.fit) {
         hooks.fit = [this] { fit(); };
     }
-    hooks.state = [this] { return sight(); };
-    hooks.setState = [this](const PlotHistory::State& state) { setSight(state); };
+    hooks.state = [this] { return visibleRange(); };
+    hooks.setState = [this](const PlotHistory::State& state) { setVisibleRange(state); };
     hooks.axes = [this](QCPAxisRect& rect) { return movedAxes(rect); };
     m_tools = new PlotTools(*this, std::move(subject));
     m_tools->setSettings(settings);
@@ -147,12 +147,12 @@ CursorSubject ViewPlot::cursorSubject() {
             {}};
 }
 
-PlotHistory::State ViewPlot::sight() const {
+PlotHistory::State ViewPlot::visibleRange() const {
     return PlotNavigation::rangesOf(*this);
 }
 
-void ViewPlot::setSight(const PlotHistory::State& sight) {
-    PlotNavigation::setRanges(*this, sight);
+void ViewPlot::setVisibleRange(const PlotHistory::State& range) {
+    PlotNavigation::setRanges(*this, range);
 }
 
 QList<QCPAxis*> ViewPlot::movedAxes(QCPAxisRect& rect) const {

@@ -19,8 +19,9 @@ struct CursorSubject;
 struct PlotSubject;
 
 /// A plot of a view: dims with a run that is out of date, follows the window's language, palette
-/// and font, tells what is under the mouse, knows what of it the user hid; with tools it is moved,
-/// copied and saved, with cursors read. A chart says what is drawn, how it is read and fitted.
+/// and font, reports what is under the mouse, knows what of it the user hid; with tools it is
+/// moved, copied and saved, with cursors read. A chart says what is drawn, how it is read and
+/// fitted.
 class ViewPlot : public QCustomPlot {
     Q_OBJECT
 public:
@@ -34,21 +35,23 @@ public:
     void retranslate();               ///< numbers and texts
     virtual void restyle();           ///< by palette and font; here background and axes
 
-    virtual void fit() = 0; ///< brings all into sight; no replot
+    virtual void fit() = 0; ///< makes all visible; no replot
     [[nodiscard]] virtual LegendEntries legendEntries() const { return {}; }
-    [[nodiscard]] virtual CsvTable table() const { return {}; } ///< what is shown and in sight
-    virtual void toggleCurve(int key);                          ///< of the legend
-    virtual void showOnly(int key);                             ///< again: all
+    [[nodiscard]] virtual CsvTable table() const {
+        return {};
+    }                                  ///< what is shown, within the visible range
+    virtual void toggleCurve(int key); ///< of the legend
+    virtual void showOnly(int key);    ///< again: all
 
-    /// What is in sight, for the history [the ranges of all axes].
-    [[nodiscard]] virtual PlotHistory::State sight() const;
-    virtual void setSight(const PlotHistory::State& sight); ///< no replot
+    /// What is visible, for the history [the ranges of all axes].
+    [[nodiscard]] virtual PlotHistory::State visibleRange() const;
+    virtual void setVisibleRange(const PlotHistory::State& range); ///< no replot
     /// Axes that wheel, drag and keys move within an axis rect [bottom and left].
     [[nodiscard]] virtual QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const;
 
     [[nodiscard]] virtual ReadCurves readCurves() const { return {}; } ///< the shown ones
     [[nodiscard]] virtual QCPRange readSpan() const { return {}; }     ///< where they can be read
-    /// For the cursors; the horizontal axis is told by its label.
+    /// For the cursors; the horizontal axis goes by its label.
     [[nodiscard]] virtual CursorSubject cursorSubject();
 
     /// Upright or level through an axis rect, at a value of its bottom or left axis.
@@ -74,7 +77,7 @@ protected:
     /// The entries of the legend that showOnly() chooses one of.
     [[nodiscard]] virtual LegendEntries besides(int) const { return legendEntries(); }
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
-    virtual void onMouse(QMouseEvent* event); ///< has moved; here tells the values
+    virtual void onMouse(QMouseEvent* event); ///< has moved; here reports the values
     virtual void pointAway();                 ///< the mouse has left
     void built();                             ///< ends a constructor: look and texts
     void setBuilt() { m_built = true; }       ///< the same without them: there is nothing yet

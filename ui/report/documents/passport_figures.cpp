@@ -18,17 +18,6 @@ constexpr int histogramHeight = 240, alongHeight = 300, acrossHeight = 320;
 constexpr std::size_t mostAcross = 4; ///< cross-sections beside each other
 constexpr double narrowBar = 0.8;     ///< at least so wide
 
-LegendEntries profileLegend(const QPalette& palette, std::initializer_list<ProfileLine> lines) {
-    LegendEntries entries;
-    for (const ProfileLine of : lines) {
-        const bool swatch = of == ProfileLine::spread || of == ProfileLine::field;
-        const QPen pen = ProfileLook::pen(of, palette);
-        entries.push_back({swatch ? ProfileLook::fill(of, palette) : pen.color(),
-                           swatch ? Qt::NoPen : pen.style(), ProfileLook::name(of)});
-    }
-    return entries;
-}
-
 std::vector<int> allOf(const ProfileSeries& series) {
     std::vector<int> all;
     for (std::size_t i = 0; i < series.profiles.size(); ++i) {
@@ -74,9 +63,8 @@ Figure PassportFigures::alongThePart(const Outcome& outcome) {
     plot.setHidden({blank});
     plot.setSeries(series, shaftSteps(outcome.result.project), {});
     plot.fit();
-    const LegendEntries legend =
-        profileLegend(plot.palette(), {profile, spread, target, field, gauge});
-    return plotFigure(plot, legend, tr("Diameter along the part against the tolerance field"),
+    return plotFigure(plot, plot.entriesOf({profile, spread, target, field, gauge}),
+                      tr("Diameter along the part against the tolerance field"),
                       ProfilesText::summary(series, allOf(series)));
 }
 
@@ -92,9 +80,8 @@ Figure PassportFigures::crossSections(const Outcome& outcome) {
     plot.setHidden({blank});
     plot.setSeries(series, shown);
     plot.fit();
-    const LegendEntries legend =
-        profileLegend(plot.palette(), {profile, target, leastSquares, field});
-    return plotFigure(plot, legend, tr("Cross-sections, deviations magnified"),
+    return plotFigure(plot, plot.entriesOf({profile, target, leastSquares, field}),
+                      tr("Cross-sections, deviations magnified"),
                       ProfilesText::summary(series, shown));
 }
 

@@ -22,21 +22,6 @@ struct CourseFigure {
     Q_DECLARE_TR_FUNCTIONS(CourseFigure)
 };
 
-LegendEntries profileLegend(const QPalette& palette) {
-    LegendEntries entries;
-    for (const ProfileLine line : {ProfileLine::profile, ProfileLine::target,
-                                   ProfileLine::leastSquares, ProfileLine::field}) {
-        LegendEntry entry;
-        const bool swatch = line == ProfileLine::field;
-        const QPen pen = ProfileLook::pen(line, palette);
-        entry.colour = swatch ? ProfileLook::fill(line, palette) : pen.color();
-        entry.pen = swatch ? Qt::NoPen : pen.style();
-        entry.text = ProfileLook::name(line);
-        entries.push_back(entry);
-    }
-    return entries;
-}
-
 } // namespace
 
 Figure profilesFigure(const OutcomePtr& outcome) {
@@ -49,7 +34,8 @@ Figure profilesFigure(const OutcomePtr& outcome) {
     plot.setSeries(makeProfileSeries(result, outcome->trajectory), shown);
     plot.restyle();
     plot.fit();
-    return plotFigure(plot, profileLegend(plot.palette()),
+    using enum ProfileLine;
+    return plotFigure(plot, plot.entriesOf({profile, target, leastSquares, field}),
                       CourseFigure::tr("Cross-sections at the end of the cycle"),
                       ProfilesText::summary(plot.series(), plot.shown()));
 }

@@ -58,24 +58,8 @@ void BatchFigures::show(BatchOutcomePtr outcome, const std::string& name) {
     endResetModel();
 }
 
-void BatchFigures::retranslate() {
-    if (!m_places.empty()) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-        emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
-    }
-    emit headerDataChanged(Qt::Vertical, 0, rowCount_ - 1);
-}
-
 const CharacteristicSummary& BatchFigures::at(int column) const {
     return m_outcome->summary.characteristics[m_places[static_cast<std::size_t>(column)]];
-}
-
-int BatchFigures::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || m_places.empty() ? 0 : rowCount_;
-}
-
-int BatchFigures::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_places.size());
 }
 
 QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, int row) {
@@ -107,37 +91,34 @@ QString BatchFigures::text(const CharacteristicSummary& summary, bool isSample, 
     }
 }
 
-QVariant BatchFigures::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const CharacteristicSummary& summary = at(index.column());
+QVariant BatchFigures::cell(int row, int column, int role) const {
+    const CharacteristicSummary& summary = at(column);
     switch (role) {
-    case Qt::DisplayRole: return text(summary, m_outcome->summary.isSample, index.row());
-    case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::DisplayRole: return text(summary, m_outcome->summary.isSample, row);
+    case Qt::TextAlignmentRole: return aligned(true);
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1, %2: %3")
-            .arg(BatchText::full(summary.characteristic),
-                 headerData(index.row(), Qt::Vertical, Qt::DisplayRole).toString(),
-                 text(summary, m_outcome->summary.isSample, index.row()));
+            .arg(BatchText::full(summary.characteristic), side(row, Qt::DisplayRole).toString(),
+                 text(summary, m_outcome->summary.isSample, row));
     default: return {};
     }
 }
 
-QVariant BatchFigures::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Horizontal) {
-        return role == Qt::DisplayRole && section < columnCount()
-                   ? QVariant(BatchText::where(at(section).characteristic))
-                   : QVariant();
-    }
+QVariant BatchFigures::head(int column, int role) const {
+    return role == Qt::DisplayRole && column < columnsShown()
+               ? QVariant(BatchText::where(at(column).characteristic))
+               : QVariant();
+}
+
+QVariant BatchFigures::side(int row, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+        return aligned(false);
     }
     const bool tip = role == Qt::ToolTipRole;
     if (role != Qt::DisplayRole && !tip) {
         return {};
     }
-    switch (section) {
+    switch (row) {
     case least: return tr("Smallest");
     case most: return tr("Largest");
     case mean: return tr("Mean");

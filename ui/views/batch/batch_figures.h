@@ -3,15 +3,14 @@
 
 #include "ui/session/batch_runner.h"
 #include "ui/tables/csv_table.h"
-
-#include <QAbstractTableModel>
+#include "ui/tables/table_model.h"
 
 #include <string>
 
 namespace sparkout {
 
 /// The figures of one characteristic of a batch: a column a zone or section, a row a figure.
-class BatchFigures : public QAbstractTableModel {
+class BatchFigures : public TableModel {
     Q_OBJECT
 public:
     enum Row {
@@ -30,21 +29,19 @@ public:
         rowCount_
     };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using TableModel::TableModel;
 
     void show(BatchOutcomePtr outcome, const std::string& name); ///< of the characteristic
-    void retranslate();
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
 
     /// One figure of a characteristic as it is shown.
     [[nodiscard]] static QString text(const CharacteristicSummary& summary, bool isSample, int row);
 
 private:
+    [[nodiscard]] int rowsShown() const override { return m_places.empty() ? 0 : rowCount_; }
+    [[nodiscard]] int columnsShown() const override { return static_cast<int>(m_places.size()); }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+    [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] const CharacteristicSummary& at(int column) const;
 
     BatchOutcomePtr m_outcome;

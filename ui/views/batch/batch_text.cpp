@@ -74,8 +74,8 @@ QString BatchText::value(double value, const Characteristic& characteristic) {
 
 QString BatchText::percentile(const Percentile& percentile, const CharacteristicSummary& of) {
     const double beyond = std::min(percentile.order, 1 - percentile.order);
-    const bool isTold = beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
-    return !isTold ? QStringLiteral("–") : value(percentile.value, of.characteristic);
+    const bool isStated = beyond == 0.5 || static_cast<double>(of.count) * beyond >= 1;
+    return !isStated ? QStringLiteral("–") : value(percentile.value, of.characteristic);
 }
 
 QString BatchText::range(const Interval& interval, const Characteristic& characteristic) {

@@ -9,7 +9,7 @@
 
 namespace sparkout {
 
-/// How the weight of a factor is told.
+/// How the weight of a factor is stated.
 enum class SensitivityKind { ranks, sobol };
 
 /// Which factor matters most for one characteristic of a batch: a row a factor, a bar a zone or
@@ -27,7 +27,7 @@ public:
     void restyle() override;
 
     [[nodiscard]] SensitivityKind kind() const { return m_kind; }
-    [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be told
+    [[nodiscard]] bool empty() const { return m_bars.empty(); } ///< nothing could be said
     [[nodiscard]] LegendEntries legendEntries() const override; ///< keys: places, in order
     [[nodiscard]] CsvTable table() const override;
     /// Of every characteristic that has them.
@@ -42,7 +42,7 @@ private:
     void setTexts() override;
     void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
-    /// What is told of one place.
+    /// What is drawn of one place.
     struct Bars {
         std::size_t characteristic;       ///< of the summary
         std::vector<double> inner, outer; ///< by factor; of ranks both are the coefficient

@@ -127,12 +127,13 @@ void RunsPanel::enableActions() {
 void RunsPanel::setRuns(const ReadSummary* present) {
     m_present = present;
     const int kept = selected();
-    std::vector<RunsModel::Run> rows{{tr("Present run"), detailOf(-1), toldOf(-1), lightOf(-1)}};
+    std::vector<RunsModel::Run> rows{
+        {tr("Present run"), detailOf(-1), descriptionOf(-1), lightOf(-1)}};
     int number = 0;
     for (int run = 0; run < m_kept.count(); ++run) {
         const bool chosen = m_kept.isChosen(run);
         rows.push_back({nameOf(m_kept.all()[static_cast<std::size_t>(run)]), detailOf(run),
-                        toldOf(run), lightOf(run), chosen ? ++number : -1, chosen});
+                        descriptionOf(run), lightOf(run), chosen ? ++number : -1, chosen});
     }
     m_runs->setRuns(std::move(rows));
     if (!m_list->currentIndex().isValid() || kept >= m_kept.count()) {
@@ -169,7 +170,7 @@ std::optional<Light> RunsPanel::lightOf(int run) const {
     return read && !read->missing.contains("/status") ? verdictOf(read->summary) : std::nullopt;
 }
 
-QString RunsPanel::toldOf(int run) const {
+QString RunsPanel::descriptionOf(int run) const {
     QStringList lines{run < 0 ? tr("Present run, always drawn")
                               : nameOf(m_kept.all()[static_cast<std::size_t>(run)])};
     lines << detailOf(run).split(u'\n');

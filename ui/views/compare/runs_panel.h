@@ -39,7 +39,7 @@ private:
     [[nodiscard]] const ReadSummary* summaryOf(int run) const;
     [[nodiscard]] std::optional<Light> lightOf(int run) const;
     [[nodiscard]] QString detailOf(int run) const;
-    [[nodiscard]] QString toldOf(int run) const;
+    [[nodiscard]] QString descriptionOf(int run) const;
 
     KeptRuns& m_kept;
     const ReadSummary* m_present = nullptr;

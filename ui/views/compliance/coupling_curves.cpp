@@ -13,7 +13,7 @@ using style::Drawn;
 
 namespace {
 
-/// The two models often lie closer than the hundredths others are told in.
+/// The two models often lie closer than the hundredths others are stated in.
 QString fine(double value_um) {
     return Names::fixed(value_um, 3);
 }

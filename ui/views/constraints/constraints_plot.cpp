@@ -21,8 +21,8 @@ using units::umPerMm;
 
 constexpr double lowest_um = 1e-6;    ///< drawn in place of 0, which has no logarithm
 constexpr double feedHeadroom = 1.15; ///< above the highest value
-constexpr double limitsInSight = 3;   ///< times the deepest cut, of limits that rise beyond
-constexpr double decades = 1e-4;      ///< of the deepest cut, in sight at most
+constexpr double visibleLimits = 3;   ///< times the deepest cut, of limits that rise beyond
+constexpr double decades = 1e-4;      ///< of the deepest cut, in visible at most
 constexpr double forbidden_um = 1e6;  ///< far above all plots
 constexpr int forbiddenAlpha = 34;
 constexpr double markSize = 13, cutSize = 3.5, exceededSize = 6;
@@ -74,7 +74,7 @@ void ConstraintsPlot::build() {
     m_markText->position->setType(QCPItemPosition::ptPlotCoords);
     m_markText->setPadding(QMargins(10, 6, 10, 6));
     connect(feedAxis(), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-            &ConstraintsPlot::contentChanged); // the legend names what is out of sight
+            &ConstraintsPlot::contentChanged); // the legend names what is out of visible
 }
 
 void ConstraintsPlot::setRun(OutcomePtr outcome, int group) {
@@ -194,7 +194,7 @@ double ConstraintsPlot::highestFeed() const {
         return cut > 0 ? cut : 1;
     }
     return cut > 0
-               ? std::max(cut, std::min(limit.upper, std::max(limitsInSight * cut, limit.lower)))
+               ? std::max(cut, std::min(limit.upper, std::max(visibleLimits * cut, limit.lower)))
                : limit.upper;
 }
 
@@ -365,8 +365,8 @@ ReadCurves ConstraintsPlot::readCurves() const {
 }
 
 CsvTable ConstraintsPlot::table() const {
-    const QCPRange sight = stockAxis()->range();
-    return m_chart.table([&](double stock_mm) { return sight.contains(stock_mm * umPerMm); },
+    const QCPRange visible = stockAxis()->range();
+    return m_chart.table([&](double stock_mm) { return visible.contains(stock_mm * umPerMm); },
                          [this](ConstraintKind kind) { return shows(static_cast<int>(kind)); });
 }
 

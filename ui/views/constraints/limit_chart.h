@@ -14,7 +14,7 @@
 namespace sparkout {
 
 /// The cuts of one zone or section of a run under the limits that are on, and the one of them that
-/// is marked: as it is drawn, told and tabulated.
+/// is marked: as it is drawn, read and tabulated.
 class LimitChart {
     Q_DECLARE_TR_FUNCTIONS(LimitChart)
 public:

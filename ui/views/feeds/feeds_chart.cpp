@@ -38,8 +38,8 @@ void FeedsChart::setAxis(CycleAxis axis) {
 void FeedsChart::setTimes(double from_s, double to_s) {
     m_from_s = from_s;
     m_to_s = to_s;
-    m_detail = detailInSight();
-    m_steps = stepsInSight();
+    m_detail = visibleDetail();
+    m_steps = visibleSteps();
     for (Column& column : m_columns) {
         const FeedColumn& zone = series().columns[column.index];
         column.points = pointsOf(zone, m_detail, from_s, to_s);
@@ -74,8 +74,8 @@ QString FeedsChart::timeLabel() const {
 
 // --- what is in sight ---------------------------------------------------------------------------
 
-FeedsChart::Detail FeedsChart::detailInSight() const {
-    const double strokes = strokesInSight();
+FeedsChart::Detail FeedsChart::visibleDetail() const {
+    const double strokes = visibleStrokes();
     if (strokes <= (countsStrokes() ? mostStrokesByRadius : mostRevolutionsByRadius)) {
         return Detail::radius;
     }
@@ -84,14 +84,14 @@ FeedsChart::Detail FeedsChart::detailInSight() const {
 }
 
 bool FeedsChart::showsSteps() const {
-    return countsStrokes() && strokesInSight() <= mostStrokesWithSteps;
+    return countsStrokes() && visibleStrokes() <= mostStrokesWithSteps;
 }
 
 std::vector<StepSpan> FeedsChart::stepsOf(std::size_t column) const {
     return stepSpans(source(column), m_outcome->trajectory, m_from_s, m_to_s);
 }
 
-FeedsChart::Steps FeedsChart::stepsInSight() const {
+FeedsChart::Steps FeedsChart::visibleSteps() const {
     Steps steps;
     for (std::size_t i = 0; showsSteps() && i < m_columns.size(); ++i) {
         const Zone zone = source(i).zone;

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] double from_s() const { return m_from_s; }
     [[nodiscard]] double to_s() const { return m_to_s; }
     [[nodiscard]] Detail detail() const { return m_detail; }
-    [[nodiscard]] bool showsSteps() const;                       ///< else the stages are told
+    [[nodiscard]] bool showsSteps() const;                       ///< else the stages are named
     [[nodiscard]] const Steps& steps() const { return m_steps; } ///< in sight, each kind once
     [[nodiscard]] std::vector<StepSpan> stepsOf(std::size_t column) const;
     [[nodiscard]] bool countsStrokes() const { return series().operation->countsStrokes; }
@@ -64,11 +64,11 @@ private:
         FeedPoints points;     ///< what is drawn now …
         FeedPoints passes;     ///< … of the sums, where the points are radii
     };
-    [[nodiscard]] double strokesInSight() const {
+    [[nodiscard]] double visibleStrokes() const {
         return m_strokes.at(m_to_s) - m_strokes.at(m_from_s);
     }
-    [[nodiscard]] Detail detailInSight() const;
-    [[nodiscard]] Steps stepsInSight() const;
+    [[nodiscard]] Detail visibleDetail() const;
+    [[nodiscard]] Steps visibleSteps() const;
     /// Each radius has its own Σa: joined, they would saw. Their mean and spread grow by passes.
     [[nodiscard]] bool goesByPasses(Quantity quantity) const {
         return m_detail == Detail::radius && quantity == Quantity::actualSum;

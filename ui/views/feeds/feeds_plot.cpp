@@ -195,7 +195,7 @@ void FeedsPlot::onValuesChanged(QCPAxis* axis, const QCPRange& range) {
     m_grid.fit();
 }
 
-PlotHistory::State FeedsPlot::sight() const {
+PlotHistory::State FeedsPlot::visibleRange() const {
     PlotHistory::State state{visibleFrom_s(), visibleTo_s()};
     for (const RowValues& row : m_values) {
         const RowValues v = row.own ? row : RowValues{};
@@ -205,7 +205,7 @@ PlotHistory::State FeedsPlot::sight() const {
     return state;
 }
 
-void FeedsPlot::setSight(const PlotHistory::State& state) {
+void FeedsPlot::setVisibleRange(const PlotHistory::State& state) {
     constexpr std::size_t perRow = 5;
     if (m_chart.isEmpty() || state.size() != 2 + perRow * FeedsGrid::rowCount) {
         return;

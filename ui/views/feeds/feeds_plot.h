@@ -36,8 +36,8 @@ public:
         showAll();
     }
     void restyle() override;
-    [[nodiscard]] PlotHistory::State sight() const override;
-    void setSight(const PlotHistory::State& state) override;
+    [[nodiscard]] PlotHistory::State visibleRange() const override;
+    void setVisibleRange(const PlotHistory::State& state) override;
     /// Within a plot, wheel and drag move the time only.
     [[nodiscard]] QList<QCPAxis*> movedAxes(QCPAxisRect& rect) const override;
 

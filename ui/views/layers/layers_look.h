@@ -16,7 +16,7 @@ class LayersLook {
     Q_DECLARE_TR_FUNCTIONS(LayersLook)
 public:
     [[nodiscard]] static QColor stage(int stage, const QPalette& palette); ///< from 1
-    /// The same, lighter in every other layer, so that neighbours are told apart.
+    /// The same, lighter in every other layer, so that neighbours differ.
     [[nodiscard]] static QColor layer(const LayerSeries& series, std::size_t span,
                                       const QPalette& palette);
     /// The zones or sections along the length, by rising length.

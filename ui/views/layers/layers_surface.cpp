@@ -50,23 +50,23 @@ LayersSurface::LayersSurface(QWidget* parent) : ViewPlot(parent) {
 // --- angles -------------------------------------------------------------------------------------
 
 void LayersSurface::fit() {
-    setSight({-firstAzimuth - azimuthSize / 2, -firstAzimuth + azimuthSize / 2,
-              firstElevation - elevationSize / 2, firstElevation + elevationSize / 2});
+    setVisibleRange({-firstAzimuth - azimuthSize / 2, -firstAzimuth + azimuthSize / 2,
+                     firstElevation - elevationSize / 2, firstElevation + elevationSize / 2});
 }
 
-PlotHistory::State LayersSurface::sight() const {
+PlotHistory::State LayersSurface::visibleRange() const {
     const QCPRange x = m_rect->axis(QCPAxis::atBottom)->range();
     const QCPRange y = m_rect->axis(QCPAxis::atLeft)->range();
     return {x.lower, x.upper, y.lower, y.upper};
 }
 
-void LayersSurface::setSight(const PlotHistory::State& sight) {
-    if (sight.size() != 4) {
+void LayersSurface::setVisibleRange(const PlotHistory::State& range) {
+    if (range.size() != 4) {
         return;
     }
     m_setting = true;
-    m_rect->axis(QCPAxis::atBottom)->setRange(sight[0], sight[1]);
-    m_rect->axis(QCPAxis::atLeft)->setRange(sight[2], sight[3]);
+    m_rect->axis(QCPAxis::atBottom)->setRange(range[0], range[1]);
+    m_rect->axis(QCPAxis::atLeft)->setRange(range[2], range[3]);
     m_setting = false;
 }
 
@@ -82,8 +82,8 @@ void LayersSurface::keepAngles(const QCPRange& range, const QCPRange& before, bo
     const double middle = sized ? before.center() : range.center();
     const double across = sideways ? middle : -azimuth();
     const double up = sideways ? elevation() : std::clamp(middle, 0.0, 90.0);
-    setSight({across - azimuthSize * share / 2, across + azimuthSize * share / 2,
-              up - elevationSize * share / 2, up + elevationSize * share / 2});
+    setVisibleRange({across - azimuthSize * share / 2, across + azimuthSize * share / 2,
+                     up - elevationSize * share / 2, up + elevationSize * share / 2});
 }
 
 /// Against the axis, so that what is in front goes with the mouse.

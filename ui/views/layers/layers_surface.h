@@ -9,7 +9,7 @@ namespace sparkout {
 
 /// The accumulated actual feed over the length and the number of the double stroke or revolution, a
 /// surface seen in parallel projection. It is turned by moving two hidden axes, whose middles are
-/// the angles of sight, so the mouse, the keys and the history of all plots work here too.
+/// the angles of view, so the mouse, the keys and the history of all plots work here too.
 class LayersSurface : public ViewPlot {
     Q_OBJECT
 public:
@@ -35,8 +35,8 @@ public:
     [[nodiscard]] SurfaceGrid grid() const; ///< what is drawn
 
     /// The ranges of the two axes.
-    [[nodiscard]] PlotHistory::State sight() const override;
-    void setSight(const PlotHistory::State& sight) override;
+    [[nodiscard]] PlotHistory::State visibleRange() const override;
+    void setVisibleRange(const PlotHistory::State& range) override;
     [[nodiscard]] LegendEntries legendEntries() const override;
     [[nodiscard]] CsvTable
     table() const override; ///< one row a number, one column a zone or section

@@ -22,26 +22,7 @@ void FoundModel::show(SearchOutcomePtr outcome, std::optional<double> before_s) 
 
 void FoundModel::setBefore(std::optional<double> before_s) {
     m_before_s = before_s;
-    tellAll();
-}
-
-void FoundModel::tellAll() {
-    if (rowCount() > 0) {
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount_ - 1));
-    }
-}
-
-void FoundModel::retranslate() {
-    tellAll();
-    emit headerDataChanged(Qt::Horizontal, 0, columnCount_ - 1);
-}
-
-int FoundModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_outcome ? 0 : static_cast<int>(m_outcome->found.size());
-}
-
-int FoundModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : columnCount_;
+    cellsChanged();
 }
 
 QString FoundModel::text(const FoundCycle& found, int column) const {
@@ -75,15 +56,14 @@ QString FoundModel::kindOf(const FoundCycle& found) {
     return tr("The best so far when it was found");
 }
 
-QVariant FoundModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || index.row() >= rowCount()) {
+QVariant FoundModel::cell(int row, int column, int role) const {
+    if (row >= rowsShown()) {
         return {};
     }
-    const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(index.row())];
+    const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
     switch (role) {
-    case Qt::DisplayRole: return text(found, index.column());
-    case Qt::TextAlignmentRole:
-        return int((index.column() == cycle ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    case Qt::DisplayRole: return text(found, column);
+    case Qt::TextAlignmentRole: return aligned(column != cycle);
     case Qt::FontRole: {
         QFont font;
         font.setBold(found.isBestOfItsNumber);
@@ -98,15 +78,16 @@ QVariant FoundModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal) {
-        return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
-    }
+QVariant FoundModel::side(int row, int role) const {
+    return role == Qt::DisplayRole ? QVariant(row + 1) : QVariant();
+}
+
+QVariant FoundModel::head(int column, int role) const {
     if (role == Qt::TextAlignmentRole) {
-        return int((section == cycle ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return aligned(column != cycle);
     }
     if (role == Qt::DisplayRole) {
-        switch (section) {
+        switch (column) {
         case stages: return tr("Stages");
         case time: return tr("Time, min");
         case change: return tr("To yours, %");
@@ -118,7 +99,7 @@ QVariant FoundModel::headerData(int section, Qt::Orientation orientation, int ro
     if (role != Qt::ToolTipRole) {
         return {};
     }
-    switch (section) {
+    switch (column) {
     case stages: return tr("Number of stages");
     case time: return tr("Machining time");
     case change:
@@ -136,7 +117,7 @@ CsvTable FoundModel::table() const {
     CsvTable table;
     table.header << tr("Stages") << tr("Time, min") << tr("To yours, %") << tr("Gap, %")
                  << tr("Margin, %") << tr("Cycle");
-    for (int row = 0; row < rowCount(); ++row) {
+    for (int row = 0; row < rowsShown(); ++row) {
         const FoundCycle& found = m_outcome->found[static_cast<std::size_t>(row)];
         CsvCell toBefore;
         if (m_before_s && *m_before_s > 0) {

@@ -3,35 +3,33 @@
 
 #include "ui/session/search_runner.h"
 #include "ui/tables/csv_table.h"
-
-#include <QAbstractTableModel>
+#include "ui/tables/table_model.h"
 
 #include <optional>
 
 namespace sparkout {
 
 /// The best cycles that a search came upon, the quickest first.
-class FoundModel : public QAbstractTableModel {
+class FoundModel : public TableModel {
     Q_OBJECT
 public:
     enum Column { stages, time, change, gap, margin, cycle, columnCount_ };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    using TableModel::TableModel;
 
     /// With the time of the cycle compared with, if it ends by itself.
     void show(SearchOutcomePtr outcome, std::optional<double> before_s);
     void setBefore(std::optional<double> before_s); ///< the choice in the table stays
-    void retranslate();
-    [[nodiscard]] CsvTable table() const; ///< with all digits
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
+    [[nodiscard]] CsvTable table() const;           ///< with all digits
 
 private:
-    void tellAll(); ///< that every cell may have changed
+    [[nodiscard]] int rowsShown() const override {
+        return m_outcome ? static_cast<int>(m_outcome->found.size()) : 0;
+    }
+    [[nodiscard]] int columnsShown() const override { return columnCount_; }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+    [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] QString text(const FoundCycle& found, int column) const;
     [[nodiscard]] static QString kindOf(const FoundCycle& found);
 

@@ -45,7 +45,7 @@ ProfileLine lookOf(LengthLine line) {
     return ProfileLine::profile;
 }
 
-/// To two digits, as an exaggeration is told.
+/// To two digits, as an exaggeration is stated.
 double roundTo2(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
     return std::round(value / unit) * unit;
@@ -53,7 +53,7 @@ double roundTo2(double value) {
 
 } // namespace
 
-LongitudinalPlot::LongitudinalPlot(QWidget* parent) : ProfilePlot(parent) {
+LongitudinalPlot::LongitudinalPlot(QWidget* parent) : FramedPlot(parent) {
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
     onPlotClick(*this, [this](const QPointF& at) {
@@ -72,7 +72,7 @@ void LongitudinalPlot::setSeries(ProfileSeries series, std::vector<ShaftStep> sh
     m_shaft = std::move(shaft);
     m_shown = std::move(shown);
     if (!samePart) {
-        m_sight.reset();
+        showAll();
     }
     if (m_pointed >= static_cast<int>(m_series.profiles.size())) {
         m_pointed = -1;
@@ -94,27 +94,18 @@ void LongitudinalPlot::setToScale(bool toScale) {
 }
 
 void LongitudinalPlot::fit() {
-    m_sight.reset();
+    showAll();
     fill();
 }
 
-PlotHistory::State LongitudinalPlot::sight() const {
-    return m_sight
-               ? PlotHistory::State{m_sight->x(), m_sight->y(), m_sight->width(), m_sight->height()}
-               : PlotHistory::State();
-}
-
-void LongitudinalPlot::setSight(const PlotHistory::State& sight) {
-    m_sight.reset();
-    if (sight.size() != 4) {
+void LongitudinalPlot::setVisibleRange(const PlotHistory::State& range) {
+    FramedPlot::setVisibleRange(range);
+    if (frame()) {
+        setRanges(*m_rect, {frame()->left(), frame()->right()},
+                  {frame()->top(), frame()->bottom()});
+    } else {
         fitAxes();
-        return;
     }
-    m_linking = true;
-    m_sight = QRectF(sight[0], sight[1], sight[2], sight[3]);
-    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), m_sight->left(), m_sight->right());
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), m_sight->top(), m_sight->bottom());
-    m_linking = false;
 }
 
 // --- building -----------------------------------------------------------------------------------
@@ -122,15 +113,7 @@ void LongitudinalPlot::setSight(const PlotHistory::State& sight) {
 void LongitudinalPlot::build() {
     m_rect = addCell();
     m_rect->setMinimumMargins(QMargins(0, BandLayer::nameMargin(font()), 14, 0));
-    for (QCPAxis* axis : m_rect->axes()) {
-        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this, [this] {
-            if (!m_linking) {
-                const QCPRange x = m_rect->axis(QCPAxis::atBottom)->range();
-                const QCPRange y = m_rect->axis(QCPAxis::atLeft)->range();
-                m_sight = QRectF(x.lower, y.lower, x.size(), y.size());
-            }
-        });
-    }
+    followMoves(*m_rect);
     m_bands = new BandLayer(m_rect, true);
     m_body = new ShaftLayer(m_rect);
     for (const LengthLine line : lengthLines) {
@@ -249,7 +232,7 @@ void LongitudinalPlot::placeGauge() {
     m_gaugeName->position->setCoords(m_series.gauge_mm, 0.02);
 }
 
-QCPRange LongitudinalPlot::valuesInSight() const {
+QCPRange LongitudinalPlot::visibleValues() const {
     double low = std::numeric_limits<double>::max();
     double high = std::numeric_limits<double>::lowest();
     for (const Curve& curve : m_curves) {
@@ -264,16 +247,14 @@ QCPRange LongitudinalPlot::valuesInSight() const {
 }
 
 void LongitudinalPlot::fitAxes() {
-    if (m_sight || m_toScale) {
+    if (frame() || m_toScale) {
         return; // to scale, the layout decides
     }
-    m_linking = true;
-    const QCPRange values = valuesInSight();
+    const QCPRange values = visibleValues();
     const double room = values.size() > 0 ? values.size() * pad : 1;
     const double sides = m_series.length_mm * 0.02;
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), values.lower - room, values.upper + room);
-    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), -sides, m_series.length_mm + sides);
-    m_linking = false;
+    setRanges(*m_rect, {-sides, m_series.length_mm + sides},
+              {values.lower - room, values.upper + room});
 }
 
 void LongitudinalPlot::afterLayouting() {
@@ -287,18 +268,15 @@ void LongitudinalPlot::afterLayouting() {
 /// Both axes at the same scale, whatever the window's shape.
 void LongitudinalPlot::keepScale() {
     const QRectF area = m_rect->rect();
-    const QRectF wanted = m_sight.value_or(m_body->bounds());
-    const double border = m_sight ? 1 : scaleBorder;
+    const QRectF wanted = frame().value_or(m_body->bounds());
+    const double border = frame() ? 1 : scaleBorder;
     const double perPixel = border
                             * std::max(wanted.width() / std::max(area.width(), 1.0),
                                        wanted.height() / std::max(area.height(), 1.0));
     const QPointF centre = wanted.center();
     const double dx = area.width() * perPixel / 2;
     const double dy = area.height() * perPixel / 2;
-    m_linking = true;
-    style::setSafeRange(*m_rect->axis(QCPAxis::atBottom), centre.x() - dx, centre.x() + dx);
-    style::setSafeRange(*m_rect->axis(QCPAxis::atLeft), centre.y() - dy, centre.y() + dy);
-    m_linking = false;
+    setRanges(*m_rect, {centre.x() - dx, centre.x() + dx}, {centre.y() - dy, centre.y() + dy});
 }
 
 QCPGraph* LongitudinalPlot::graph(LengthLine line, bool mirrored) const {

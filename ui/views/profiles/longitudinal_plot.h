@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/study/length_lines.h"
-#include "ui/views/profiles/profile_plot.h"
+#include "ui/views/profiles/framed_plot.h"
 
-#include <optional>
 #include <vector>
 
 namespace sparkout {
@@ -14,7 +13,7 @@ class ShaftLayer;
 
 /// The part along its axis: mean, smallest and largest radius (or diameter) of each zone or section
 /// against the tolerance field; exaggerated, or the shaft drawn to scale.
-class LongitudinalPlot : public ProfilePlot {
+class LongitudinalPlot : public FramedPlot {
     Q_OBJECT
 public:
     explicit LongitudinalPlot(QWidget* parent = nullptr);
@@ -24,9 +23,7 @@ public:
     void setDiameters(bool diameters); ///< D − d in place of R − R_t
     void setToScale(bool toScale);
     void fit() override;
-    /// What the user has moved to: left, bottom, width and height; empty: all.
-    [[nodiscard]] PlotHistory::State sight() const override;
-    void setSight(const PlotHistory::State& sight) override;
+    void setVisibleRange(const PlotHistory::State& range) override;
     void restyle() override;
 
     [[nodiscard]] QCPAxisRect* cell() const { return m_rect; }
@@ -70,7 +67,7 @@ private:
     [[nodiscard]] bool draws(LengthLine line) const;
     [[nodiscard]] QString nameOf(const Curve& curve) const;
     [[nodiscard]] static QString placeLabel();
-    [[nodiscard]] QCPRange valuesInSight() const;
+    [[nodiscard]] QCPRange visibleValues() const;
     [[nodiscard]] int profileUnder(const QPoint& at) const; ///< −1: none
     void pointAt(int profile);
 
@@ -85,8 +82,6 @@ private:
     QCPItemText* m_gaugeName = nullptr;
     bool m_diameters = false;
     bool m_toScale = false;
-    bool m_linking = false;
-    std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointed = -1;
 };
 

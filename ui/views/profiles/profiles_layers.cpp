@@ -53,7 +53,7 @@ double PolarLayer::scale() const {
     return axis->coordToPixel(1) - axis->coordToPixel(0);
 }
 
-PolarLayer::Sight PolarLayer::sight() const {
+PolarLayer::VisiblePart PolarLayer::visiblePart() const {
     const QRectF rect = m_rect->rect();
     const QPointF c = centre();
     const QPointF middle = rect.center() - c;
@@ -66,11 +66,11 @@ PolarLayer::Sight PolarLayer::sight() const {
     return {away - half, away + half, std::atan2(-middle.y(), middle.x()) - spread, 2 * spread};
 }
 
-QPolygonF PolarLayer::arc(const Sight& sight, double radius_px) const {
+QPolygonF PolarLayer::arc(const VisiblePart& part, double radius_px) const {
     constexpr int parts = 120;
     QPolygonF points;
     for (int i = 0; i <= parts; ++i) {
-        points << centre() + radius_px * direction(sight.from + sight.span * i / parts);
+        points << centre() + radius_px * direction(part.from + part.span * i / parts);
     }
     return points;
 }
@@ -78,7 +78,7 @@ QPolygonF PolarLayer::arc(const Sight& sight, double radius_px) const {
 // Of a circle far larger than the plot only the part in sight is drawn: dashes cost time.
 void PolarLayer::drawCircle(QCPPainter* painter, double radius) const {
     const double r = radius * scale();
-    const Sight seen = sight();
+    const VisiblePart seen = visiblePart();
     if (r < seen.near - margin_px || r > seen.far + margin_px) {
         return;
     }
@@ -103,7 +103,7 @@ void PolarRing::setLook(const QPen& edge, const QColor& fill) {
 }
 
 void PolarRing::draw(QCPPainter* painter) {
-    const Sight seen = sight();
+    const VisiblePart seen = visiblePart();
     const double inner = std::max(m_inner * scale(), seen.near - margin_px);
     const double outer = std::min(std::min(m_outer, m_reach) * scale(), seen.far + margin_px);
     if (outer <= inner) {

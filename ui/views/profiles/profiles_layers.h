@@ -21,11 +21,11 @@ protected:
     void drawCircle(QCPPainter* painter, double radius) const;
 
     /// The part of the plane that the axis rect shows, as seen from the origin [px, rad].
-    struct Sight {
+    struct VisiblePart {
         double near = 0, far = 0, from = 0, span = 0;
     };
-    [[nodiscard]] Sight sight() const;
-    [[nodiscard]] QPolygonF arc(const Sight& sight, double radius_px) const;
+    [[nodiscard]] VisiblePart visiblePart() const;
+    [[nodiscard]] QPolygonF arc(const VisiblePart& part, double radius_px) const;
 
     QCPAxisRect* m_rect;
 };

@@ -31,7 +31,7 @@ int widthOf(const QString& lines, const QFontMetrics& metrics) {
 
 } // namespace
 
-ProfilesPlot::ProfilesPlot(QWidget* parent) : ProfilePlot(parent) {
+ProfilesPlot::ProfilesPlot(QWidget* parent) : FramedPlot(parent) {
     connect(this, &QCustomPlot::afterLayout, this, &ProfilesPlot::keepScales);
     setBuilt();
 }
@@ -42,7 +42,7 @@ void ProfilesPlot::setSeries(ProfileSeries series, std::vector<int> shown) {
     m_shown = std::move(shown);
     addZones();
     if (!sameCells || arrangement() != m_arrangement) {
-        m_sight.reset();
+        showAll();
         rebuild();
         return;
     }
@@ -63,7 +63,7 @@ void ProfilesPlot::setMagnification(std::optional<double> wanted) {
 void ProfilesPlot::setCircles(ReferenceCircles circles) {
     m_circles = circles;
     addZones();
-    m_sight.reset();
+    showAll();
     rebuild(); // the numbers may take a line more
 }
 
@@ -74,7 +74,7 @@ void ProfilesPlot::addZones() {
 }
 
 void ProfilesPlot::fit() {
-    m_sight.reset();
+    showAll();
     fill();
     setTexts();
 }
@@ -146,11 +146,7 @@ void ProfilesPlot::rebuild() {
 }
 
 void ProfilesPlot::buildCell(QCPLayoutGrid& into) {
-    const ProfileCell& cell = m_cells.emplace_back(*this, into, m_arrangement.beside);
-    for (QCPAxis* axis : cell.rect()->axes()) {
-        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-                [this, rect = cell.rect()] { onRangeChanged(rect); });
-    }
+    followMoves(*m_cells.emplace_back(*this, into, m_arrangement.beside).rect());
 }
 
 // --- contents -----------------------------------------------------------------------------------
@@ -236,48 +232,23 @@ CsvTable ProfilesPlot::table() const {
 
 // --- one scale for all --------------------------------------------------------------------------
 
-void ProfilesPlot::onRangeChanged(QCPAxisRect* rect) {
-    if (m_linking) {
-        return;
-    }
-    const QCPRange x = rect->axis(QCPAxis::atBottom)->range();
-    const QCPRange y = rect->axis(QCPAxis::atLeft)->range();
-    m_sight = QRectF(x.lower, y.lower, x.size(), y.size());
-}
-
-PlotHistory::State ProfilesPlot::sight() const {
-    return m_sight
-               ? PlotHistory::State{m_sight->x(), m_sight->y(), m_sight->width(), m_sight->height()}
-               : PlotHistory::State();
-}
-
-void ProfilesPlot::setSight(const PlotHistory::State& sight) {
-    m_sight.reset();
-    if (sight.size() == 4) {
-        m_sight = QRectF(sight[0], sight[1], sight[2], sight[3]);
-    }
-}
-
 void ProfilesPlot::keepScales() {
     double unitsPerPixel = 0;
     for (const ProfileCell& cell : m_cells) {
         const QSizeF area(cell.rect()->size());
         const double half = std::max(std::min(area.width(), area.height()) / 2 - edge, 10.0);
         unitsPerPixel = std::max(
-            unitsPerPixel, m_sight ? std::max(m_sight->width() / std::max(area.width(), 1.0),
-                                              m_sight->height() / std::max(area.height(), 1.0))
+            unitsPerPixel, frame() ? std::max(frame()->width() / std::max(area.width(), 1.0),
+                                              frame()->height() / std::max(area.height(), 1.0))
                                    : m_reach / half);
     }
-    const QPointF centre = m_sight ? m_sight->center() : QPointF();
-    m_linking = true;
+    const QPointF centre = frame() ? frame()->center() : QPointF();
     for (const ProfileCell& cell : m_cells) {
         const double dx = cell.rect()->width() * unitsPerPixel / 2;
         const double dy = cell.rect()->height() * unitsPerPixel / 2;
-        style::setSafeRange(*cell.rect()->axis(QCPAxis::atBottom), centre.x() - dx,
-                            centre.x() + dx);
-        style::setSafeRange(*cell.rect()->axis(QCPAxis::atLeft), centre.y() - dy, centre.y() + dy);
+        setRanges(*cell.rect(), {centre.x() - dx, centre.x() + dx},
+                  {centre.y() - dy, centre.y() + dy});
     }
-    m_linking = false;
 }
 
 // --- pointing -----------------------------------------------------------------------------------

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/charts/magnified_profile.h"
+#include "ui/views/profiles/framed_plot.h"
 #include "ui/views/profiles/profile_cell.h"
-#include "ui/views/profiles/profile_plot.h"
 
 #include <optional>
 #include <vector>
@@ -12,7 +12,7 @@ namespace sparkout {
 
 /// Cross-sections side by side, deviations magnified: one cell a zone or section, all at the same
 /// scale and magnification and moved together. Samples are joined by straight lines.
-class ProfilesPlot : public ProfilePlot {
+class ProfilesPlot : public FramedPlot {
     Q_OBJECT
 public:
     explicit ProfilesPlot(QWidget* parent = nullptr);
@@ -22,10 +22,7 @@ public:
     void setReference(RadiusReference reference);
     void setMagnification(std::optional<double> wanted); ///< none: chosen by the program
     void setCircles(ReferenceCircles circles);
-    void fit() override; ///< all of the cells in sight
-    /// What the user has moved to: left, bottom, width and height; empty: all.
-    [[nodiscard]] PlotHistory::State sight() const override;
-    void setSight(const PlotHistory::State& sight) override;
+    void fit() override; ///< all of the cells
     void restyle() override;
 
     [[nodiscard]] const ProfileSeries& series() const { return m_series; }
@@ -82,7 +79,6 @@ private:
     [[nodiscard]] QString numbersOf(const Profile& p, bool brief) const;
     [[nodiscard]] QString headerOf(const Profile& p, int room) const;
     void keepScales();
-    void onRangeChanged(QCPAxisRect* rect);
     void pointAt(int cell, int k);
 
     ProfileSeries m_series;
@@ -95,8 +91,6 @@ private:
     double m_magnification = 1;
     double m_reach = 1; ///< radius of the drawing
     ReferenceCircles m_circles = ReferenceCircles::leastSquares;
-    bool m_linking = false;
-    std::optional<QRectF> m_sight; ///< what the user has moved to; none: all
     int m_pointedCell = 0;
     int m_pointedRadius = -1;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using units::umPerMm;
 
-constexpr int undulationsInSight = 18;
+constexpr int visibleUndulations = 18;
 constexpr int axisTicks = 4;          ///< has room below narrow cells
 constexpr double barShare = 0.4;      ///< of the step between two bars
 constexpr double barFloor_um = 1e-12; ///< where bars stand on a logarithmic axis
@@ -172,7 +172,7 @@ void SpectrumPlot::fit() {
     if (m_cells.empty()) {
         return;
     }
-    const int last = std::clamp(static_cast<int>(m_blank.size()) - 1, 2, undulationsInSight);
+    const int last = std::clamp(static_cast<int>(m_blank.size()) - 1, 2, visibleUndulations);
     style::setSafeRange(*m_cells.front().rect->axis(QCPAxis::atBottom), 0.4, last + 0.6);
     fitAmplitudes();
 }

@@ -26,8 +26,6 @@ QString paragraphs(const QStringList& texts) {
 
 } // namespace
 
-ShopModel::ShopModel(QObject* parent) : QAbstractTableModel(parent) {}
-
 void ShopModel::setOutcome(OutcomePtr outcome) {
     beginResetModel();
     m_outcome = std::move(outcome);
@@ -53,15 +51,6 @@ void ShopModel::setGreyed(bool grey) {
 void ShopModel::retranslate() {
     beginResetModel();
     endResetModel();
-}
-
-int ShopModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int ShopModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() || m_rows.empty() ? 0
-                                              : static_cast<int>(m_outcome->shop.stages.size()) + 1;
 }
 
 Operation ShopModel::operation() const {
@@ -116,16 +105,12 @@ QString ShopModel::spoken(int row, int column) const {
     return side.isEmpty() ? said : said + QStringLiteral("; ") + side;
 }
 
-QVariant ShopModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) {
-        return {};
-    }
-    const int row = index.row(), column = index.column();
+QVariant ShopModel::cell(int row, int column, int role) const {
     switch (role) {
     case Qt::DisplayRole: return text(row, column);
     case Qt::DecorationRole:
         return isOutside(row, column) ? QVariant(themeIcon(u"warning")) : QVariant();
-    case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::TextAlignmentRole: return aligned(true);
     case Qt::ForegroundRole:
         return m_grey
                    ? QVariant(QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text))
@@ -139,34 +124,34 @@ QVariant ShopModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant ShopModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation == Qt::Vertical) {
-        switch (role) {
-        case Qt::DisplayRole: return shop::label(rowAt(section), operation());
-        case Qt::AccessibleTextRole: return shop::name(rowAt(section), operation());
-        case Qt::ToolTipRole:
-            return paragraphs(
-                {shop::name(rowAt(section), operation()), shop::hint(rowAt(section))});
-        case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-        default: return {};
-        }
-    }
+QVariant ShopModel::side(int row, int role) const {
     switch (role) {
-    case Qt::DisplayRole: return isCycle(section) ? tr("Cycle") : QString::number(section + 1);
+    case Qt::DisplayRole: return shop::label(rowAt(row), operation());
+    case Qt::AccessibleTextRole: return shop::name(rowAt(row), operation());
     case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole: return columnName(section);
-    case Qt::TextAlignmentRole: return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+        return paragraphs({shop::name(rowAt(row), operation()), shop::hint(rowAt(row))});
+    case Qt::TextAlignmentRole: return aligned(false);
+    default: return {};
+    }
+}
+
+QVariant ShopModel::head(int column, int role) const {
+    switch (role) {
+    case Qt::DisplayRole: return isCycle(column) ? tr("Cycle") : QString::number(column + 1);
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole: return columnName(column);
+    case Qt::TextAlignmentRole: return aligned(true);
     default: return {};
     }
 }
 
 QString ShopModel::asTsv() const {
     QStringList lines;
-    QStringList head{tr("Quantity")};
-    for (int column = 0; column < columnCount(); ++column) {
-        head << columnName(column);
+    QStringList heads{tr("Quantity")};
+    for (int column = 0; column < columnsShown(); ++column) {
+        heads << columnName(column);
     }
-    lines << (head << tr("Outside the usual")).join(QLatin1Char('\t'));
+    lines << (heads << tr("Outside the usual")).join(QLatin1Char('\t'));
     for (int row = 0; row < rowCount(); ++row) {
         QStringList cells{shop::name(rowAt(row), operation())};
         QStringList outside;

@@ -3,22 +3,21 @@
 
 #include "core/study/outcome.h"
 #include "ui/charts/verdict_shop_text.h"
-
-#include <QAbstractTableModel>
+#include "ui/tables/table_model.h"
 
 #include <vector>
 
 namespace sparkout {
 
 /// The shop's numbers: a row a quantity, a column a stage and a last one for the whole cycle.
-class ShopModel : public QAbstractTableModel {
+class ShopModel : public TableModel {
     Q_OBJECT
 public:
-    explicit ShopModel(QObject* parent = nullptr);
+    using TableModel::TableModel;
 
     void setOutcome(OutcomePtr outcome);
     void setGreyed(bool grey); ///< the numbers are of inputs that are no longer those shown
-    void retranslate();
+    void retranslate() override;
 
     [[nodiscard]] ShopRow rowAt(int row) const { return m_rows.at(static_cast<std::size_t>(row)); }
     /// Whether the number lies outside its band, which an icon and its texts say.
@@ -26,13 +25,14 @@ public:
     /// The whole table as tab-separated text with a head line, and what lies outside in a column.
     [[nodiscard]] QString asTsv() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
-                                      int role) const override;
-
 private:
+    [[nodiscard]] int rowsShown() const override { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] int columnsShown() const override {
+        return m_rows.empty() ? 0 : static_cast<int>(m_outcome->shop.stages.size()) + 1;
+    }
+    [[nodiscard]] QVariant cell(int row, int column, int role) const override;
+    [[nodiscard]] QVariant head(int column, int role) const override;
+    [[nodiscard]] QVariant side(int row, int role) const override;
     [[nodiscard]] Operation operation() const;
     [[nodiscard]] bool isCycle(int column) const;
     [[nodiscard]] const ShopColumn& numbers(int column) const;

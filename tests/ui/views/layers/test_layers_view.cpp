@@ -213,11 +213,11 @@ private slots:
         const QPointF a = surface.project(0, 0, 0), b = surface.project(1, 1, 1);
         const QPointF middle = surface.project(0.5, 0.5, 0.5);
         QVERIFY(QLineF((a + b) / 2, middle).length() < 1e-9);
-        PlotHistory::State sight = surface.sight();
+        PlotHistory::State sight = surface.visibleRange();
         const double half = (sight[3] - sight[2]) / 2;
         sight[2] = 90 - half;
         sight[3] = 90 + half;
-        surface.setSight(sight);
+        surface.setVisibleRange(sight);
         QVERIFY(QLineF(surface.project(0.2, 0.7, 0), surface.project(0.2, 0.7, 1)).length() < 1e-9);
         QVERIFY(surface.nearness(0.2, 0.7, 1) > surface.nearness(0.2, 0.7, 0));
     }

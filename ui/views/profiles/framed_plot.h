@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/views/profiles/profile_plot.h"
+
+#include <optional>
+
+namespace sparkout {
+
+/// A plot of profiles whose scales depend on each other: the user moves one frame, and the plot
+/// shows it in the axes of its cells as the layout has room.
+class FramedPlot : public ProfilePlot {
+    Q_OBJECT
+public:
+    using ProfilePlot::ProfilePlot;
+
+    /// What the user has moved to: left, bottom, width and height; empty: all.
+    [[nodiscard]] PlotHistory::State visibleRange() const override;
+    void setVisibleRange(const PlotHistory::State& range) override;
+
+protected:
+    void followMoves(QCPAxisRect& rect); ///< by the user, in this cell
+    /// Shows the ranges in a cell: no move by the user.
+    void setRanges(const QCPAxisRect& rect, const QCPRange& x, const QCPRange& y);
+    [[nodiscard]] const std::optional<QRectF>& frame() const { return m_frame; } ///< none: all
+    void showAll() { m_frame.reset(); }
+
+private:
+    std::optional<QRectF> m_frame;
+    bool m_setting = false;
+};
+
+} // namespace sparkout
