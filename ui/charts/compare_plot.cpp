@@ -47,12 +47,7 @@ void ComparePlot::build() {
         rect->axis(QCPAxis::atBottom)->setTickLabels(row + 1 == m_rects.size());
         m_rects[row] = rect;
     }
-    const auto changed = QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged);
-    for (const std::size_t row : {0, 1}) {
-        QCPAxis* const other = m_rects[1 - row]->axis(QCPAxis::atBottom);
-        connect(m_rects[row]->axis(QCPAxis::atBottom), changed, other,
-                [other](const QCPRange& range) { other->setRange(range); });
-    }
+    tie({m_rects.begin(), m_rects.end()}, QCPAxis::atBottom);
     connect(this, &QCustomPlot::afterLayout, this, &ComparePlot::fitTexts);
     m_momentLine = new HairLine(*this, HairLine::Role::moment);
     m_hairLine = new HairLine(*this);

@@ -96,6 +96,17 @@ QCPAxisRect* ViewPlot::addCell(int row) {
     return rect;
 }
 
+void ViewPlot::tie(const std::vector<QCPAxisRect*>& rects, QCPAxis::AxisType side) {
+    for (const QCPAxisRect* rect : rects) {
+        for (const QCPAxisRect* other : rects) {
+            if (rect != other) { // ends with the round, as a range that is the same changes nothing
+                connect(rect->axis(side), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged),
+                        other->axis(side), qOverload<const QCPRange&>(&QCPAxis::setRange));
+            }
+        }
+    }
+}
+
 QCPItemStraightLine* ViewPlot::addRule(QCPAxisRect& rect, double at, bool upright) {
     auto* const rule = new QCPItemStraightLine(this);
     for (QCPItemPosition* point : {rule->point1, rule->point2}) {
@@ -175,6 +186,37 @@ void ViewPlot::followChoice() {
     showChoice();
     emit contentChanged();
     replot(rpQueuedReplot);
+}
+
+void ViewPlot::setKeyed(int key, std::initializer_list<QCPLayerable*> drawn) {
+    for (QCPLayerable* part : drawn) {
+        if (part) {
+            m_keyed.emplace_back(key, part);
+        }
+    }
+}
+
+void ViewPlot::showChoice() {
+    std::erase_if(m_keyed, [](const auto& keyed) { return !keyed.second; }); // gone since
+    for (const auto& [key, part] : m_keyed) {
+        part->setVisible(shows(key));
+    }
+}
+
+LegendEntry ViewPlot::lineEntry(int key, const QPen& pen, const QString& text) const {
+    return {pen.color(), pen.style(), text, key, shows(key)};
+}
+
+LegendEntry ViewPlot::areaEntry(int key, const QColor& colour, const QString& text) const {
+    return {colour, Qt::NoPen, text, key, shows(key)};
+}
+
+void ViewPlot::contentSet() {
+    restyle();
+    retranslate();
+    showChoice();
+    fit();
+    emit contentChanged();
 }
 
 void ViewPlot::onMouse(QMouseEvent* event) {

@@ -8,7 +8,13 @@
 #include "ui/plot/read_curves.h"
 #include "ui/tables/csv_table.h"
 
+#include <QPointer>
+
 #include <qcustomplot.h>
+
+#include <initializer_list>
+#include <utility>
+#include <vector>
 
 namespace sparkout {
 
@@ -73,7 +79,13 @@ protected:
     virtual void setTexts() {}
     /// When a new font, else a new palette, has come.
     virtual void takeLook(bool font);
-    virtual void showChoice() {} ///< what the user hid, or shows again, in the legend
+    /// What the user hid, or shows again, in the legend; here what is keyed.
+    virtual void showChoice();
+    /// Hidden and shown with an entry of the legend; null: nothing.
+    void setKeyed(int key, std::initializer_list<QCPLayerable*> drawn);
+    [[nodiscard]] LegendEntry lineEntry(int key, const QPen& pen, const QString& text) const;
+    [[nodiscard]] LegendEntry areaEntry(int key, const QColor& colour, const QString& text) const;
+    void contentSet(); ///< other things are drawn: look, texts, choice and range, for all of them
     /// The entries of the legend that showOnly() chooses one of.
     [[nodiscard]] virtual LegendEntries besides(int) const { return legendEntries(); }
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
@@ -89,6 +101,8 @@ protected:
     QCPAxisRect* addRect(int row = 0, int column = 0);
     /// The same in a row, closed by axes without numbers above and to the right.
     QCPAxisRect* addCell(int row = 0);
+    /// The axes on a side of all these rects have one range from now on.
+    static void tie(const std::vector<QCPAxisRect*>& rects, QCPAxis::AxisType side);
 
     void changeEvent(QEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -98,6 +112,7 @@ private:
     void followChoice();
 
     CurveChoice m_choice;
+    std::vector<std::pair<int, QPointer<QCPLayerable>>> m_keyed; ///< with the key of each
     PlotTools* m_tools = nullptr;
     PlotCursors* m_cursors = nullptr;
     bool m_dim = false, m_built = false;

@@ -42,35 +42,31 @@ void HistogramPlot::setSummaries(std::vector<CharacteristicSummary> summaries) {
     clearPlottables();
     plotLayout()->clear();
     m_cells.clear();
+    std::vector<QCPAxisRect*> rects;
     for (CharacteristicSummary& summary : summaries) {
         Cell cell;
         cell.summary = std::move(summary);
         build(cell, static_cast<int>(m_cells.size()));
+        rects.push_back(cell.rect);
         m_cells.push_back(std::move(cell));
     }
+    tie(rects, QCPAxis::atBottom);
+    tie(rects, QCPAxis::atLeft);
     if (!m_cells.empty()) {
         plotLayout()->setRowStretchFactor(0, 0.001);
         plotLayout()->setRowSpacing(0);
     }
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
+    contentSet();
     if (moved) {
         valueAxis(0)->setRange(values);
         countAxis(0)->setRange(counts);
     }
-    emit contentChanged();
 }
 
 void HistogramPlot::build(Cell& cell, int column) {
     cell.header = new QCPTextElement(this);
     plotLayout()->addElement(0, column, cell.header);
     cell.rect = addRect(1, column);
-    for (QCPAxis* axis : cell.rect->axes()) {
-        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-                [this, axis] { link(axis); });
-    }
     cell.rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<WholeTicker>::create());
     QCPAxis* values = cell.rect->axis(QCPAxis::atBottom);
     values->grid()->setVisible(false);
@@ -89,20 +85,9 @@ void HistogramPlot::build(Cell& cell, int column) {
     cell.low = of.low ? addRule(*cell.rect, *of.low) : nullptr;
     cell.high = of.high ? addRule(*cell.rect, *of.high) : nullptr;
     cell.mean = cell.summary.mean95 ? addRule(*cell.rect, cell.summary.moments.mean) : nullptr;
-}
-
-/// The same axis of the other cells follows.
-void HistogramPlot::link(const QCPAxis* moved) {
-    if (m_linking) {
-        return;
-    }
-    m_linking = true;
-    for (const Cell& cell : m_cells) {
-        if (cell.rect != moved->axisRect()) {
-            cell.rect->axis(moved->axisType())->setRange(moved->range());
-        }
-    }
-    m_linking = false;
+    setKeyed(partsKey, {cell.bars});
+    setKeyed(limitsKey, {cell.low, cell.high});
+    setKeyed(meanKey, {cell.mean});
 }
 
 void HistogramPlot::fit() {
@@ -128,30 +113,15 @@ void HistogramPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void HistogramPlot::showChoice() {
-    for (const Cell& cell : m_cells) {
-        cell.bars->setVisible(shows(partsKey));
-        for (QCPItemStraightLine* limit : {cell.low, cell.high}) {
-            if (limit) {
-                limit->setVisible(shows(limitsKey));
-            }
-        }
-        if (cell.mean) {
-            cell.mean->setVisible(shows(meanKey));
-        }
-    }
-}
-
 LegendEntries HistogramPlot::legendEntries() const {
     if (m_cells.empty()) {
         return {};
     }
     const Cell& cell = m_cells.front();
-    LegendEntries entries{
-        {cell.bars->brush().color(), Qt::NoPen, tr("parts"), partsKey, shows(partsKey)}};
+    LegendEntries entries{areaEntry(partsKey, cell.bars->brush().color(), tr("parts"))};
     const auto add = [&](const QCPItemStraightLine* line, Key key, const QString& text) {
         if (line) {
-            entries.push_back({line->pen().color(), line->pen().style(), text, key, shows(key)});
+            entries.push_back(lineEntry(key, line->pen(), text));
         }
     };
     add(cell.low ? cell.low : cell.high, limitsKey, tr("limits of the drawing"));

@@ -40,7 +40,6 @@ public:
 
 private:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     struct Cell {
         CharacteristicSummary summary;
@@ -54,13 +53,11 @@ private:
 
     [[nodiscard]] const Cell& at(int cell) const { return m_cells[static_cast<std::size_t>(cell)]; }
     void build(Cell& cell, int column);
-    void link(const QCPAxis* moved);
     void outline();
     [[nodiscard]] QString headingOf(const CharacteristicSummary& summary) const;
 
     std::vector<Cell> m_cells;
     QCPRange m_fitted; ///< of the values, as they were fitted last
-    bool m_linking = false;
 };
 
 } // namespace sparkout

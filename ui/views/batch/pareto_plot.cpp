@@ -37,6 +37,8 @@ ParetoPlot::ParetoPlot(QWidget* parent) : ViewPlot(parent) {
     m_bars->setWidth(barShare);
     m_sum = addGraph(rows, shares);
     m_sum->setAdaptiveSampling(false);
+    setKeyed(partsKey, {m_bars});
+    setKeyed(sumKey, {m_sum});
     built();
 }
 
@@ -65,11 +67,7 @@ void ParetoPlot::setBatch(BatchOutcomePtr outcome) {
     }
     m_bars->setData(rows, counts, true);
     m_sum->setData(rows, sums, true);
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
-    emit contentChanged();
+    contentSet();
 }
 
 void ParetoPlot::fit() {
@@ -82,20 +80,13 @@ void ParetoPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void ParetoPlot::showChoice() {
-    m_bars->setVisible(shows(partsKey));
-    m_sum->setVisible(shows(sumKey));
-}
-
 LegendEntries ParetoPlot::legendEntries() const {
     if (empty()) {
         return {};
     }
-    return {{m_bars->brush().color(), Qt::NoPen,
-             tr("parts that fail it; a part that fails several counts at each"), partsKey,
-             shows(partsKey)},
-            {m_sum->pen().color(), Qt::SolidLine, tr("share of all failures, summed up"), sumKey,
-             shows(sumKey)}};
+    return {areaEntry(partsKey, m_bars->brush().color(),
+                      tr("parts that fail it; a part that fails several counts at each")),
+            lineEntry(sumKey, m_sum->pen(), tr("share of all failures, summed up"))};
 }
 
 QString ParetoPlot::nameOf(const RejectCause& cause) {

@@ -31,7 +31,6 @@ public:
 
 private:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     [[nodiscard]] const std::vector<RejectCause>& causes() const;
     [[nodiscard]] double sumAt(std::size_t row) const; ///< [%]

@@ -52,6 +52,9 @@ ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {
         (*graph)->setLineStyle(QCPGraph::lsNone);
         (*graph)->setAdaptiveSampling(false);
     }
+    for (const Key key : {goodKey, outsideKey, worstKey}) {
+        setKeyed(key, {graph(key)});
+    }
     built();
 }
 
@@ -100,11 +103,7 @@ void ScatterPlot::fill() {
         addLimits(m_across, true);
         addLimits(m_up, false);
     }
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
-    emit contentChanged();
+    contentSet();
 }
 
 void ScatterPlot::addLimits(BatchQuantity quantity, bool upright) {
@@ -112,6 +111,7 @@ void ScatterPlot::addLimits(BatchQuantity quantity, bool upright) {
         for (const std::optional<double>& limit : {of->low, of->high}) {
             if (limit) {
                 m_limits.push_back(addRule(*m_rect, *limit, upright));
+                setKeyed(limitsKey, {m_limits.back()});
             }
         }
     }
@@ -155,20 +155,10 @@ QCPGraph* ScatterPlot::graph(Key key) const {
     return key == goodKey ? m_good : key == outsideKey ? m_outside : m_worst;
 }
 
-void ScatterPlot::showChoice() {
-    for (const Key key : {goodKey, outsideKey, worstKey}) {
-        graph(key)->setVisible(shows(key));
-    }
-    for (QCPItemStraightLine* line : m_limits) {
-        line->setVisible(shows(limitsKey));
-    }
-}
-
 LegendEntries ScatterPlot::legendEntries() const {
     LegendEntries entries;
     const auto add = [&](Key key, const QString& text) {
-        entries.push_back(
-            {graph(key)->scatterStyle().pen().color(), Qt::NoPen, text, key, shows(key)});
+        entries.push_back(areaEntry(key, graph(key)->scatterStyle().pen().color(), text));
     };
     add(goodKey, tr("parts"));
     if (m_outside->dataCount() > 0) {
@@ -178,9 +168,8 @@ LegendEntries ScatterPlot::legendEntries() const {
         add(worstKey, tr("worst part"));
     }
     if (!m_limits.empty()) {
-        const QPen pen = m_limits.front()->pen();
         entries.push_back(
-            {pen.color(), pen.style(), tr("limits of the drawing"), limitsKey, shows(limitsKey)});
+            lineEntry(limitsKey, m_limits.front()->pen(), tr("limits of the drawing")));
     }
     return entries;
 }

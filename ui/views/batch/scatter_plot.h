@@ -37,7 +37,6 @@ public:
 
 private:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
     void addLimits(BatchQuantity quantity, bool upright);

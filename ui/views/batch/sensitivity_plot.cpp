@@ -75,11 +75,7 @@ void SensitivityPlot::fill() {
         draw(m_bars[place], place);
     }
     nameFactors();
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
-    emit contentChanged();
+    contentSet();
 }
 
 double SensitivityPlot::barWidth() const {
@@ -107,6 +103,7 @@ void SensitivityPlot::draw(Bars& bars, std::size_t place) {
         bars.outerBars = add(bars.outer, 0.9);
     }
     bars.innerBars = add(bars.inner, m_kind == SensitivityKind::sobol ? 0.5 : 0.9);
+    setKeyed(static_cast<int>(place), {bars.outerBars, bars.innerBars});
 }
 
 void SensitivityPlot::nameFactors() {
@@ -143,16 +140,6 @@ double SensitivityPlot::weight(std::size_t place, std::size_t factor) const {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void SensitivityPlot::showChoice() {
-    for (std::size_t i = 0; i < m_bars.size(); ++i) {
-        for (QCPBars* bars : {m_bars[i].innerBars, m_bars[i].outerBars}) {
-            if (bars) {
-                bars->setVisible(shows(static_cast<int>(i)));
-            }
-        }
-    }
-}
-
 QString SensitivityPlot::placeName(const Bars& bars) const {
     return BatchText::where(m_outcome->summary.characteristics[bars.characteristic].characteristic);
 }
@@ -166,8 +153,7 @@ LegendEntries SensitivityPlot::legendEntries() const {
                 ? tr("%1, R² %2", "RZ1, R² 0.97")
                       .arg(placeName(bars), locale().toString(bars.determination, 'f', 2))
                 : placeName(bars);
-        entries.push_back({bars.innerBars->brush().color(), Qt::NoPen, name, static_cast<int>(i),
-                           shows(static_cast<int>(i))});
+        entries.push_back(areaEntry(static_cast<int>(i), bars.innerBars->brush().color(), name));
     }
     return entries;
 }

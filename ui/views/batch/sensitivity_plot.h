@@ -40,7 +40,6 @@ public:
 
 private:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     /// What is drawn of one place.
     struct Bars {

@@ -70,13 +70,8 @@ void CompliancePlot::build() {
     m_rect->setMinimumMargins(QMargins(0, 6, 14, 0));
     for (QCPAxisRect* rect : {m_shaftRect, m_rect}) {
         rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
-        connect(rect->axis(QCPAxis::atBottom),
-                QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-                [this](const QCPRange& range) {
-                    m_shaftRect->axis(QCPAxis::atBottom)->setRange(range);
-                    m_rect->axis(QCPAxis::atBottom)->setRange(range);
-                });
     }
+    tie({m_shaftRect, m_rect}, QCPAxis::atBottom);
     for (const auto side : {QCPAxis::atLeft, QCPAxis::atBottom}) {
         m_shaftRect->axis(side)->setTicks(false);
         m_shaftRect->axis(side)->grid()->setVisible(false);

@@ -57,6 +57,7 @@ void ConstraintsPlot::build() {
     m_stepless->setChannelFillGraph(m_ceiling);
     for (const ConstraintKind kind : depthLimitKinds()) {
         m_limits[kind] = addLine(*m_rect);
+        setKeyed(static_cast<int>(kind), {m_limits[kind]});
     }
     for (int i = 0; i < graphCount(); ++i) {
         graph(i)->setAdaptiveSampling(false);
@@ -64,6 +65,8 @@ void ConstraintsPlot::build() {
     for (QCPCurve** curve : {&m_actual, &m_exceeded, &m_mark}) {
         *curve = addCurve(*m_rect);
     }
+    setKeyed(steplessKey, {m_stepless, m_ceiling});
+    setKeyed(actualKey, {m_actual, m_exceeded});
     m_exceeded->setLineStyle(QCPCurve::lsNone);
     m_mark->setLineStyle(QCPCurve::lsNone);
     m_markText = new QCPItemText(this);
@@ -166,17 +169,6 @@ QCPGraph* ConstraintsPlot::limit(ConstraintKind kind) const {
     return found != m_limits.end() && found->second->dataCount() > 0 ? found->second : nullptr;
 }
 
-/// What is chosen in the legend.
-void ConstraintsPlot::showChoice() {
-    for (const auto& [kind, graph] : m_limits) {
-        graph->setVisible(shows(static_cast<int>(kind)));
-    }
-    m_stepless->setVisible(shows(steplessKey));
-    m_ceiling->setVisible(shows(steplessKey));
-    m_actual->setVisible(shows(actualKey));
-    m_exceeded->setVisible(shows(actualKey));
-}
-
 double ConstraintsPlot::highestCut() const {
     double highest = 0;
     for (const QCPCurveData& point : *m_actual->data()) {
@@ -273,8 +265,7 @@ QPen ConstraintsPlot::penOf(int key) const {
 LegendEntries ConstraintsPlot::legendEntries() const {
     LegendEntries entries;
     const auto add = [&](int key, const QString& name) {
-        const QPen pen = penOf(key);
-        entries.push_back({pen.color(), pen.style(), name, key, shows(key)});
+        entries.push_back(lineEntry(key, penOf(key), name));
     };
     if (!m_chart.cuts()) {
         return entries;

@@ -45,6 +45,10 @@ LayersPlot::LayersPlot(QWidget* parent) : PartPlot(parent) {
         (*graph)->setAdaptiveSampling(false);
     }
     m_upper->setChannelFillGraph(m_lower);
+    setKeyed(fieldKey, {m_lower, m_upper});
+    setKeyed(targetKey, {m_target});
+    setKeyed(blankKey, {m_blank});
+    setKeyed(finalKey, {m_final});
     onPlotClick(*this, [this](const QPointF& at) {
         if (const std::optional<Hit> hit = layerAt(at)) {
             emit strokeClicked(m_series.spans[hit->span].last);
@@ -117,22 +121,12 @@ QCPGraph* LayersPlot::graph(Key key) const {
     return m_final;
 }
 
-void LayersPlot::showChoice() {
-    m_lower->setVisible(shows(fieldKey));
-    for (const Key key : {fieldKey, targetKey, blankKey, finalKey}) {
-        graph(key)->setVisible(shows(key));
-    }
-}
-
 LegendEntries LayersPlot::legendEntries() const {
     LegendEntries entries = LayersLook::stages(m_series, choice(), palette());
-    const auto add = [&](Key key, const QColor& colour, Qt::PenStyle pen, const QString& text) {
-        entries.push_back({colour, pen, text, key, shows(key)});
-    };
-    add(blankKey, m_blank->pen().color(), m_blank->pen().style(), tr("initial radius"));
-    add(finalKey, m_final->pen().color(), m_final->pen().style(), tr("final radius"));
-    add(targetKey, m_target->pen().color(), m_target->pen().style(), tr("target"));
-    add(fieldKey, m_upper->brush().color(), Qt::NoPen, tr("tolerance field"));
+    entries.push_back(lineEntry(blankKey, m_blank->pen(), tr("initial radius")));
+    entries.push_back(lineEntry(finalKey, m_final->pen(), tr("final radius")));
+    entries.push_back(lineEntry(targetKey, m_target->pen(), tr("target")));
+    entries.push_back(areaEntry(fieldKey, m_upper->brush().color(), tr("tolerance field")));
     return entries;
 }
 

@@ -40,7 +40,6 @@ private:
         std::size_t column, span;
     };
     [[nodiscard]] const LayerSeries& zones() const override { return m_series; }
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
     [[nodiscard]] std::optional<Hit> layerAt(const QPointF& at) const;

@@ -32,8 +32,9 @@ StageCountPlot::StageCountPlot(QWidget* parent) : ViewPlot(parent) {
     QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
     whole->setTickStep(1);
     m_rect->axis(QCPAxis::atBottom)->setTicker(whole);
-    for (QCPGraph*& curve : m_curves) {
-        curve = addLine(*m_rect);
+    for (std::size_t key = 0; key < m_curves.size(); ++key) {
+        m_curves[key] = addLine(*m_rect);
+        setKeyed(static_cast<int>(key), {m_curves[key]});
     }
     m_curves[proven]->setLineStyle(QCPGraph::lsNone);
     built();
@@ -93,12 +94,6 @@ void StageCountPlot::fit() {
 
 // --- what is shown ------------------------------------------------------------------------------
 
-void StageCountPlot::showChoice() {
-    for (std::size_t key = 0; key < m_curves.size(); ++key) {
-        m_curves[key]->setVisible(shows(static_cast<int>(key)));
-    }
-}
-
 QString StageCountPlot::name(Key key) {
     switch (key) {
     case quickest: return tr("quickest cycle");
@@ -113,8 +108,9 @@ LegendEntries StageCountPlot::legendEntries() const {
     LegendEntries entries;
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         if (!m_curves[i]->data()->isEmpty()) {
-            entries.push_back({toned(countsDrawn[i]), countPens[i], name(static_cast<Key>(i)),
-                               static_cast<int>(i), shows(static_cast<int>(i))});
+            entries.push_back(lineEntry(static_cast<int>(i),
+                                        {toned(countsDrawn[i]), 1, countPens[i]},
+                                        name(static_cast<Key>(i))));
         }
     }
     return entries;

@@ -31,7 +31,6 @@ public:
 
 private:
     void setTexts() override;
-    void showChoice() override;
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
     [[nodiscard]] static QString name(Key key);

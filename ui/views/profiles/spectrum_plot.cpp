@@ -94,9 +94,13 @@ void SpectrumPlot::rebuild(std::size_t count) {
     grid->setRowSpacing(0);
     plotLayout()->setRowSpacing(0);
     plotLayout()->addElement(0, 0, grid);
+    std::vector<QCPAxisRect*> rects;
     for (std::size_t i = 0; i < count; ++i) {
         buildCell(m_cells[i], *grid, static_cast<int>(i));
+        rects.push_back(m_cells[i].rect);
     }
+    tie(rects, QCPAxis::atBottom);
+    tie(rects, QCPAxis::atLeft);
     grid->setRowStretchFactor(0, 0.001);
     m_caption = new QCPTextElement(this);
     plotLayout()->addElement(1, 0, m_caption);
@@ -113,8 +117,6 @@ void SpectrumPlot::buildCell(Cell& cell, QCPLayoutGrid& into, int column) {
     cell.rect->setMinimumMargins(QMargins(0, 2, 6, 0));
     for (QCPAxis* axis : cell.rect->axes()) {
         style::setUpAxis(*axis);
-        connect(axis, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
-                [this, axis] { link(axis); });
     }
     QSharedPointer<QCPAxisTickerFixed> whole(new QCPAxisTickerFixed);
     whole->setTickStep(1);
@@ -138,20 +140,6 @@ void SpectrumPlot::setScale(Cell& cell) const {
     axis->setScaleType(m_logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     axis->setTicker(m_logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
                                   : QSharedPointer<QCPAxisTicker>(new NumberTicker));
-}
-
-/// The same axis of the other cells follows.
-void SpectrumPlot::link(QCPAxis* moved) {
-    if (m_linking) {
-        return;
-    }
-    m_linking = true;
-    for (const Cell& cell : m_cells) {
-        if (cell.rect && cell.rect != moved->axisRect()) {
-            cell.rect->axis(moved->axisType())->setRange(moved->range());
-        }
-    }
-    m_linking = false;
 }
 
 QCPAxis* SpectrumPlot::amplitudeAxis() const {

@@ -50,7 +50,6 @@ private:
     void rebuild(std::size_t count);
     void buildCell(Cell& cell, QCPLayoutGrid& into, int column);
     void setScale(Cell& cell) const;
-    void link(QCPAxis* moved);
     [[nodiscard]] QCPAxis* amplitudeAxis() const; ///< of the first cell; the others follow it
     [[nodiscard]] double highestBar() const;      ///< [µm]
     void fitAmplitudes();
@@ -60,7 +59,6 @@ private:
     QCPTextElement* m_caption = nullptr;
     QCPRange m_fitted; ///< of the amplitudes, as they were fitted last
     bool m_logarithmic = true;
-    bool m_linking = false;
 };
 
 } // namespace sparkout

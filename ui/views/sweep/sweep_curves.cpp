@@ -26,6 +26,8 @@ SweepCurves::SweepCurves(QWidget* parent) : SweepPlot(parent), m_present(addRule
     m_chosenFoot = addMarks(beside);
     m_chosenMarks = addMarks(up());
     m_present->setVisible(false);
+    setKeyed(refusedKey, {m_refused});
+    setKeyed(notReachedKey, {m_notReached});
     built();
 }
 
@@ -76,6 +78,7 @@ void SweepCurves::fill() {
         for (std::size_t i = 0; i < values.size(); ++i) {
             curve->addData(scaleOf(0).at(values[i]), shownAt(i, q));
         }
+        setKeyed(static_cast<int>(m_curves.size()), {curve});
         m_curves.push_back(curve);
     }
     addLimits();
@@ -102,6 +105,7 @@ void SweepCurves::addLimits() {
             graph->addData(scaleOf(0).at(values[i]), line[i]);
         }
         m_limits.push_back(graph);
+        setKeyed(limitKey, {graph});
         drawn.push_back(line);
     };
     for (const std::size_t q : m_quantities) {
@@ -150,6 +154,7 @@ void SweepCurves::addBands() {
         band->topLeft->setCoords(scaleOf(0).at(range.lower), 0);
         band->bottomRight->setCoords(scaleOf(0).at(range.upper), 1);
         m_bands.push_back(band);
+        setKeyed(holdsKey, {band});
     }
 }
 
@@ -258,17 +263,7 @@ void SweepCurves::label() {
 }
 
 void SweepCurves::showChoice() {
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_curves[i]->setVisible(shows(static_cast<int>(i)));
-    }
-    for (QCPGraph* limit : m_limits) {
-        limit->setVisible(shows(limitKey));
-    }
-    for (QCPItemRect* band : m_bands) {
-        band->setVisible(shows(holdsKey));
-    }
-    m_refused->setVisible(shows(refusedKey));
-    m_notReached->setVisible(shows(notReachedKey));
+    SweepPlot::showChoice();
     m_present->setVisible(m_hasPresent && shows(presentKey));
 }
 
@@ -279,23 +274,19 @@ LegendEntries SweepCurves::legendEntries() const {
     }
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         const SweepQuantity& quantity = sweep().quantities[m_quantities[i]];
-        const int key = static_cast<int>(i);
-        entries.push_back(
-            {m_curves[i]->pen().color(), Qt::SolidLine,
-             quantity.section < 0 ? SweepText::name(quantity) : SweepText::where(quantity), key,
-             shows(key)});
+        entries.push_back(lineEntry(static_cast<int>(i), m_curves[i]->pen(),
+                                    quantity.section < 0 ? SweepText::name(quantity)
+                                                         : SweepText::where(quantity)));
     }
     if (!m_limits.empty()) {
-        entries.push_back({m_limits.front()->pen().color(), Qt::DashLine, tr("limit"), limitKey,
-                           shows(limitKey)});
+        entries.push_back(lineEntry(limitKey, m_limits.front()->pen(), tr("limit")));
     }
     if (!m_bands.empty()) {
-        entries.push_back({m_bands.front()->brush().color(), Qt::NoPen,
-                           tr("every requirement holds"), holdsKey, shows(holdsKey)});
+        entries.push_back(
+            areaEntry(holdsKey, m_bands.front()->brush().color(), tr("every requirement holds")));
     }
     if (m_hasPresent) {
-        entries.push_back({m_present->pen().color(), Qt::DotLine, tr("present value"), presentKey,
-                           shows(presentKey)});
+        entries.push_back(lineEntry(presentKey, m_present->pen(), tr("present value")));
     }
     addStatusEntries(entries);
     return entries;

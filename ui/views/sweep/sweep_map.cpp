@@ -86,6 +86,12 @@ SweepMap::SweepMap(QWidget* parent)
     m_notReached = addMarks(up());
     m_present = addMarks(up());
     m_chosenMark = addMarks(up());
+    setKeyed(limitKey, {m_limitHalo, m_limit});
+    setKeyed(holdsKey, {m_holdsHalo, m_holds});
+    setKeyed(refusedKey, {m_refused});
+    setKeyed(notReachedKey, {m_notReached});
+    setKeyed(presentKey, {m_present});
+    setKeyed(chosenKey, {m_chosenMark});
     built();
 }
 
@@ -241,41 +247,28 @@ void SweepMap::label() {
     m_scale->axis()->setLabel(SweepText::axis(sweep(), entry(), margins()));
 }
 
-void SweepMap::showChoice() {
-    m_limitHalo->setVisible(shows(limitKey));
-    m_limit->setVisible(shows(limitKey));
-    m_holdsHalo->setVisible(shows(holdsKey));
-    m_holds->setVisible(shows(holdsKey));
-    m_refused->setVisible(shows(refusedKey));
-    m_notReached->setVisible(shows(notReachedKey));
-    m_present->setVisible(shows(presentKey));
-    m_chosenMark->setVisible(shows(chosenKey));
-}
-
 LegendEntries SweepMap::legendEntries() const {
     LegendEntries entries;
     if (empty()) {
         return entries;
     }
-    const auto add = [&](const QColor& of, Qt::PenStyle pen, const QString& text, int key) {
-        entries.push_back({of, pen, text, key, shows(key)});
-    };
     if (!m_limit->data()->isEmpty()) {
-        add(m_limit->pen().color(), Qt::SolidLine, tr("limit of this result"), limitKey);
+        entries.push_back(lineEntry(limitKey, m_limit->pen(), tr("limit of this result")));
         entries.back().halo = m_limitHalo->pen().color();
     }
     if (!m_holds->data()->isEmpty()) {
-        add(m_holds->pen().color(), Qt::SolidLine, tr("every requirement holds: its edge"),
-            holdsKey);
+        entries.push_back(
+            lineEntry(holdsKey, m_holds->pen(), tr("every requirement holds: its edge")));
         entries.back().halo = m_holdsHalo->pen().color();
     }
     if (!m_present->data()->isEmpty()) {
-        add(palette().color(QPalette::Text), Qt::NoPen, tr("present values (◇)"), presentKey);
+        entries.push_back(
+            areaEntry(presentKey, palette().color(QPalette::Text), tr("present values (◇)")));
         entries.back().fill = Qt::NoBrush;
     }
     if (!m_chosenMark->data()->isEmpty()) {
-        add(m_chosenMark->scatterStyle().pen().color(), Qt::NoPen, tr("chosen point (□)"),
-            chosenKey);
+        entries.push_back(areaEntry(chosenKey, m_chosenMark->scatterStyle().pen().color(),
+                                    tr("chosen point (□)")));
         entries.back().fill = Qt::NoBrush;
     }
     addStatusEntries(entries);

@@ -23,7 +23,6 @@ protected:
     void fillMarks() override;
     void colour() override;
     void label() override;
-    void showChoice() override;
 
 private:
     void fillCells();

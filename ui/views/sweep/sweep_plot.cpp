@@ -46,11 +46,7 @@ void SweepPlot::setSweep(SweepOutcomePtr sweep, SweepEntry entry, bool margins) 
     }
     fill();
     fillMarks();
-    restyle();
-    retranslate();
-    showChoice();
-    fit();
-    emit contentChanged();
+    contentSet();
 }
 
 void SweepPlot::setPresent(std::vector<std::optional<double>> values) {
@@ -105,7 +101,7 @@ QCPGraph* SweepPlot::addMarks(QCPAxis* value) {
 void SweepPlot::addStatusEntries(LegendEntries& entries) const {
     const auto add = [&](SweepStatus status, Drawn what, const QString& text, int key) {
         if (any(status)) {
-            entries.push_back({toned(what), Qt::NoPen, text, key, shows(key)});
+            entries.push_back(areaEntry(key, toned(what), text));
         }
     };
     add(SweepStatus::refused, Drawn::refused, tr("refused (×)"), refusedKey);
