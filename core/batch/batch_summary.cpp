@@ -212,4 +212,23 @@ BatchSummary summarise(const BatchResult& result) {
     return summary;
 }
 
+std::vector<std::size_t> placesOf(const BatchSummary& summary, const std::string& name,
+                                  std::size_t most) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
+        if (name == summary.characteristics[i].characteristic.name) {
+            places.push_back(i);
+        }
+    }
+    if (places.size() > most) {
+        std::ranges::stable_sort(places, {}, [&summary](std::size_t i) {
+            const std::optional<Capability>& ppk = summary.characteristics[i].ppk;
+            return ppk ? ppk->value : std::numeric_limits<double>::max();
+        });
+        places.resize(most);
+        std::ranges::sort(places);
+    }
+    return places;
+}
+
 } // namespace sparkout

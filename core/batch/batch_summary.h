@@ -6,7 +6,10 @@
 #include "core/statistics/intervals.h"
 #include "core/statistics/normality.h"
 
+#include <cstddef>
+#include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sparkout {
@@ -75,5 +78,11 @@ struct BatchSummary {
 };
 
 [[nodiscard]] BatchSummary summarise(const BatchResult& result);
+
+/// Indices of the characteristics of one name in a summary, place by place: all, or of too many
+/// those of the least Ppk, still in the order of the places.
+[[nodiscard]] std::vector<std::size_t>
+placesOf(const BatchSummary& summary, const std::string& name,
+         std::size_t most = std::numeric_limits<std::size_t>::max());
 
 } // namespace sparkout

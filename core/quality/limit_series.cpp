@@ -298,4 +298,34 @@ LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group) {
         });
 }
 
+bool limitsFeed(const LimitSeries& series) {
+    return std::ranges::any_of(
+        series.on, [](ConstraintKind kind) { return requirementOf(kind).bindsEveryPass(); });
+}
+
+bool limitsGroups(const LimitSeries& series, const Project& project) {
+    const bool coupled = isCoupled(project);
+    return std::ranges::any_of(series.on, [coupled](ConstraintKind kind) {
+        const Requirement& row = requirementOf(kind);
+        return row.bindsEveryPass() && !(coupled && row.sharedBySections);
+    });
+}
+
+std::optional<double> stockAt(const LimitSeries& series, const LayerSeries& layers,
+                              const Trajectory& trajectory, int group, const Progress& moment) {
+    for (std::size_t i = moment.end; i-- > 0;) {
+        const Pass& pass = trajectory.passes[i];
+        if (limitGroupAt(series, pass.place) != group) {
+            continue;
+        }
+        const int radii = i < moment.open ? trajectory.radii : moment.radius + 1;
+        const auto first = trajectory.visits.begin() + static_cast<std::ptrdiff_t>(pass.firstVisit);
+        const auto deepest = std::ranges::max_element(first, first + radii, {}, &Visit::actual_mm);
+        if (deepest->actual_mm > 0) {
+            return layers.removalSign * (deepest->radius_mm - layers.target_mm);
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace sparkout

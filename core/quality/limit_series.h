@@ -2,6 +2,8 @@
 #pragma once
 
 #include "core/quality/depth_limits.h"
+#include "core/simulation/progress.h"
+#include "core/simulation/stock_layers.h"
 #include "core/simulation/trajectory.h"
 
 #include <cstddef>
@@ -77,5 +79,15 @@ inline constexpr std::size_t mostLimitedCuts = 600;
 /// The stepless limit: the greatest depth of cut allowed at each stock, the least of all limits but
 /// roughness, which binds the last cut alone [MODEL-8]. Empty when no other limit is on.
 [[nodiscard]] LimitPoints steplessLimit(const LimitSeries& series, const LimitGroup& group);
+
+/// Whether a limit that binds every cut is on.
+[[nodiscard]] bool limitsFeed(const LimitSeries& series);
+/// The same of the cuts of one zone or section: coupled sections share the power.
+[[nodiscard]] bool limitsGroups(const LimitSeries& series, const Project& project);
+
+/// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
+[[nodiscard]] std::optional<double> stockAt(const LimitSeries& series, const LayerSeries& layers,
+                                            const Trajectory& trajectory, int group,
+                                            const Progress& moment);
 
 } // namespace sparkout

@@ -13,7 +13,6 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -25,7 +24,6 @@ constexpr double fullBar = 1.25; ///< usage at the end of a bar
 constexpr int leastBarWidth = 76;
 constexpr int air = 4;
 constexpr double scaleHeight = 4, pointerWidth = 5; ///< of a range [px]
-constexpr double tiny = 1e-12;                      ///< in place of 0, to divide by
 
 /// What fails first; settings of the machine last, which hold up to the ends of their ranges.
 std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
@@ -33,26 +31,6 @@ std::tuple<bool, bool, double> rankOf(const ConstraintResult& c) {
 }
 
 } // namespace
-
-double usageOf(const ConstraintResult& requirement) {
-    if (!Names::isRange(requirement.kind)) {
-        return std::max(1 - requirement.relativeMargin, 0.0);
-    }
-    const double end = requirement.limit, value = requirement.value;
-    return end <= 0 ? 0 : requirement.isLeast ? end / std::max(value, tiny) : value / end;
-}
-
-std::optional<double> placeInRange(const ConstraintResult& requirement) {
-    if (!requirement.otherEnd) {
-        return std::nullopt;
-    }
-    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
-    const double value = std::clamp(requirement.value, low, high);
-    if (high <= low) {
-        return 0.5;
-    }
-    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
-}
 
 QString rangeText(const ConstraintResult& c) {
     if (!c.otherEnd) {

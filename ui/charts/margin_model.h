@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/quality/usage.h"
 #include "core/study/outcome.h"
 #include "ui/tables/csv_table.h"
 #include "ui/tables/table_model.h"
@@ -9,18 +10,9 @@
 #include <QStyledItemDelegate>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace sparkout {
-
-/// How much of its field or limit a requirement uses up: 1 at the limit. Of a range of the machine
-/// how close its nearer end is: half of a setting that is twice the least one.
-[[nodiscard]] double usageOf(const ConstraintResult& requirement);
-
-/// Where a setting lies in its range of the machine, from 0 to 1: by its ratios to the ends, of a
-/// range from 0 by its distances. Nothing of other requirements.
-[[nodiscard]] std::optional<double> placeInRange(const ConstraintResult& requirement);
 
 /// A setting in its range of the machine: "2 × the lower limit, range 0.001…0.05 mm".
 [[nodiscard]] QString rangeText(const ConstraintResult& requirement);

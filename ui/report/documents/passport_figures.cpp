@@ -31,7 +31,7 @@ std::vector<int> allOf(const ProfileSeries& series) {
 Figure PassportFigures::histograms(const BatchSummary& summary, const std::string& name) {
     std::vector<CharacteristicSummary> shown;
     QStringList values;
-    for (const std::size_t i : drawnPlacesOf(summary, name)) {
+    for (const std::size_t i : placesOf(summary, name, mostPlaces)) {
         shown.push_back(summary.characteristics[i]);
         const CharacteristicSummary& of = shown.back();
         if (of.count > 0) {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 namespace sparkout {
@@ -27,11 +26,6 @@ QString percent(double share) {
         decimals = std::max(1, static_cast<int>(std::ceil(-std::log10(toEnd))));
     }
     return Names::fixed(hundredth, decimals);
-}
-
-/// Ppk, where it was made; else the greatest number.
-double leastPpk(const CharacteristicSummary& summary) {
-    return summary.ppk ? summary.ppk->value : std::numeric_limits<double>::max();
 }
 
 } // namespace
@@ -246,27 +240,6 @@ QString BatchText::part(const BatchOutcome& outcome, std::int64_t part) {
     }
     return tr("Part %1").arg(part) + (texts.isEmpty() ? QString() : QStringLiteral(": "))
            + texts.join(QStringLiteral(", "));
-}
-
-std::vector<std::size_t> placesOf(const BatchSummary& summary, const std::string& name) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < summary.characteristics.size(); ++i) {
-        if (name == summary.characteristics[i].characteristic.name) {
-            places.push_back(i);
-        }
-    }
-    return places;
-}
-
-std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary, const std::string& name) {
-    std::vector<std::size_t> places = placesOf(summary, name);
-    if (places.size() > mostPlaces) {
-        std::ranges::stable_sort(
-            places, {}, [&summary](std::size_t i) { return leastPpk(summary.characteristics[i]); });
-        places.resize(mostPlaces);
-        std::ranges::sort(places);
-    }
-    return places;
 }
 
 } // namespace sparkout

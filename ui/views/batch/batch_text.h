@@ -46,13 +46,6 @@ public:
     static QString part(const BatchOutcome& outcome, std::int64_t part);
 };
 
-/// Indices of the characteristics of one name in a summary, place by place.
-[[nodiscard]] std::vector<std::size_t> placesOf(const BatchSummary& summary,
-                                                const std::string& name);
-
-/// The same, of too many those of the least Ppk, still in the order of the places.
-inline constexpr std::size_t mostPlaces = 6; ///< drawn side by side
-[[nodiscard]] std::vector<std::size_t> drawnPlacesOf(const BatchSummary& summary,
-                                                     const std::string& name);
+inline constexpr std::size_t mostPlaces = 6; ///< of a characteristic, drawn side by side
 
 } // namespace sparkout

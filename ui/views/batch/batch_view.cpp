@@ -352,7 +352,7 @@ void BatchView::showBatch() {
     fillQuantities();
     std::vector<CharacteristicSummary> shown;
     if (m_batch) {
-        for (const std::size_t i : drawnPlacesOf(m_batch->summary, chosenName())) {
+        for (const std::size_t i : placesOf(m_batch->summary, chosenName(), mostPlaces)) {
             shown.push_back(m_batch->summary.characteristics[i]);
         }
     }

@@ -52,8 +52,8 @@ void SensitivityPlot::setKind(SensitivityKind kind) {
 void SensitivityPlot::fill() {
     clearPlottables();
     m_bars.clear();
-    for (const std::size_t i :
-         m_outcome ? drawnPlacesOf(m_outcome->summary, m_name) : std::vector<std::size_t>()) {
+    for (const std::size_t i : m_outcome ? placesOf(m_outcome->summary, m_name, mostPlaces)
+                                         : std::vector<std::size_t>()) {
         Bars bars{i, {}, {}};
         if (m_kind == SensitivityKind::ranks) {
             const auto& regression = m_outcome->regressions[i];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/process/compliance_part.h"
 #include "core/process/system_compliance.h"
 #include "core/study/outcome.h"
 #include "ui/views/compliance/length_curves.h"
@@ -11,15 +12,6 @@
 
 namespace sparkout {
 
-/// What γ(x) is made of, from below; rests are what steady rests take away again.
-enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
-
-inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,
-                                               CompliancePart::tailstock, CompliancePart::bending,
-                                               CompliancePart::rests};
-
-[[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
-[[nodiscard]] double sumOf(const ComplianceParts& parts);                        ///< [mm/N]
 inline constexpr double nmPerMm = 1e6; ///< γ is drawn in nm/N
 
 /// γ along the part as stacked parts, its sum, and the γ each zone or section is ground with.

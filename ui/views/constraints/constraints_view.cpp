@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/constraints/constraints_view.h"
 
-#include "core/process/coupled_sections.h"
 #include "core/quality/constraint_sheet.h"
 #include "ui/charts/light_icon.h"
 #include "ui/charts/margin_model.h"
@@ -40,41 +39,6 @@ namespace {
 constexpr int plotShare = 340, lowerShare = 200; ///< of the height at first
 constexpr int tableShare = 450, sheetShare = 220;
 constexpr int leastColumn = 60; ///< of the margins, at the usual size of type
-
-/// Stock left by the newest cut of a group at a moment of the cycle, at its deepest radius [mm].
-std::optional<double> stockAt(const Outcome& outcome, int group, const Progress& moment) {
-    const Trajectory& trajectory = outcome.trajectory;
-    for (std::size_t i = moment.end; i-- > 0;) {
-        const Pass& pass = trajectory.passes[i];
-        if (limitGroupAt(outcome.limits, pass.place) != group) {
-            continue;
-        }
-        const int radii = i < moment.open ? trajectory.radii : moment.radius + 1;
-        const auto first = trajectory.visits.begin() + static_cast<std::ptrdiff_t>(pass.firstVisit);
-        const auto deepest = std::ranges::max_element(first, first + radii, {}, &Visit::actual_mm);
-        if (deepest->actual_mm > 0) {
-            const LayerSeries& layers = outcome.layers;
-            return layers.removalSign * (deepest->radius_mm - layers.target_mm);
-        }
-    }
-    return std::nullopt;
-}
-
-/// Whether a limit that binds every cut is on.
-bool feedIsLimited(const Outcome& outcome) {
-    return std::ranges::any_of(outcome.limits.on, [](ConstraintKind kind) {
-        return requirementOf(kind).bindsEveryPass();
-    });
-}
-
-/// The same of the cuts of one zone or section: coupled sections share the power.
-bool groupsAreLimited(const Outcome& outcome) {
-    const bool coupled = isCoupled(outcome.result.project);
-    return std::ranges::any_of(outcome.limits.on, [coupled](ConstraintKind kind) {
-        const Requirement& row = requirementOf(kind);
-        return row.bindsEveryPass() && !(coupled && row.sharedBySections);
-    });
-}
 
 } // namespace
 
@@ -262,7 +226,7 @@ void ConstraintsView::fillGroups() {
     if (!good()) {
         return;
     }
-    const bool limited = groupsAreLimited(*good());
+    const bool limited = limitsGroups(good()->limits, good()->result.project);
     for (const LimitGroup& group : good()->limits.groups) {
         const QString name = LimitNames::group(group);
         m_zone->addItem(limited ? tr("%1 — %2").arg(name, LimitNames::percent(group.worst.usage))
@@ -291,8 +255,10 @@ int ConstraintsView::wantedGroup() const {
 
 void ConstraintsView::followCycle() {
     const CycleCursor* const at = cycleIn(good());
-    m_plot->setMoment(at && !at->atEnd() ? stockAt(*good(), m_plot->group(), at->progress())
-                                         : std::nullopt);
+    m_plot->setMoment(at && !at->atEnd()
+                          ? stockAt(good()->limits, good()->layers, good()->trajectory,
+                                    m_plot->group(), at->progress())
+                          : std::nullopt);
 }
 
 void ConstraintsView::showGroup(int group) {
@@ -372,14 +338,14 @@ QString ConstraintsView::remark() const {
         return tr("The cycle is too long to be recorded: its cuts are not drawn. Fewer radii or "
                   "sections help; the requirements below are of the whole cycle.");
     }
-    if (!feedIsLimited(*good())) {
+    if (!limitsFeed(good()->limits)) {
         return tr("No limit of the feed is on, so any feed is allowed: enter what burns the "
                   "material, or the power of a drive. The links below lead to the fields.");
     }
     if (good()->result.status != RunStatus::completed) {
         return Names::status(good()->result.status);
     }
-    return groupsAreLimited(*good())
+    return limitsGroups(good()->limits, good()->result.project)
                ? QString()
                : tr(
                    "Coupled sections share the power of the drives, so it limits no section's feed "

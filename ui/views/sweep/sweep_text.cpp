@@ -27,48 +27,6 @@ QString amount(double value, const std::string& unit) {
 
 } // namespace
 
-std::vector<SweepEntry> sweepEntries(const SweepResult& sweep, bool each) {
-    std::vector<SweepEntry> entries;
-    const auto& all = sweep.quantities;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string& name = all[i].name;
-        if (std::ranges::find(entries, name, &SweepEntry::key) != entries.end()) {
-            continue;
-        }
-        SweepEntry entry{name, {}};
-        for (std::size_t q = i; q < all.size(); ++q) {
-            if (all[q].name == name) {
-                entry.quantities.push_back(q);
-            }
-        }
-        entries.push_back(entry);
-        for (const std::size_t q : entry.quantities) {
-            if (each && entry.quantities.size() > 1) {
-                entries.push_back({name + ' ' + std::to_string(all[q].section), {q}});
-            }
-        }
-    }
-    return entries;
-}
-
-std::optional<std::size_t> worstAt(const SweepPoint& point, const SweepEntry& entry) {
-    std::optional<std::size_t> worst;
-    for (const std::size_t q : entry.quantities) {
-        if (point.values.empty() || std::isnan(point.values[q].value)) {
-            continue;
-        }
-        const SweepValue& value = point.values[q];
-        const bool limited =
-            worst && !std::isnan(value.margin) && !std::isnan(point.values[*worst].margin);
-        if (!worst
-            || (limited ? value.margin < point.values[*worst].margin
-                        : value.value > point.values[*worst].value)) {
-            worst = q;
-        }
-    }
-    return worst;
-}
-
 /// Page, item of a list and input: what is between tells nothing more.
 QString SweepText::input(const std::string& path) {
     const QStringList words = locationText(path).split(QStringLiteral(" › "));

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/sweep/sweep_entries.h"
 #include "ui/session/sweep_runner.h"
 
 #include <QCoreApplication>
 #include <QString>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace sparkout {
-
-/// What a plot of a sweep shows: quantities of one name, of all zones or of one.
-struct SweepEntry {
-    std::string key; ///< "radial_runout", "radial_runout 1"
-    std::vector<std::size_t> quantities;
-};
-
-/// What can be shown of a sweep, in its order; `each`: every zone by itself, too.
-[[nodiscard]] std::vector<SweepEntry> sweepEntries(const SweepResult& sweep, bool each);
-
-/// The quantity of an entry that has the least margin at a point, without limits the greatest
-/// value; nothing where the point has none.
-[[nodiscard]] std::optional<std::size_t> worstAt(const SweepPoint& point, const SweepEntry& entry);
 
 /// What the view of sweeps says of inputs, quantities and points.
 class SweepText {

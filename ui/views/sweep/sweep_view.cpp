@@ -23,7 +23,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sparkout {
@@ -34,28 +33,6 @@ constexpr int valueLines = 3;
 constexpr const char* usualInput = "/wheel/dullness";
 /// Radii ground in a sweep that runs by itself: about two seconds of one processor.
 constexpr double quickSweepVisits = 2e8;
-
-/// Whether no result of any point differs from those of the first.
-bool nothingChanges(const SweepResult& sweep) {
-    const SweepPoint* first = nullptr;
-    for (const SweepPoint& point : sweep.points) {
-        if (point.status != SweepStatus::done) {
-            return false;
-        }
-        first = first ? first : &point;
-        const bool same =
-            std::ranges::equal(point.values, first->values, [](const auto& a, const auto& b) {
-                const auto equal = [](double x, double y) {
-                    return x == y || (std::isnan(x) && std::isnan(y));
-                };
-                return equal(a.value, b.value) && equal(a.low, b.low) && equal(a.high, b.high);
-            });
-        if (!same) {
-            return false;
-        }
-    }
-    return sweep.points.size() > 1;
-}
 
 } // namespace
 
@@ -422,7 +399,7 @@ QString SweepView::sweepRemark() const {
                    : tr("No point has a result. Refused:") + QLatin1Char('\n')
                          + Names::refusal(refused->issues, 2);
     }
-    return nothingChanges(sweep)
+    return changesNothing(sweep)
                ? tr("Nothing changes over this range: the model does not read the "
                     "input as this project is set.")
                : QString();

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/process/compliance.h"
+
+#include <array>
+
+namespace sparkout {
+
+/// What γ(x) is made of, from below; rests are what steady rests take away again.
+enum class CompliancePart { wheelHead, headstock, tailstock, bending, rests };
+
+inline constexpr std::array allComplianceParts{CompliancePart::wheelHead, CompliancePart::headstock,
+                                               CompliancePart::tailstock, CompliancePart::bending,
+                                               CompliancePart::rests};
+
+[[nodiscard]] double valueOf(const ComplianceParts& parts, CompliancePart part); ///< [mm/N]
+[[nodiscard]] double sumOf(const ComplianceParts& parts);                        ///< [mm/N]
+
+} // namespace sparkout

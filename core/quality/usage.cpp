@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/quality/usage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sparkout {
+
+namespace {
+constexpr double leastDivisor = 1e-12; ///< in place of 0, to divide by
+} // namespace
+
+double usageOf(const ConstraintResult& requirement) {
+    if (requirementOf(requirement.kind).source != LimitSource::range) {
+        return std::max(1 - requirement.relativeMargin, 0.0);
+    }
+    const double end = requirement.limit, value = requirement.value;
+    return end <= 0 ? 0 : requirement.isLeast ? end / std::max(value, leastDivisor) : value / end;
+}
+
+std::optional<double> placeInRange(const ConstraintResult& requirement) {
+    if (!requirement.otherEnd) {
+        return std::nullopt;
+    }
+    const auto [low, high] = std::minmax(requirement.limit, *requirement.otherEnd);
+    const double value = std::clamp(requirement.value, low, high);
+    if (high <= low) {
+        return 0.5;
+    }
+    return low > 0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+} // namespace sparkout
