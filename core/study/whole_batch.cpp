@@ -3,6 +3,24 @@
 
 namespace sparkout {
 
+const Characteristic* BatchOutcome::characteristicOf(std::size_t quantity) const {
+    return quantity < factors.size()
+               ? nullptr
+               : &summary.characteristics[quantity - factors.size()].characteristic;
+}
+
+double BatchOutcome::valueOf(std::size_t row, std::size_t quantity) const {
+    return quantity < factors.size()
+               ? drawn[row][quantity]
+               : result.statistics.rows[row].values[quantity - factors.size()];
+}
+
+bool BatchOutcome::isOutside(std::size_t row, std::size_t quantity) const {
+    const Characteristic* const of = characteristicOf(quantity);
+    const double value = valueOf(row, quantity);
+    return of && ((of->low && value < *of->low) || (of->high && value > *of->high));
+}
+
 BatchOutcomePtr runWholeBatch(const Project& project, const BatchOptions& options) {
     auto outcome = std::make_shared<BatchOutcome>();
     outcome->result = runBatch(project, options);

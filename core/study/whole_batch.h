@@ -6,6 +6,7 @@
 #include "core/issue.h"
 #include "core/project/given_factors.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,6 +24,15 @@ struct BatchOutcome {
     std::vector<std::vector<double>> drawn; ///< values of the factors, by kept part
 
     [[nodiscard]] bool ran() const { return issues.empty(); }
+
+    // Quantities of a part by number: the factors, then the characteristics.
+    [[nodiscard]] std::size_t quantityCount() const {
+        return factors.size() + summary.characteristics.size();
+    }
+    [[nodiscard]] const Characteristic* characteristicOf(std::size_t quantity) const; ///< or null
+    /// Of the part in a kept row.
+    [[nodiscard]] double valueOf(std::size_t row, std::size_t quantity) const;
+    [[nodiscard]] bool isOutside(std::size_t row, std::size_t quantity) const; ///< its limits
 };
 
 using BatchOutcomePtr = std::shared_ptr<const BatchOutcome>;

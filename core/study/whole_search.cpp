@@ -8,6 +8,7 @@
 #include "core/optimisation/limit.h"
 #include "core/optimisation/robust.h"
 #include "core/optimisation/trade_off.h"
+#include "core/optimisation/variants.h"
 #include "core/project/validate.h"
 #include "core/study/refine_answer.h"
 
@@ -300,6 +301,12 @@ SearchOutcomePtr runWholeSearch(const Project& project, SearchWish wish, std::st
     return Search(
                project, wish, std::move(stop), note ? std::move(note) : [](const SearchState&) {})
         .run();
+}
+
+Project withFound(Project project, const FoundCycle& found) {
+    setMachine(project, found.machine);
+    project.cycle = found.cycle;
+    return project;
 }
 
 } // namespace sparkout

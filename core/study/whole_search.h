@@ -35,6 +35,9 @@ struct FoundCycle {
     int candidate = 0; ///< its number among those tried on fresh phases, from 1; 0: not tried
 };
 
+/// A project with the cycle and the machine's settings that were found.
+[[nodiscard]] Project withFound(Project project, const FoundCycle& found);
+
 /// The search of the cycles of one number of stages.
 struct SearchedNumber {
     int stages = 0;

@@ -3,7 +3,6 @@
 
 #include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
-#include "ui/plot/plot_click.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/plot/run_dash.h"
@@ -21,7 +20,7 @@ constexpr double curveRoom = 0.06; ///< of the values
 ComparePlot::ComparePlot(QWidget* parent) : ViewPlot(parent) {
     setPlottingHints(QCP::phFastPolylines);
     build();
-    onPlotClick(*this, [this](const QPointF& at) {
+    onClick([this](const QPointF& at) {
         if (const QCPAxisRect* rect = axisRectAt(at); rect && !runs().empty()) {
             emit timeClicked(
                 m_chart.scale(0).time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));

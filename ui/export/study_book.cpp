@@ -311,9 +311,7 @@ std::vector<NamedSheet> searchSheets(const Study& study) {
         {StudyBook::tr("Search"), searchFacts(outcome, study.before_s)},
         {StudyBook::tr("Settings"), inputsOf(outcome.project, {QStringLiteral("/optimisation/")})}};
     if (const FoundCycle* found = outcome.refined() ? outcome.refined() : outcome.best()) {
-        Project project = outcome.project;
-        setMachine(project, found->machine);
-        project.cycle = found->cycle;
+        const Project project = withFound(outcome.project, *found);
         sheets.push_back({StudyBook::tr("Cycle found"),
                           inputsOf(project, {QStringLiteral("/cycle/"),
                                              QStringLiteral("/machine/work_speed_rpm"),

@@ -4,9 +4,11 @@
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/plot_tools.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QLocale>
 
+#include <memory>
 #include <utility>
 
 namespace sparkout {
@@ -221,6 +223,20 @@ void ViewPlot::contentSet() {
 
 void ViewPlot::onMouse(QMouseEvent* event) {
     emit pointed(valuesAt(event->position()));
+}
+
+void ViewPlot::onClick(std::function<void(const QPointF& at)> clicked) {
+    auto pressed = std::make_shared<QPointF>();
+    connect(this, &QCustomPlot::mousePress, this,
+            [pressed](QMouseEvent* event) { *pressed = event->position(); });
+    connect(this, &QCustomPlot::mouseRelease, this,
+            [pressed, clicked = std::move(clicked)](QMouseEvent* event) {
+                const QPointF moved = event->position() - *pressed;
+                if (event->button() == Qt::LeftButton
+                    && moved.manhattanLength() < QApplication::startDragDistance()) {
+                    clicked(event->position());
+                }
+            });
 }
 
 void ViewPlot::pointAway() {

@@ -12,6 +12,7 @@
 
 #include <qcustomplot.h>
 
+#include <functional>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -91,8 +92,10 @@ protected:
     [[nodiscard]] virtual QString valuesAt(const QPointF&) const { return {}; } ///< under the mouse
     virtual void onMouse(QMouseEvent* event); ///< has moved; here reports the values
     virtual void pointAway();                 ///< the mouse has left
-    void built();                             ///< ends a constructor: look and texts
-    void setBuilt() { m_built = true; }       ///< the same without them: there is nothing yet
+    /// With the left button, pressed and let go without a drag between.
+    void onClick(std::function<void(const QPointF& at)> clicked);
+    void built();                       ///< ends a constructor: look and texts
+    void setBuilt() { m_built = true; } ///< the same without them: there is nothing yet
     [[nodiscard]] bool isBuilt() const { return m_built; }
 
     [[nodiscard]] bool shows(int key) const { return m_choice.shows(key); } ///< of the legend

@@ -333,7 +333,7 @@ void BatchView::fillNames() {
 /// Factors and characteristics by place; what was chosen stays, at first the factor that the
 /// batch has first against the diameter.
 void BatchView::fillQuantities() {
-    const int quantities = m_batch ? static_cast<int>(quantityCount(*m_batch)) : 0;
+    const int quantities = m_batch ? static_cast<int>(m_batch->quantityCount()) : 0;
     const int usual = m_batch ? static_cast<int>(m_batch->factors.size()) : 0;
     for (QComboBox* box : {m_across, m_up}) {
         const QSignalBlocker blocker(box);

@@ -10,7 +10,6 @@
 #include <QLineF>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,23 +25,10 @@ constexpr double scatterRoom = 0.05;
 
 } // namespace
 
-std::size_t quantityCount(const BatchOutcome& outcome) {
-    return outcome.factors.size() + outcome.summary.characteristics.size();
-}
-
 QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity) {
-    if (quantity < outcome.factors.size()) {
-        return BatchText::factorAxis(outcome.factors[quantity].kind);
-    }
-    const Characteristic& of =
-        outcome.summary.characteristics[quantity - outcome.factors.size()].characteristic;
-    return QStringLiteral("%1, %2").arg(BatchText::full(of), unitText(of.unit));
-}
-
-double quantityOf(const BatchOutcome& outcome, std::size_t row, BatchQuantity quantity) {
-    return quantity < outcome.factors.size()
-               ? outcome.drawn[row][quantity]
-               : outcome.result.statistics.rows[row].values[quantity - outcome.factors.size()];
+    const Characteristic* const of = outcome.characteristicOf(quantity);
+    return of ? QStringLiteral("%1, %2").arg(BatchText::full(*of), unitText(of->unit))
+              : BatchText::factorAxis(outcome.factors[quantity].kind);
 }
 
 ScatterPlot::ScatterPlot(QWidget* parent) : ViewPlot(parent) {
@@ -65,19 +51,8 @@ void ScatterPlot::setBatch(BatchOutcomePtr outcome, BatchQuantity across, BatchQ
     fill();
 }
 
-const Characteristic* ScatterPlot::characteristic(BatchQuantity quantity) const {
-    const std::size_t factors = m_outcome->factors.size();
-    return quantity < factors
-               ? nullptr
-               : &m_outcome->summary.characteristics[quantity - factors].characteristic;
-}
-
 bool ScatterPlot::outside(std::size_t row) const {
-    return std::ranges::any_of(std::array{m_across, m_up}, [&](BatchQuantity quantity) {
-        const Characteristic* of = characteristic(quantity);
-        const double value = quantityOf(*m_outcome, row, quantity);
-        return of && ((of->low && value < *of->low) || (of->high && value > *of->high));
-    });
+    return m_outcome->isOutside(row, m_across) || m_outcome->isOutside(row, m_up);
 }
 
 void ScatterPlot::fill() {
@@ -90,7 +65,7 @@ void ScatterPlot::fill() {
     }
     const std::size_t rows = m_outcome ? m_outcome->result.statistics.rows.size() : 0;
     for (std::size_t i = 0; i < rows; ++i) {
-        const double x = quantityOf(*m_outcome, i, m_across), y = quantityOf(*m_outcome, i, m_up);
+        const double x = m_outcome->valueOf(i, m_across), y = m_outcome->valueOf(i, m_up);
         if (!std::isfinite(x) || !std::isfinite(y)) {
             continue;
         }
@@ -107,7 +82,7 @@ void ScatterPlot::fill() {
 }
 
 void ScatterPlot::addLimits(BatchQuantity quantity, bool upright) {
-    if (const Characteristic* of = characteristic(quantity)) {
+    if (const Characteristic* of = m_outcome->characteristicOf(quantity)) {
         for (const std::optional<double>& limit : {of->low, of->high}) {
             if (limit) {
                 m_limits.push_back(addRule(*m_rect, *limit, upright));
@@ -123,7 +98,7 @@ void ScatterPlot::fit() {
         double low = 0, high = 0;
         bool any = false;
         for (std::size_t i = 0; i < m_outcome->result.statistics.rows.size(); ++i) {
-            const double value = quantityOf(*m_outcome, i, quantity);
+            const double value = m_outcome->valueOf(i, quantity);
             if (std::isfinite(value)) {
                 low = any ? std::min(low, value) : value;
                 high = any ? std::max(high, value) : value;
@@ -131,7 +106,7 @@ void ScatterPlot::fit() {
             }
         }
         const double size = high - low;
-        if (const Characteristic* of = characteristic(quantity)) {
+        if (const Characteristic* of = m_outcome->characteristicOf(quantity)) {
             for (const std::optional<double>& limit : {of->low, of->high}) {
                 if (limit && *limit > low - size && *limit < high + size) {
                     low = std::min(low, *limit);
@@ -143,7 +118,7 @@ void ScatterPlot::fit() {
         const double beside = std::max(scatterRoom * (high - low), least);
         style::setSafeRange(axis, low - beside, high + beside);
     };
-    if (m_outcome && quantityCount(*m_outcome) > 0) {
+    if (m_outcome && m_outcome->quantityCount() > 0) {
         fitAxis(*m_rect->axis(QCPAxis::atBottom), m_across);
         fitAxis(*m_rect->axis(QCPAxis::atLeft), m_up);
     }
@@ -183,7 +158,7 @@ CsvTable ScatterPlot::table() const {
                  << quantityName(*m_outcome, m_up);
     const auto& rows = m_outcome->result.statistics.rows;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double x = quantityOf(*m_outcome, i, m_across), y = quantityOf(*m_outcome, i, m_up);
+        const double x = m_outcome->valueOf(i, m_across), y = m_outcome->valueOf(i, m_up);
         if (shows(outside(i) ? outsideKey : goodKey)
             && m_rect->axis(QCPAxis::atBottom)->range().contains(x)
             && m_rect->axis(QCPAxis::atLeft)->range().contains(y)) {
@@ -199,8 +174,8 @@ QString ScatterPlot::valuesAt(const QPointF& at) const {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < rows; ++i) {
         const QPointF point(
-            m_rect->axis(QCPAxis::atBottom)->coordToPixel(quantityOf(*m_outcome, i, m_across)),
-            m_rect->axis(QCPAxis::atLeft)->coordToPixel(quantityOf(*m_outcome, i, m_up)));
+            m_rect->axis(QCPAxis::atBottom)->coordToPixel(m_outcome->valueOf(i, m_across)),
+            m_rect->axis(QCPAxis::atLeft)->coordToPixel(m_outcome->valueOf(i, m_up)));
         const double away = QLineF(point, at).length();
         if (away < nearest && shows(outside(i) ? outsideKey : goodKey)) {
             nearest = away;
@@ -213,7 +188,7 @@ QString ScatterPlot::valuesAt(const QPointF& at) const {
     const auto value = [&](BatchQuantity quantity) {
         return QStringLiteral("%1 %2").arg(
             quantityName(*m_outcome, quantity),
-            Names::significant(quantityOf(*m_outcome, *found, quantity), 4));
+            Names::significant(m_outcome->valueOf(*found, quantity), 4));
     };
     return tr("Part %1: %2; %3")
         .arg(m_outcome->result.statistics.rows[*found].part)
@@ -237,7 +212,7 @@ void ScatterPlot::restyle() {
 }
 
 void ScatterPlot::setTexts() {
-    if (m_outcome && quantityCount(*m_outcome) > 0) {
+    if (m_outcome && m_outcome->quantityCount() > 0) {
         m_rect->axis(QCPAxis::atBottom)->setLabel(quantityName(*m_outcome, m_across));
         m_rect->axis(QCPAxis::atLeft)->setLabel(quantityName(*m_outcome, m_up));
     }

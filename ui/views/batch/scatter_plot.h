@@ -11,11 +11,7 @@ namespace sparkout {
 /// A factor or a characteristic of a batch, by its number among the factors and then the
 /// characteristics.
 using BatchQuantity = std::size_t;
-[[nodiscard]] std::size_t quantityCount(const BatchOutcome& outcome);
 [[nodiscard]] QString quantityName(const BatchOutcome& outcome, BatchQuantity quantity);
-/// Of the part in a kept row.
-[[nodiscard]] double quantityOf(const BatchOutcome& outcome, std::size_t row,
-                                BatchQuantity quantity);
 
 /// Any two quantities of a batch against each other: a point a part that is kept one by one, those
 /// beyond a limit of either and the worst part marked, with the limits.
@@ -40,7 +36,6 @@ private:
     [[nodiscard]] QString valuesAt(const QPointF& at) const override;
     void fill();
     void addLimits(BatchQuantity quantity, bool upright);
-    [[nodiscard]] const Characteristic* characteristic(BatchQuantity quantity) const;
     [[nodiscard]] bool outside(std::size_t row) const; ///< the limits of what is shown
 
     BatchOutcomePtr m_outcome;

@@ -3,7 +3,6 @@
 
 #include "ui/plot/feed_text.h"
 #include "ui/plot/hair_line.h"
-#include "ui/plot/plot_click.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
@@ -35,7 +34,7 @@ FeedsPlot::FeedsPlot(QWidget* parent)
     , m_hairLine(new HairLine(*this)) {
     setPlottingHints(QCP::phFastPolylines);
     setMouseTracking(true);
-    onPlotClick(*this, [this](const QPointF& at) {
+    onClick([this](const QPointF& at) {
         if (const QCPAxisRect* rect = axisRectAt(at); rect && !m_chart.isEmpty()) {
             emit timeClicked(scale().time_s(rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x())));
         }

@@ -2,7 +2,6 @@
 #include "ui/views/layers/layers_plot.h"
 
 #include "core/units.h"
-#include "ui/plot/plot_click.h"
 #include "ui/text/names.h"
 #include "ui/views/layers/layer_stack.h"
 #include "ui/views/layers/layers_look.h"
@@ -49,7 +48,7 @@ LayersPlot::LayersPlot(QWidget* parent) : PartPlot(parent) {
     setKeyed(targetKey, {m_target});
     setKeyed(blankKey, {m_blank});
     setKeyed(finalKey, {m_final});
-    onPlotClick(*this, [this](const QPointF& at) {
+    onClick([this](const QPointF& at) {
         if (const std::optional<Hit> hit = layerAt(at)) {
             emit strokeClicked(m_series.spans[hit->span].last);
         }

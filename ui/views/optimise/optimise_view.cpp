@@ -143,10 +143,8 @@ std::optional<double> OptimiseView::before_s() const {
 /// Whether the present cycle is one of those that were found.
 bool OptimiseView::isTaken() const {
     return !m_stale && std::ranges::any_of(m_search->found, [&](const FoundCycle& found) {
-        Project taken = good()->result.project;
-        setMachine(taken, found.machine);
-        taken.cycle = found.cycle;
-        return sameProject(taken, good()->result.project);
+        const Project& present = good()->result.project;
+        return sameProject(withFound(present, found), present);
     });
 }
 
@@ -220,10 +218,7 @@ void OptimiseView::showSearch() {
 
 void OptimiseView::tryCycle() {
     if (const FoundCycle* cycle = chosen()) {
-        Project project = m_search->project;
-        setMachine(project, cycle->machine);
-        project.cycle = cycle->cycle;
-        m_trials->request(std::move(project));
+        m_trials->request(withFound(m_search->project, *cycle));
     }
     showState();
 }
@@ -243,11 +238,8 @@ void OptimiseView::takeCycle() {
         m_own = good();
     }
     const auto take = [searched = m_search->project, found = *cycle](Project project) {
-        if (sameSearch(searched, project)) { // else edited meanwhile
-            setMachine(project, found.machine);
-            project.cycle = found.cycle;
-        }
-        return project;
+        // Else edited meanwhile.
+        return sameSearch(searched, project) ? withFound(std::move(project), found) : project;
     };
     emit editWanted(take, {"Edit", QT_TRANSLATE_NOOP("Edit", "Take the cycle found")});
 }

@@ -4,7 +4,6 @@
 #include "core/units.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
-#include "ui/plot/plot_click.h"
 #include "ui/plot/plot_cursors.h"
 #include "ui/plot/quantity_colour.h"
 #include "ui/text/names.h"
@@ -56,7 +55,7 @@ double roundTo2(double value) {
 LongitudinalPlot::LongitudinalPlot(QWidget* parent) : FramedPlot(parent) {
     build();
     connect(this, &QCustomPlot::afterLayout, this, &LongitudinalPlot::afterLayouting);
-    onPlotClick(*this, [this](const QPointF& at) {
+    onClick([this](const QPointF& at) {
         if (const int profile = profileUnder(at.toPoint()); profile >= 0) {
             emit profileClicked(profile);
         }

@@ -2,7 +2,6 @@
 #include "ui/views/sweep/sweep_plot.h"
 
 #include "ui/plot/number_ticker.h"
-#include "ui/plot/plot_click.h"
 
 #include <QMouseEvent>
 
@@ -26,7 +25,7 @@ SweepPlot::SweepPlot(QWidget* parent) : ViewPlot(parent), m_rect(addRect()) {
             emit pointChosen(*point);
         }
     };
-    onPlotClick(*this, choose);
+    onClick(choose);
     connect(this, &QCustomPlot::mousePress, this, [choose](QMouseEvent* event) {
         if (event->button() == Qt::RightButton) { // its menu is about this point
             choose(event->position());
