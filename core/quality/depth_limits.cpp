@@ -55,4 +55,15 @@ double effectiveWidth(const Project& project, const Place& place) {
                     project.wheel.width_mm);
 }
 
+const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {
+    const DepthLimit* least = nullptr;
+    for (const DepthLimit& limit : limits) {
+        if (requirementOf(limit.kind).bindsEveryPass()
+            && (!least || limit.depth_mm < least->depth_mm)) {
+            least = &limit;
+        }
+    }
+    return least;
+}
+
 } // namespace sparkout

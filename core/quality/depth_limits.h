@@ -19,6 +19,9 @@ struct DepthLimit {
 /// limit at this stock.
 [[nodiscard]] std::vector<DepthLimit> depthLimits(const Project& project, double b, double stock);
 
+/// The limit that binds a cut: the least of those that bind every one; null: there is none.
+[[nodiscard]] const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits);
+
 /// The requirements that limit the depth of cut: of every pass, then those of the last cut alone.
 [[nodiscard]] std::vector<ConstraintKind> depthLimitKinds();
 

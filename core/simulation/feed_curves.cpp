@@ -129,4 +129,10 @@ FeedPoints within(const FeedPoints& points, double from_s, double to_s) {
     return {first, last};
 }
 
+const FeedPoint* feedPointAt(const FeedPoints& points, double time_s) {
+    const auto found = std::ranges::find_if(
+        points, [time_s](const FeedPoint& p) { return p.start_s <= time_s && time_s < p.end_s; });
+    return found == points.end() ? nullptr : &*found;
+}
+
 } // namespace sparkout

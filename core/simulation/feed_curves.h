@@ -31,6 +31,9 @@ struct XY {
     double x = 0, y = 0;
 };
 
+/// The point at a time; null where the zone has none.
+[[nodiscard]] const FeedPoint* feedPointAt(const FeedPoints& points, double time_s);
+
 /// Feeds and forces as steps that fall to zero where the wheel is elsewhere, accumulated feeds as
 /// ramps, radii as held steps. x never falls, all values are finite.
 [[nodiscard]] std::vector<XY> polyline(const FeedPoints& points, Quantity quantity, Edge edge,

@@ -14,13 +14,6 @@ namespace {
 
 constexpr qsizetype longestRunName = 24;
 
-/// The point at a time; null where the zone has none.
-const FeedPoint* feedPointAt(const FeedPoints& points, double time_s) {
-    const auto found = std::ranges::find_if(
-        points, [time_s](const FeedPoint& p) { return p.start_s <= time_s && time_s < p.end_s; });
-    return found == points.end() ? nullptr : &*found;
-}
-
 } // namespace
 
 void CompareChart::setRuns(std::vector<ComparedFeeds> runs) {

@@ -2,7 +2,6 @@
 #include "ui/export/study_book.h"
 
 #include "core/optimisation/limit.h"
-#include "core/optimisation/variants.h"
 #include "core/units.h"
 #include "core/version.h"
 #include "ui/charts/run_table.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/band_layer.h"
 
+#include "ui/plot/quantity_colour.h"
+#include "ui/text/names.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -22,6 +25,16 @@ struct BandLayer::Name {
 
     [[nodiscard]] bool touchesBand() const { return left < to && left + width > from; }
 };
+
+Band zoneBand(Zone zone, int section, double from, double to, const QPalette& palette,
+              int middleAlpha) {
+    constexpr int endAlpha = 28;
+    const bool middle = zone == Zone::nz;
+    QColor colour =
+        style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette);
+    colour.setAlpha(middle ? middleAlpha : endAlpha);
+    return {from, to, colour, Names::zone(zone, section), {}, Names::zoneFull(zone, section)};
+}
 
 BandLayer::BandLayer(QCPAxisRect* rect, bool showNames)
     : QCPLayerable(rect->parentPlot(), QStringLiteral("bands"))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/simulation/result.h"
+
 #include <qcustomplot.h>
 
 #include <vector>
@@ -15,6 +17,10 @@ struct Band {
     QString brief;   ///< "st. 1", where the names are too long; empty: there is none
     QString meaning; ///< "E1: plunge-in", for tooltips
 };
+
+/// A zone or section, from end to end, in the colour of its kind.
+[[nodiscard]] Band zoneBand(Zone zone, int section, double from, double to, const QPalette& palette,
+                            int middleAlpha = 38);
 
 /// Draws bands behind the curves of one axis rect, and their names in one line of its upper margin,
 /// where they cover no data. A name keeps touching its band and has its colour; where not all names

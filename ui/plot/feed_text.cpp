@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/feed_text.h"
 
+#include "core/simulation/feed_curves.h"
 #include "core/units.h"
 #include "ui/text/names.h"
 
 #include <QCoreApplication>
 #include <QStringList>
-
-#include <algorithm>
-#include <cmath>
 
 namespace sparkout {
 
@@ -110,13 +108,10 @@ Digits quantityDigits(Quantity quantity) {
 
 QString feedText(const FeedPoints& points, double time_s, const FeedSeries& series,
                  bool wholeStrokes) {
-    const auto it = std::ranges::find_if(
-        points, [time_s](const FeedPoint& p) { return p.start_s <= time_s && time_s < p.end_s; });
-    if (it == points.end()) {
-        return {};
-    }
-    return FeedText::where(*it, wholeStrokes ? it->end_s : time_s, series) + QLatin1Char('\n')
-           + FeedText::values(*it, series);
+    const FeedPoint* const at = feedPointAt(points, time_s);
+    return at ? FeedText::where(*at, wholeStrokes ? at->end_s : time_s, series) + u'\n'
+                    + FeedText::values(*at, series)
+              : QString();
 }
 
 } // namespace sparkout

@@ -74,6 +74,13 @@ QWidget* PlotView::pageButtons(PlotTools& tools) {
     return buttons;
 }
 
+void PlotView::addBoxes(QLayout& row, std::initializer_list<QComboBox*> boxes) {
+    for (QComboBox* box : boxes) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        row.addWidget(box);
+    }
+}
+
 void PlotView::addButtons(QLayout& row, const QList<QAction*>& actions) const {
     QWidget* bar = row.parentWidget();
     for (QAction* action : actions) {

@@ -51,6 +51,8 @@ protected:
     [[nodiscard]] QComboBox* content(); ///< a box to choose the page in, made after all pages
     void showPage(std::size_t index);
     [[nodiscard]] QStackedWidget* pages() const { return m_pages; }
+    /// Boxes as wide as what is chosen in them.
+    static void addBoxes(QLayout& row, std::initializer_list<QComboBox*> boxes);
     /// Buttons for actions of the front plot, and the one of its exports.
     void addButtons(QLayout& row, const QList<QAction*>& actions) const;
     /// A row of tools that fills a widget.

@@ -95,10 +95,7 @@ QWidget* BatchView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<ToolRow>(bar);
     m_weights->addItems({QString(), QString()});
-    for (QComboBox* box : {content(), m_name, m_weights, m_across, m_up}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        row->addWidget(box);
-    }
+    addBoxes(*row, {content(), m_name, m_weights, m_across, m_up});
     setTabOrder(m_name->previousInFocusChain(), content()); // made after it
     row->addStretch(1);
     addPageButtons(*row);

@@ -99,10 +99,7 @@ QWidget* CompareView::buildCurves() {
     auto* row = new ToolRow;
     column->addLayout(row);
     row->setSpacing(metrics::hair); // many stand in it
-    for (QComboBox* box : {m_zone, m_axis}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        row->addWidget(box);
-    }
+    addBoxes(*row, {m_zone, m_axis});
     row->addStretch(1);
     QToolButton* second = PlotTools::button(m_second->menuAction(), panel);
     second->setPopupMode(QToolButton::InstantPopup);

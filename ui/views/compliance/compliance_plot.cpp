@@ -4,7 +4,6 @@
 #include "core/study/length_lines.h"
 #include "ui/charts/longitudinal_layers.h"
 #include "ui/plot/band_layer.h"
-#include "ui/text/names.h"
 #include "ui/views/compliance/compliance_curves.h"
 #include "ui/views/compliance/coupling_curves.h"
 #include "ui/views/compliance/gauge_curves.h"
@@ -110,15 +109,9 @@ void CompliancePlot::fillBands() {
     const Project& project = m_outcome->result.project;
     if (project.operation->hasZones) {
         for (const CompliantPoint& point : compliantPoints(project)) {
-            Band band;
-            const auto index = bands.size();
-            band.from = point.position_mm - point.length_mm / 2;
-            band.to = point.position_mm + point.length_mm / 2;
-            band.colour = style::colour(index == 1 ? Drawn::middleZone : Drawn::endZone, palette());
-            band.colour.setAlpha(index == 1 ? 38 : 28);
-            band.name = Names::zone(static_cast<Zone>(index));
-            band.meaning = Names::zoneFull(static_cast<Zone>(index));
-            bands.push_back(band);
+            bands.push_back(zoneBand(static_cast<Zone>(bands.size()), 0,
+                                     point.position_mm - point.length_mm / 2,
+                                     point.position_mm + point.length_mm / 2, palette()));
         }
     } else {
         Band band;

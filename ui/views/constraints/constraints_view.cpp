@@ -101,8 +101,7 @@ void ConstraintsView::build(Settings* settings) {
 QWidget* ConstraintsView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<QHBoxLayout>(bar);
-    m_zone->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    row->addWidget(m_zone);
+    addBoxes(*row, {m_zone});
     row->addStretch(1);
     row->addWidget(m_logarithmic);
     addButtons(*row, {cursors()->toggle, tools()->back, tools()->forward, tools()->fit});

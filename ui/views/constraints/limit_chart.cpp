@@ -14,18 +14,6 @@ namespace {
 
 using units::umPerMm;
 
-/// The limit that binds a cut: the least of those that bind every one.
-const DepthLimit* bindingOf(const std::vector<DepthLimit>& limits) {
-    const DepthLimit* least = nullptr;
-    for (const DepthLimit& limit : limits) {
-        if (requirementOf(limit.kind).bindsEveryPass()
-            && (!least || limit.depth_mm < least->depth_mm)) {
-            least = &limit;
-        }
-    }
-    return least;
-}
-
 double ratio(double value, double limit) {
     return limit > 0 ? value / limit : HUGE_VAL;
 }

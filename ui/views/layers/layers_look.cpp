@@ -31,16 +31,8 @@ QColor LayersLook::layer(const LayerSeries& series, std::size_t span, const QPal
 std::vector<Band> LayersLook::zoneBands(const LayerSeries& series, const QPalette& palette) {
     std::vector<Band> bands;
     for (const LayerColumn& column : series.columns) {
-        Band band;
-        band.from = column.stretch.from_mm;
-        band.to = column.stretch.to_mm;
-        const bool middle = column.zone == Zone::nz;
-        band.colour =
-            style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette);
-        band.colour.setAlpha(bandAlpha);
-        band.name = Names::zone(column.zone, column.section);
-        band.meaning = Names::zoneFull(column.zone, column.section);
-        bands.push_back(band);
+        bands.push_back(zoneBand(column.zone, column.section, column.stretch.from_mm,
+                                 column.stretch.to_mm, palette, bandAlpha));
     }
     std::ranges::sort(bands, {}, &Band::from);
     return bands;

@@ -48,9 +48,8 @@ LayersView::LayersView(QWidget* parent, Settings* settings)
 QWidget* LayersView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<QHBoxLayout>(bar);
-    m_radius->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     row->addWidget(content());
-    row->addWidget(m_radius);
+    addBoxes(*row, {m_radius});
     row->addStretch(1);
     addPageButtons(*row);
     connect(content(), &QComboBox::currentIndexChanged, this, &LayersView::chooseContent);

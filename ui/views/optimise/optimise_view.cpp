@@ -74,10 +74,7 @@ OptimiseView::OptimiseView(QWidget* parent, Settings* settings)
 QWidget* OptimiseView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<QHBoxLayout>(bar);
-    for (QComboBox* box : {content(), m_zone}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        row->addWidget(box);
-    }
+    addBoxes(*row, {content(), m_zone});
     setTabOrder(m_zone->previousInFocusChain(), content()); // made after it
     row->addStretch(1);
     addPageButtons(*row);

@@ -149,24 +149,13 @@ void LongitudinalPlot::fillBands() {
         if (sections && std::ranges::find(m_shown, static_cast<int>(i)) == m_shown.end()) {
             continue;
         }
-        const bool middle = p.zone == Zone::nz;
-        QColor colour =
-            style::colour(middle ? style::Drawn::middleZone : style::Drawn::endZone, palette());
-        colour.setAlpha(middle ? 38 : 28);
-        const QString full = Names::zoneFull(p.zone, p.section);
-        QString name = Names::zone(p.zone, p.section);
+        Band band = zoneBand(p.zone, p.section, p.from_mm, p.to_mm, palette());
         if (p.zone == Zone::rz1) {
-            name = tr("%1 (entry)").arg(name);
+            band.name = tr("%1 (entry)").arg(band.name);
         } else if (p.zone == Zone::rz2) {
-            name = tr("%1 (exit)").arg(name);
+            band.name = tr("%1 (exit)").arg(band.name);
         }
-        Band band;
-        band.from = p.from_mm;
-        band.to = p.to_mm;
-        band.colour = colour;
-        band.name = name;
-        band.meaning = full;
-        bands.push_back(band);
+        bands.push_back(std::move(band));
     }
     std::ranges::sort(bands, {}, &Band::from);
     m_bands->setBands(std::move(bands));

@@ -81,10 +81,7 @@ QWidget* SweepView::buildTools() {
     auto* bar = new QWidget(this);
     auto* row = rowIn<ToolRow>(bar);
     m_side->addItems({QString(), QString()});
-    for (QComboBox* box : {m_entry, m_side}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-        row->addWidget(box);
-    }
+    addBoxes(*row, {m_entry, m_side});
     row->addStretch(1);
     addPageButtons(*row);
     return bar;
