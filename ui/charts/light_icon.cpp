@@ -8,6 +8,8 @@
 #include <QPixmapCache>
 #include <QPolygonF>
 
+#include <algorithm>
+
 namespace sparkout {
 
 QColor lightColour(Light light, const QPalette& palette) {
@@ -55,6 +57,23 @@ QPixmap lightPixmap(Light light, int size, qreal ratio, bool grey) {
         painter.setOpacity(grey ? 0.4 : 1);
         painter.setBrush(colour);
         paintLight(painter, light, QRectF(1, 1, size - 2, size - 2));
+        painter.end();
+        QPixmapCache::insert(key, pixmap);
+    }
+    return pixmap;
+}
+
+QPixmap lightOnLine(Light light, int size, int line, qreal ratio, bool grey) {
+    const QPixmap drawn = lightPixmap(light, size, ratio, grey);
+    const QString key =
+        QStringLiteral("sparkout-light-on-line %1 %2").arg(drawn.cacheKey()).arg(line);
+    QPixmap pixmap;
+    if (!QPixmapCache::find(key, &pixmap)) {
+        pixmap = QPixmap(QSize(size, std::max(size, line)) * ratio);
+        pixmap.setDevicePixelRatio(ratio);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.drawPixmap(QPointF(0, std::max(0, line - size) / 2.0), drawn);
         painter.end();
         QPixmapCache::insert(key, pixmap);
     }

@@ -140,9 +140,6 @@ void TestProfileMoments::internalGrindingBeginsInsideItsEnd() {
     for (const Profile& profile : s.profiles) {
         const auto [blankLow, blankHigh] = std::ranges::minmax(s.blank_mm);
         QVERIFY(blankHigh < std::ranges::min(profile.radii_mm));
-        const PolarScale scale = polarScale(s, profile, RadiusReference::target, 50);
-        QVERIFY(distance(closedLine(s.blank_mm, scale)[0])
-                < distance(closedLine(profile.radii_mm, scale)[0]));
     }
     const ProfilePoint blank = lengthLine(s, LengthLine::blankMax, LengthQuantity::radius_um)[0];
     const ProfilePoint end = lengthLine(s, LengthLine::min, LengthQuantity::radius_um)[0];

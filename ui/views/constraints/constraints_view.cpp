@@ -125,7 +125,6 @@ QWidget* ConstraintsView::buildMargins() {
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded); // with large type
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setIconSize(QSize(metrics::iconSmall, metrics::iconSmall));
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -390,8 +389,10 @@ void ConstraintsView::nameParts() {
 }
 
 void ConstraintsView::drawIcons() {
-    const auto icon = [this](Light light) {
-        return QIcon(lightPixmap(light, metrics::iconSmall, devicePixelRatioF(), false));
+    const int line = std::max(metrics::iconSmall, m_table->fontMetrics().height());
+    m_table->setIconSize({metrics::iconSmall, line});
+    const auto icon = [this, line](Light light) {
+        return QIcon(lightOnLine(light, metrics::iconSmall, line, devicePixelRatioF(), false));
     };
     m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }

@@ -22,6 +22,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace sparkout {
 
 namespace {
@@ -105,7 +107,6 @@ void VerdictPanel::buildHead(QWidget* head) {
 void VerdictPanel::buildTable() {
     m_table->setObjectName(QStringLiteral("requirements"));
     m_table->setModel(m_model);
-    m_table->setIconSize(QSize(iconSmall, iconSmall));
     m_table->setWordWrap(true);
     m_table->verticalHeader()->hide();
     QHeaderView* header = m_table->horizontalHeader();
@@ -238,8 +239,10 @@ void VerdictPanel::grey(bool on) {
 
 void VerdictPanel::drawIcons() {
     const bool grey = m_good && m_latest && !m_latest->ran();
+    const int line = std::max(iconSmall, m_table->fontMetrics().height());
+    m_table->setIconSize({iconSmall, line});
     const auto icon = [&](Light light) {
-        return QIcon(lightPixmap(light, iconSmall, devicePixelRatioF(), grey));
+        return QIcon(lightOnLine(light, iconSmall, line, devicePixelRatioF(), grey));
     };
     m_model->setIcons({icon(Light::holds), icon(Light::close), icon(Light::fails)});
 }
@@ -297,6 +300,8 @@ void VerdictPanel::changeEvent(QEvent* event) {
     } else if (event->type() == QEvent::PaletteChange) {
         grey(m_good && m_latest && !m_latest->ran());
         showTexts();
+    } else if (event->type() == QEvent::FontChange) {
+        drawIcons();
     }
 }
 
